@@ -10,31 +10,37 @@
 
 namespace fretwork::mechanics {
 
-/// Elements are immutable; assemblies share them, so that an edit replaces only those that it changes.
+/// The elements of a structure. They are immutable, and assemblies share them, so an edit replaces only the
+/// elements that it changes.
 using Elements = std::vector<std::shared_ptr<const Element>>;
 
-/// A structure as the solvers see it: nodes, elements of any kind, what is held, and what acts. Solvers never
-/// ask what kind an element is; one assembly may mix beams and condensed tiles.
+/// A structure in the form that solvers take: nodes, elements of any kind, supports, prescribed displacements
+/// and loads. Solvers never ask for the kind of an element, so one assembly may mix beams and condensed
+/// tiles.
 struct Assembly {
-    std::vector<Eigen::Vector3d> nodes;  ///< rest positions, metres; those inside of beams and of hinges last
+    std::vector<Eigen::Vector3d> nodes;  ///< rest positions, m; the nodes inside beams and of hinges come
+                                         ///< last
     Elements elements;
     std::vector<Support> supports;
     std::vector<PrescribedDisplacement> prescribed;
-    NodeValues loads;           ///< one row a node, gravity included
-    bool has_moments = true;    ///< moments among the loads, other than those of gravity
-    int reported_nodes = 0;     ///< results have rows for nodes 0 .. this - 1
-    std::vector<int> labels{};  ///< of the reported nodes, for messages; empty: their places, from 0
+    NodeValues loads;           ///< one row for each node, gravity included
+    bool has_moments = true;    ///< true if the loads have moments other than those of gravity
+    int reported_nodes = 0;     ///< results have rows for nodes 0 .. reported_nodes - 1
+    std::vector<int> labels{};  ///< labels of the reported nodes in messages; empty: their indices, from 0
 };
 
-/// Options of the way from a frame to an assembly.
+/// Options of assemble().
 struct AssemblyOptions {
-    bool lumped_gravity = false;     ///< half of a beam's weight on each end, without the consistent moments
-    std::vector<int> node_labels{};  ///< how messages call the frame's nodes; empty: by their places, from 0
+    bool lumped_gravity = false;     ///< put half of a beam's weight on each end, without the consistent
+                                     ///< moments
+    std::vector<int> node_labels{};  ///< labels of the frame's nodes in messages; empty: their indices, from
+                                     ///< 0
     base::Control control{};
 };
 
 /// Turn every beam into corotational Euler-Bernoulli (or, with shear areas, Timoshenko) elements. Throws as
-/// validate(), and Stopped; but it takes a structure that is not held, which may be condensed, not solved.
+/// validate(), and Stopped. A structure without supports is accepted, because it can be condensed, though not
+/// solved.
 Assembly assemble(const Frame& frame, const AssemblyOptions& options = {});
 
 }  // namespace fretwork::mechanics

@@ -13,25 +13,31 @@
 
 namespace fretwork::mechanics {
 
-/// The data that corotational elements of one shape share: immutable, so any number of elements and threads
-/// may hold it. Everything is in the body's own axes.
+/// The data that corotational elements of one shape share. All of it is in the body's own axes. It is
+/// immutable, so any number of elements and threads may share it.
 class CorotationalBody {
   public:
     struct Parts {
         std::vector<Eigen::Vector3d> nodes;  ///< rest positions, m; the origin does not matter
-        Eigen::MatrixXd stiffness;           ///< 6n x 6n, symmetric; no rigid motion meets a force
-        /// Gives the consistent mass at rest, 6n x 6n, whenever it is asked for; empty: not known, and
+        Eigen::MatrixXd stiffness;           ///< 6n x 6n, symmetric; rigid motions cause no force
+        /// Computes the consistent mass at rest, 6n x 6n, at each call. Empty: the mass is not known, and
         /// natural frequencies are refused.
         std::function<Eigen::MatrixXd()> mass{};
     };
-    /// Throws InputError if the stiffness has another size than the nodes need, or resists a rigid motion.
+    /// Throws InputError if the size of the stiffness does not fit the number of nodes, or the stiffness
+    /// resists a rigid motion.
     explicit CorotationalBody(Parts parts);
 
-    [[nodiscard]] const Eigen::Matrix3Xd& arms() const { return arms_; }  ///< from the nodes' mean, m
+    [[nodiscard]] const Eigen::Matrix3Xd& arms() const {
+        return arms_;
+    }  ///< rest positions relative to
+       ///< their mean, m
     [[nodiscard]] const Eigen::MatrixXd& stiffness() const { return stiffness_; }
-    /// The weight of a node's rotation against its displacement in the frame's turn, m^2.
+    /// The weight of a node's rotation relative to its displacement in the equation for the turn of the
+    /// corotating axes, m^2.
     [[nodiscard]] double rotation_weight() const { return rotation_weight_; }
-    /// Throws InputError if it is not known, or has another size than the nodes need.
+    /// The consistent mass at rest, 6n x 6n. Throws InputError if it is not known, or its size does not fit
+    /// the number of nodes.
     [[nodiscard]] Eigen::MatrixXd mass() const;
 
   private:
@@ -41,26 +47,28 @@ class CorotationalBody {
     std::function<Eigen::MatrixXd()> mass_;
 };
 
-/// How the nodes of a corotational element lie in some states.
+/// The motion of a corotational element: its corotating axes, and the small displacements relative to them.
 struct CorotationalMotion {
-    Eigen::Matrix3d axes;   ///< from the body's axes as they turn with the nodes to the structure's
-    Eigen::Vector3d shift;  ///< of the nodes' mean, m, in the structure's axes
-    /// Displacements and rotation vectors that the frame leaves, in the body's axes as they turn with it.
+    Eigen::Matrix3d axes;   ///< rotation from the corotating axes to the structure's axes
+    Eigen::Vector3d shift;  ///< displacement of the nodes' mean, m, in the structure's axes
+    /// Displacements and rotation vectors of the nodes relative to the corotating axes, in these axes.
     NodeValues in_frame{};
 };
-/// @param turn  the rotation from the body's axes to those of the structure
-/// Nothing where the nodes have no frame: they are too far from any turn of their places at rest.
+/// The motion of a corotational element in given states of its nodes. Nothing if no corotating axes exist,
+/// because the nodes are too far from every rigid motion of their rest positions.
+///
+/// @param turn  the rotation at rest from the body's axes to the structure's axes
 std::optional<CorotationalMotion> corotational_motion(const CorotationalBody& body,
                                                       const Eigen::Matrix3d& turn,
                                                       std::span<const NodeState> states);
 
-/// An element of any number of nodes, such as a condensed tile, that moves and turns at will and answers
-/// motions of its nodes against its corotating frame with its linear stiffness: see
-/// framework/fretwork/mechanics/corotational.md. Its linearization at rest is the linear element of that
-/// stiffness.
+/// An element of any number of nodes, such as a condensed tile, that may move and turn by any amount. It
+/// resists motions of its nodes relative to its corotating axes with its linear stiffness. Its linearization
+/// at rest is the linear element of that stiffness. The theory is in
+/// framework/fretwork/mechanics/corotational.md.
 ///
-/// @param turn  the rotation from the body's axes to those of the structure
-/// Throws InputError if the body has another number of nodes.
+/// @param turn  the rotation at rest from the body's axes to the structure's axes Throws InputError if the
+/// body has another number of nodes.
 std::unique_ptr<const Element> corotational_element(std::vector<NodeIndex> nodes,
                                                     std::shared_ptr<const CorotationalBody> body,
                                                     const Eigen::Matrix3d& turn);

@@ -10,13 +10,13 @@
 
 namespace fretwork::mechanics {
 
-/// A way in which a structure vibrates about its rest position, or buckles.
+/// A mode of vibration about the rest position, or of buckling.
 struct Mode {
     double value = 0.0;  ///< vibration: frequency in Hz; buckling: load factor
-    /// One row for each reported node. The largest displacement, here or inside, is 1; of a mode that only
-    /// turns, the largest rotation.
+    /// One row for each reported node. The mode is scaled so that the largest displacement of all nodes is 1.
+    /// A mode without displacements is scaled so that its largest rotation is 1.
     NodeValues shape;
-    NodeValues inner_shape{};  ///< the assembly's other nodes, as Solution::inner_displacements
+    NodeValues inner_shape{};  ///< rows of the assembly's other nodes, as in Solution::inner_displacements
 };
 
 /// Options of the search for modes.
@@ -24,19 +24,19 @@ struct ModeOptions {
     base::Control control{};
 };
 
-/// The modes of the lowest natural frequencies, ascending: consistent masses, prescribed components held. At
-/// most as many as there are free components with mass, and none if all of them are held. Throws InputError
-/// if no element has mass, NumericalError and Stopped as LinearSolver.
+/// The modes of the lowest natural frequencies, ascending, with consistent masses. Prescribed components are
+/// held. There are at most as many modes as free components with mass. Throws InputError if no element has
+/// mass, NumericalError and Stopped as LinearSolver.
 std::vector<Mode> vibration_modes(const Assembly& assembly, int count, const ModeOptions& options = {});
 
-/// The modes of linearized buckling, ascending in the factor on the loads at which the stiffness, with the
-/// geometric stiffness of the linear solution, becomes singular; positive factors only, so there may be fewer
-/// than wanted, or none, as where nothing is loaded. Moments count as if they had a potential (as
-/// semi-tangential ones): of moments of fixed direction the factors are those of the stiffness' symmetric
-/// part. Throws as vibration_modes.
+/// The modes of linearized buckling, ascending in their load factor. At this factor on the loads, the
+/// stiffness plus the geometric stiffness of the linear solution becomes singular. Only positive factors are
+/// returned, so there may be fewer modes than wanted, or none, for example without loads. Moments are treated
+/// as semi-tangential moments, which have a potential: the factors are those of the symmetric part of the
+/// stiffness. Throws as vibration_modes.
 std::vector<Mode> buckling_modes(const Assembly& assembly, int count, const ModeOptions& options = {});
 
-/// Why fewer modes were found than wanted, for people; empty if all were found.
+/// The reason, for people, why fewer modes were found than wanted. Empty if all were found.
 std::string missing_vibration_modes_text(std::ptrdiff_t found, int wanted);
 std::string missing_buckling_modes_text(std::ptrdiff_t found, int wanted);
 

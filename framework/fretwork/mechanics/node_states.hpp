@@ -15,7 +15,7 @@ inline NodeState node_state(const Eigen::Matrix<double, 1, kDofsPerNode>& row) {
     return {row.head<3>().transpose(), geometry::exponential(row.tail<3>().transpose())};
 }
 
-/// The states of nodes, one row each.
+/// The states of nodes from rows of displacements and rotation vectors, one row for each node.
 inline std::vector<NodeState> node_states(const NodeValues& rows) {
     std::vector<NodeState> states;
     states.reserve(rows.rows());

@@ -13,32 +13,34 @@
 
 namespace fretwork::mechanics {
 
-/// Ways to an equilibrium.
+/// The solvers that find an equilibrium.
 enum class Solver {
     Linear,            ///< small displacements: LinearSolver
-    Newton,            ///< large ones: follow_load_path
-    DynamicRelaxation  ///< the same, as the paper finds them: relax
+    Newton,            ///< large displacements: follow_load_path
+    DynamicRelaxation  ///< large displacements by the paper's method: relax
 };
-/// "linear", "newton", "dynamic-relaxation"
+/// The name of a solver: "linear", "newton" or "dynamic-relaxation".
 std::string_view solver_name(Solver solver);
 std::vector<std::string_view> solver_names();
-/// Throws InputError that lists the names.
+/// The solver with this name. Throws InputError that lists the names.
 Solver find_solver(std::string_view name);
 
-/// How to solve a structure. Options of one solver alone are optional, and refused where another one would
-/// ignore them.
+/// Options of solve(). An option that only some solvers have is std::optional, and it is an error to set it
+/// for another solver.
 struct SolveOptions {
     Solver solver = Solver::Newton;
-    /// Newton: reach the load in this many equal steps, and keep the solution of each. None: in ten, of which
-    /// only the last is kept.
+    /// Newton: the number of equal load steps; the solution of each is kept. None: ten steps, and only the
+    /// last solution is kept.
     std::optional<int> steps{};
     std::optional<Branch> branch{};                   ///< Newton; none: primary
     std::optional<RotationalMass> rotational_mass{};  ///< dynamic relaxation; none: natural
-    std::optional<int> threads{};                     ///< linear and Newton; none or 0: all there are
-    bool locate_critical_loads = true;                ///< Newton; costs a few equilibria where one is passed
+    std::optional<int> threads{};                     ///< linear and Newton; none or 0: one for each
+                                                      ///< processor
+    bool locate_critical_loads = true;                ///< Newton; costs a few more equilibria at each
+                                                      ///< critical load
     bool estimate_error =
-        false;  ///< Newton, of a frame with consistent gravity: that of the beams' divisions
-    bool lumped_gravity = false;  ///< as AssemblyOptions
+        false;  ///< Newton, for a frame with consistent gravity: estimate the discretization error
+    bool lumped_gravity = false;  ///< see AssemblyOptions
     int vibration_modes = 0;      ///< number of natural frequencies of the structure at rest
     int buckling_modes = 0;       ///< number of critical load factors by linearized buckling
     base::Control control{};
@@ -46,15 +48,16 @@ struct SolveOptions {
     void validate() const;
 };
 
-/// Read a structure: a frame file, or a deck if its name ends in .inp. Nodes without labels are labelled by
-/// their places, from 0.
+/// Read a structure: a deck if the name ends in .inp, else a frame file. Nodes of a frame file get their
+/// indices, from 0, as labels.
 LabelledFrame read_structure(const std::filesystem::path& path);
 
 /// Solve a structure. Result::seconds is the time from the elements to the solution, without modes. Throws as
-/// the solvers do; InputError if a discretization error is wanted, which only a frame has.
+/// the solvers do. Throws InputError if the options ask for a discretization error, which can be estimated
+/// only for a frame.
 Result solve(const Assembly& assembly, const SolveOptions& options = {});
-/// The same from a frame: assembled, with the time for that in Result::seconds, and, on request, with an
-/// estimate of its discretization error. Numerical errors name the frame's source.
+/// Assemble and solve a frame, on request with an estimate of its discretization error. Result::seconds
+/// includes the assembly. Numerical errors name the frame's source.
 Result solve(const LabelledFrame& frame, const SolveOptions& options = {});
 
 }  // namespace fretwork::mechanics

@@ -4,7 +4,7 @@
 namespace fretwork::mechanics {
 
 /// The standard acceleration of free fall, m/s2, by definition (3rd General Conference on Weights and
-/// Measures, 1901). Load cases keep the numbers in their files.
+/// Measures, 1901). Load case files store the number itself.
 inline constexpr double kStandardGravity = 9.80665;
 
 }  // namespace fretwork::mechanics

@@ -12,38 +12,38 @@ namespace fretwork::mechanics {
 /// Read the beams of a CalculiX or Abaqus input deck (.inp): *NODE; *ELEMENT of type B31, B31R, B33 (two
 /// nodes), B32 or B32R (the middle node becomes a node of the frame); *NSET and *ELSET, also with GENERATE;
 /// *MATERIAL with *ELASTIC and *DENSITY; *BEAM SECTION with RECT, CIRC or PIPE, *BEAM GENERAL SECTION with
-/// GENERAL; *BOUNDARY; *CLOAD; *DLOAD with GRAV. What only steers a solver or its output is passed over; any
-/// other keyword is refused, and so is any parameter of these that is not read.
+/// GENERAL; *BOUNDARY; *CLOAD; *DLOAD with GRAV. Keywords that only control a solver or its output are
+/// skipped. Any other keyword is an error, and so is an unknown parameter of a keyword that is read.
 ///
-/// The frame is that of the end of the last step. As the CalculiX CrunchiX User's Manual has it (Dhondt;
-/// *CLOAD, *BOUNDARY, *DLOAD): what earlier steps gave stays (OP=MOD) but for what is given anew for the same
-/// node and direction, or goes (OP=NEW on the first such card of a step); within one step, forces on one node
-/// and direction add up. Gravity's direction counts without its length.
+/// The frame has the supports and loads at the end of the last step. The rules are those of the CalculiX
+/// CrunchiX User's Manual (Dhondt; *CLOAD, *BOUNDARY, *DLOAD). By default (OP=MOD), values of earlier steps
+/// stay until a later step replaces them for the same node and direction. OP=NEW on the first such card of a
+/// step removes them. Within one step, forces on one node and direction add up. The length of gravity's
+/// direction vector does not matter.
 ///
-/// Numbers are taken to be in SI units. A single number for CIRC is Abaqus' radius, two equal ones are
-/// CalculiX' thicknesses, diameters. Sections are shear-rigid with Saint-Venant's torsion constant, where
-/// CalculiX itself takes thick beams to be solids. The direction n1 of a section is its axis 3. Throws
-/// InputError with source and line, or with source and node or element; the frame is valid.
+/// All numbers are read in SI units. A single number for CIRC is a radius (Abaqus); two equal numbers are
+/// diameters (CalculiX). Sections are shear-rigid with Saint-Venant's torsion constant, whereas CalculiX
+/// itself treats thick beams as solids. The direction n1 of a section is its axis 3. The frame returned is
+/// valid. Throws InputError that names the source and a line, node or element.
 LabelledFrame parse_calculix(std::string_view text, const std::string& source);
 
-/// Which program is to read a deck.
+/// The program that is to read a deck.
 enum class DeckReader {
     Abaqus,   ///< one B31 for each beam, *BEAM GENERAL SECTION
-    Calculix  ///< one B32R for each beam, whose middle node comes behind the frame's, and *BEAM SECTION. ccx
-              ///< makes solids of them: it takes shear and thick joints into account, and torsion by the
+    Calculix  ///< one B32R for each beam and *BEAM SECTION; the middle nodes follow the frame's nodes. ccx
+              ///< expands such beams to solids: it includes shear and thick joints, and takes torsion by the
               ///< polar second moment
 };
 
-/// The text of such a deck for a frame, nodes labelled from 1, readable by that program and by
-/// parse_calculix; numbers are rounded to the twenty characters of a deck's fields, 14 digits or more.
-/// Features that a deck cannot express are refused: releases, divisions, shear areas, a given shear modulus;
-/// for CalculiX also sections that are neither rectangles nor circles. Throws InputError that names the
-/// feature.
+/// The text of a deck for a frame, which `reader` and parse_calculix can read. Nodes are labelled from 1.
+/// Numbers are rounded to the twenty characters of an entry, which are 14 digits or more. Throws InputError
+/// that names a feature which the deck cannot express: releases, divisions, shear areas, a given shear
+/// modulus, and for CalculiX also sections that are neither rectangles nor circles.
 std::string calculix_text(const Frame& frame, DeckReader reader = DeckReader::Abaqus);
 
-/// Throws as parse_calculix.
+/// Read a deck file. Throws as parse_calculix.
 LabelledFrame read_calculix(const std::filesystem::path& path);
-/// Throws as calculix_text, or IoError.
+/// Write a deck file atomically. Throws as calculix_text, or IoError.
 void write_calculix(const Frame& frame, const std::filesystem::path& path);
 
 }  // namespace fretwork::mechanics

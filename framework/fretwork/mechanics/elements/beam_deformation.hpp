@@ -6,7 +6,7 @@
 
 namespace fretwork::mechanics::elements {
 
-/// The arguments of the deformations: the chord's vector, and the spins of the two ends.
+/// The positions of the arguments of the deformations: the chord's vector, and the spins of the two ends.
 inline constexpr int kChord = 0;
 inline constexpr int kSpin1 = 3;
 inline constexpr int kSpin2 = 6;
@@ -15,15 +15,15 @@ using MotionVector = Eigen::Matrix<double, kMotions, 1>;
 using MotionMatrix = Eigen::Matrix<double, kMotions, kMotions>;
 using DeformationSlopes = Eigen::Matrix<double, kBeamDeformations, kMotions>;
 
-/// F(c) = a / sin a with c = cos a: turns the sine components of a direction into those of its rotation
-/// vector, equally about all axes. F' and F'' follow from its differential equation (1 - c^2) F' = c F - 1.
+/// F(c) = a / sin a with c = cos a: maps the sine components of a direction to the components of its rotation
+/// vector, equally about all axes. F' and F'' follow from the differential equation (1 - c^2) F' = c F - 1.
 struct AngleRatio {
     double value;
     double slope;
     double curvature;
 };
 
-/// The direction of the chord seen from an end section.
+/// The direction of the chord in the axes of an end section.
 struct EndView {
     double c, p2, p3;  ///< components of the chord's direction along the section's axes
     AngleRatio ratio;
@@ -31,22 +31,23 @@ struct EndView {
     [[nodiscard]] double bend3() const { return -ratio.value * p2; }
 };
 
-/// How a beam is deformed in given states of its ends, and the derivatives of that by its motions.
+/// The deformations of a beam for given states of its ends, and their derivatives with respect to the motions
+/// (MotionVector).
 class BeamDeformation {
   public:
     /// @param axes    the beam's local axes at rest, as columns
-    /// @param length  at rest, m
+    /// @param length  length at rest, m
     BeamDeformation(const Eigen::Matrix3d& axes, double length, std::span<const NodeState> ends);
 
     [[nodiscard]] BeamVector values() const;
     [[nodiscard]] DeformationSlopes slopes() const;
-    /// Sum over the deformations of stress times second derivative.
+    /// The sum over all deformations of stress times second derivative.
     [[nodiscard]] MotionMatrix curvature(const BeamVector& stress) const;
 
   private:
     struct BowShare {
         int spin;    ///< kSpin1 or kSpin2
-        double bow;  ///< share of this end's rotation in the bow
+        double bow;  ///< coefficient of this end's rotation in the bow
     };
     struct EndStress {
         int spin;
@@ -64,12 +65,12 @@ class BeamDeformation {
     [[nodiscard]] Eigen::Vector3d twist_slope() const;
     void add_twist_curvature(double stress, MotionMatrix& m) const;
 
-    Eigen::Matrix3d axes1_, axes2_;  ///< of the end sections
-    Eigen::Vector3d direction_;      ///< of the chord
-    double length_ = 0.0;            ///< of the chord
+    Eigen::Matrix3d axes1_, axes2_;  ///< the axes of the end sections
+    Eigen::Vector3d direction_;      ///< unit vector along the chord
+    double length_ = 0.0;            ///< length of the chord, m
     double elongation_ = 0.0;
     EndView end1_{}, end2_{};
-    double sine_ = 0.0, cosine_ = 1.0;  ///< of the twist
+    double sine_ = 0.0, cosine_ = 1.0;  ///< sine and cosine of the twist
 };
 
 }  // namespace fretwork::mechanics::elements

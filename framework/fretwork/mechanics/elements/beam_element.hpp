@@ -10,11 +10,11 @@ namespace fretwork::mechanics::elements {
 
 BeamEnergy::Stiffness beam_stiffness(const Section& section, const Material& material);
 
-/// A straight beam between two nodes that may move and turn at will.
+/// A straight beam between two nodes that may move and turn by any amount.
 ///
-/// Its energy is a function of deformations that no rigid motion changes (BeamEnergy), measured against the
-/// chord and in the end sections' own axes; so it does not depend on how a round section's axes are chosen.
-/// Its linearization at rest is the linear Euler-Bernoulli element, with shear areas Timoshenko's.
+/// Its energy is a function of deformations that no rigid motion changes (BeamEnergy). They are measured
+/// relative to the chord, in the end sections' own axes, so the choice of axes of a round section does not
+/// matter. The linearization at rest is the linear Euler-Bernoulli element, or Timoshenko's with shear areas.
 class BeamElement final : public Element {
   public:
     struct Geometry {

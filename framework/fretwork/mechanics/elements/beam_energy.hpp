@@ -5,14 +5,15 @@
 
 namespace fretwork::mechanics::elements {
 
-/// The deformations of a beam, all zero under rigid motions. With t1, t2 the rotations of the end sections
-/// against the chord, about the sections' own axes 2 (out of plane, for a flat pattern) and 3 (in plane):
+/// The deformations of a beam; a rigid motion leaves all of them at zero. Let t1, t2 be the rotations of the
+/// end sections relative to the chord, about the sections' own axes 2 (out of plane, for a flat pattern) and
+/// 3 (in plane):
 inline constexpr int kElongation = 0;  ///< change of the chord's length, m
 inline constexpr int kBow2 = 1;        ///< (t1 - t2) / 2 about axis 2: the arc of constant curvature
 inline constexpr int kSway2 = 2;       ///< (t1 + t2) / 2 about axis 2: the S shape
 inline constexpr int kBow3 = 3;        ///< as kBow2, about axis 3
 inline constexpr int kSway3 = 4;       ///< as kSway2, about axis 3
-inline constexpr int kTwist = 5;       ///< rotation of end 2 against end 1 about the chord
+inline constexpr int kTwist = 5;       ///< rotation of end 2 relative to end 1 about the chord
 inline constexpr int kBeamDeformations = 6;
 using BeamVector = Eigen::Matrix<double, kBeamDeformations, 1>;
 using BeamMatrix = Eigen::Matrix<double, kBeamDeformations, kBeamDeformations>;
@@ -28,13 +29,13 @@ using BeamMatrix = Eigen::Matrix<double, kBeamDeformations, kBeamDeformations>;
 ///   twist  / (1 + bow2^2 + bow3^2) + 2 (k3 bow2 sway3 - k2 bow3 sway2)    bending in two planes twists
 ///
 /// with the shear ratios f2 = 12 E I2 / (G As3 L^2), f3 = 12 E I3 / (G As2 L^2), k = 1 / (1 + f),
-/// q = (1/5 - f^2) k^2 and the shear angles g = f k sway. The products of two follow from minimizing the
-/// energy of the geometrically exact (Simo-Reissner) rod over all shapes between given ends; those of three
-/// make the strains of a helix, to which every piece of a rod tends under refinement, right to fourth order,
-/// and those of a rod whose sections stand at a shear angle to it: refinement does not make that angle small.
-/// Written as squares, the energy is never negative. The error falls with the fourth power of the length in a
-/// plane, and in space for sections that bend equally about both axes; otherwise, and with shear, with the
-/// second.
+/// q = (1/5 - f^2) k^2 and the shear angles g = f k sway. The products of two deformations follow from
+/// minimizing the energy of the geometrically exact (Simo-Reissner) rod over all shapes between given ends.
+/// The products of three make the strains of a helix right to fourth order; every piece of a rod tends to a
+/// helix under refinement. They do the same for a rod whose sections are inclined to it by a shear angle,
+/// because refinement does not make that angle small. The energy is a sum of squares and so never negative.
+/// In a plane, the error falls with the fourth power of the length. In space it does so too if sections bend
+/// equally about both axes; otherwise, and with shear, it falls with the second power.
 class BeamEnergy {
   public:
     /// The stiffness of a beam of length `length`. Stiffnesses in N and N m^2, flexibilities in 1/N.
@@ -48,7 +49,7 @@ class BeamEnergy {
     };
     BeamEnergy(const Stiffness& stiffness, double length);
 
-    /// The energy and its derivatives at some deformations.
+    /// The energy and its derivatives at given deformations.
     struct State {
         double value = 0.0;
         BeamVector gradient;
@@ -56,9 +57,10 @@ class BeamEnergy {
         BeamVector stress;         ///< stiffness * strain
     };
     [[nodiscard]] State evaluate(const BeamVector& d) const;
-    /// @param stress  in the terms of the strains' second derivatives: the state's own, or another
+    /// @param stress  the stress that multiplies the strains' second derivatives: the state's own, or a given
+    /// one
     [[nodiscard]] BeamMatrix hessian(const BeamVector& d, const State& state, const BeamVector& stress) const;
-    /// Stress over strain; and the diagonal of the Hessian at rest, which is all of it.
+    /// The ratios of stress to strain. They are also the Hessian at rest, which is diagonal.
     [[nodiscard]] const BeamVector& stiffness() const { return stiffness_; }
 
   private:
@@ -70,7 +72,7 @@ class BeamEnergy {
     BeamVector stiffness_;
     // Coefficients of the products in the strains.
     double bow_shortening_, sway2_shortening_, sway3_shortening_;
-    double shear2_, shear3_;  ///< f k: how much of the sway is shear
+    double shear2_, shear3_;  ///< f k: the share of shear in the sway
     double twist2_, twist3_;
 };
 

@@ -5,7 +5,8 @@
 
 namespace fretwork::mechanics::elements {
 
-/// The body has as many nodes as are given.
+/// Make a corotational element. Pre: the body has as many nodes as `nodes`. See
+/// mechanics/corotational_element.hpp.
 std::unique_ptr<const Element> make_corotational_element(std::vector<NodeIndex> nodes,
                                                          std::shared_ptr<const CorotationalBody> body,
                                                          const Eigen::Matrix3d& turn);

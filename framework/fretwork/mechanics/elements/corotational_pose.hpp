@@ -10,27 +10,29 @@
 
 namespace fretwork::mechanics::elements {
 
-/// The positions and rotations of a corotational element's nodes, measured in the frame that turns with it.
+/// The positions and rotations of a corotational element's nodes relative to its corotating axes.
 ///
-/// The frame's turn F is the one at which g = sum of P_i x u_i + weight theta_i vanishes. P_i are the arms at
-/// rest, u_i the displacements, and theta_i the rotation vectors that remain after F. All vectors are in the
-/// body's turned axes, until turn_into_structure() expresses them in the structure's axes.
+/// The rotation F of these axes is the one at which g = sum of P_i x u_i + weight theta_i vanishes. P_i are
+/// the arms at rest, u_i the displacements, and theta_i the rotation vectors that remain after F. All vectors
+/// are in the corotating axes, until turn_into_structure() expresses them in the structure's axes.
 class CorotationalPose {
   public:
-    /// At rest.
+    /// The pose at rest.
     explicit CorotationalPose(const CorotationalBody& body);
 
-    /// @param turn  from the body's axes to the structure's, as a unit quaternion
+    /// @param turn  rotation at rest from the body's axes to the structure's, a unit quaternion
     CorotationalPose(const CorotationalBody& body, const Eigen::Quaterniond& turn,
                      std::span<const NodeState> states);
 
-    /// @param turn  from the body's axes at rest to the structure's
+    /// Express all vectors in the structure's axes. @param turn rotation at rest from the body's axes to the
+    /// structure's
     void turn_into_structure(const Eigen::Quaterniond& turn);
 
-    /// False if no frame was found: the nodes are too far from every rigid motion of their places at rest.
+    /// False if no corotating axes were found, because the nodes are too far from every rigid motion of their
+    /// rest positions.
     [[nodiscard]] bool has_frame() const { return has_frame_; }
     [[nodiscard]] std::size_t count() const { return nodes_.size(); }
-    /// The rotation from the body's turned axes to the structure's axes.
+    /// The rotation from the corotating axes to the structure's axes.
     [[nodiscard]] const Eigen::Matrix3d& axes() const { return axes_; }
     /// P_i, m.
     [[nodiscard]] const Eigen::Vector3d& rest_arm(std::size_t i) const { return nodes_[i].rest_arm; }
@@ -40,13 +42,13 @@ class CorotationalPose {
     [[nodiscard]] const Eigen::Vector3d& rotation(std::size_t i) const { return nodes_[i].rotation; }
     /// The map from spins of a node to changes of theta_i.
     [[nodiscard]] const Eigen::Matrix3d& inverse_map(std::size_t i) const { return nodes_[i].inverse_map; }
-    /// The inverse of dg/dw, where w is a spin of the frame.
+    /// The inverse of dg/dw, where w is a spin of the corotating axes.
     [[nodiscard]] const Eigen::Matrix3d& inverse_slope() const { return inverse_slope_; }
 
   private:
     struct Node {
-        Eigen::Vector3d place;    ///< from the mean of all, in the body's axes at rest
-        Eigen::Quaterniond turn;  ///< in these axes
+        Eigen::Vector3d place;    ///< position relative to the mean of all nodes, in the body's axes at rest
+        Eigen::Quaterniond turn;  ///< rotation of the node, in the body's axes at rest
         Eigen::Vector3d rest_arm;
         Eigen::Vector3d arm;
         Eigen::Vector3d rotation = Eigen::Vector3d::Zero();

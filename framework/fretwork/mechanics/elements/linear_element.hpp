@@ -7,7 +7,8 @@
 
 namespace fretwork::mechanics::elements {
 
-/// The energy d . K d / 2 in the displacements and total rotation vectors of the nodes.
+/// A linear element: its energy is d . K d / 2 in the displacements and total rotation vectors d of its
+/// nodes.
 class LinearElement final : public Element {
   public:
     LinearElement(std::vector<NodeIndex> nodes, LinearMatrices matrices)
@@ -16,15 +17,14 @@ class LinearElement final : public Element {
     [[nodiscard]] std::span<const NodeIndex> nodes() const override { return nodes_; }
     void rest_stiffness(Eigen::MatrixXd& stiffness) const override { stiffness = matrices_.stiffness; }
     void evaluate(std::span<const NodeState> states, Demand demand, ElementResponse& response) const override;
-    /// Its strains would be the displacements themselves, linear except for large rotations, for which it is
-    /// not made.
+    /// Zero, because the element is made for small rotations, and there its strains are linear.
     [[nodiscard]] Eigen::Index stress_count() const override { return 0; }
     void evaluate_mixed(std::span<const NodeState> states, Demand demand, const ElementStresses& stresses,
                         MixedResponse& response) const override;
     void stresses_of(std::span<const double>, std::span<double>) const override {}
-    /// It is meant for small rotations.
+    /// Zero, because the element is made for small rotations.
     [[nodiscard]] double relative_turn(std::span<const NodeState>) const override { return 0.0; }
-    /// Zero: its energy has no terms above the second order.
+    /// Zero, because its energy has no terms above the second order.
     void geometric_stiffness(const Eigen::VectorXd& displacements, Eigen::MatrixXd& stiffness) const override;
     void mass(Eigen::MatrixXd& mass) const override;
 

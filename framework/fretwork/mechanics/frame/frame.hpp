@@ -25,7 +25,7 @@ constexpr const char* dof_name(Dof dof) {
     return kDofNames[static_cast<std::size_t>(dof)];
 }
 
-/// A set of dofs: bit d is dof d.
+/// A set of dofs: entry d says whether dof d is in it.
 struct DofSet {
     std::array<bool, kDofsPerNode> contains{};
     static constexpr DofSet all() { return {{true, true, true, true, true, true}}; }
@@ -51,16 +51,18 @@ struct Material {
     friend bool operator==(const Material&, const Material&) = default;
 };
 
-/// A hinge: the components (in the beam's local axes at rest) that this end does not pass on to its node.
+/// A hinge at one end of a beam: the components, in the beam's local axes at rest, that the end does not
+/// transmit to its node.
 struct Release {
     int end = 0;  ///< 0 or 1
     DofSet free;
     friend bool operator==(const Release&, const Release&) = default;
 };
 
-/// Limit of the elements of one beam. The tip of a cantilever of this many elements is off by 1e-5 of its
-/// deflection at most (2.4e-7 under a force at its tip, 2e-6 under its own weight); beyond it rounding wins:
-/// stiffness grows with the cube of their number, and at ten thousand a third of the deflection is lost.
+/// The most elements of one beam. A cantilever of this number of elements has a relative error of the tip's
+/// deflection of at most 1e-5 (2.4e-7 under a force at its tip, 2e-6 under its own weight). With more
+/// elements rounding dominates, because the stiffness grows with the cube of their number: with ten thousand,
+/// a third of the deflection is lost.
 inline constexpr int kMostDivisions = 1000;
 
 struct Beam {
@@ -68,25 +70,26 @@ struct Beam {
     Section section;
     Material material;
     std::optional<Eigen::Vector3d>
-        normal{};       ///< local axis 3 at rest; none: global z, or global y for a beam along z
+        normal{};       ///< local axis 3 at rest; if empty, global z, or global y for a beam along z
     int divisions = 1;  ///< number of elements
     std::vector<Release> releases{};
 };
 
-/// A fixed rotation component means that this component of the node's total rotation vector stays zero.
+/// The fixed components of a node. A fixed rotation component means that this component of the node's total
+/// rotation vector stays zero.
 struct Support {
     NodeIndex node;
     DofSet fixed;
 };
 
-/// A component of a node's displacement that is given; it is thereby held.
+/// A component of a node's displacement with a given value. It acts as a support, too.
 struct PrescribedDisplacement {
     NodeIndex node;
     Dof dof;
     double value = 0.0;  ///< metres or radians (component of the rotation vector)
 };
 
-/// Force and moment of fixed direction in space. Several loads on one node add up.
+/// A force and a moment of fixed direction in space. Several loads on one node add up.
 struct NodalLoad {
     NodeIndex node;
     Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< N
@@ -110,9 +113,9 @@ struct LabelledFrame {
     std::string source{};                      ///< the file, for messages
 };
 
-/// Check what a frame must obey on its own: indices in range, finite numbers, positive sections, beams of
-/// some length, no node without a beam or held for certain, every part of the structure held, a density
-/// of every beam where gravity acts. Throws InputError or GeometryError that names the node or beam
+/// Check that a frame is valid: indices are in range, numbers finite, sections positive, and beams longer
+/// than zero; each node has a beam or is surely held; each connected part of the structure has a support; and
+/// each beam has a density if gravity acts. Throws InputError or GeometryError that names the node or beam
 /// ("/beams/3").
 void validate(const Frame& frame);
 

@@ -9,15 +9,16 @@
 
 namespace fretwork::mechanics {
 
-/// Read the text of a frame file. Throws InputError that names `source`, and the place in it. The frame is
-/// valid.
+/// Parse the text of a frame file. The frame returned is valid. Throws InputError that names `source` and the
+/// place in it.
 Frame parse_frame(std::string_view text, const std::string& source);
-/// The text of a frame file; equal materials and sections are written once. parse_frame gives an equal frame.
+/// The text of a frame file, from which parse_frame makes an equal frame. Equal materials and sections are
+/// written once.
 std::string frame_text(const Frame& frame);
 
-/// Throws as parse_frame.
+/// Read a frame file. Throws as parse_frame.
 Frame read_frame(const std::filesystem::path& path);
-/// Throws IoError.
+/// Write a frame file atomically. Throws IoError.
 void write_frame(const Frame& frame, const std::filesystem::path& path);
 
 }  // namespace fretwork::mechanics

@@ -9,22 +9,26 @@
 
 namespace fretwork::mechanics::nonlinear {
 
-/// Where a path is followed from along its arc, how far the next step goes, and what is known of what lies
-/// ahead. Lengths are against the system's weights.
+/// The progress of following a path by its arc length: the last states, the length of the next step, and a
+/// change of stability ahead, if one is known. Lengths are measured with the system's weights.
 struct Arc {
     PathState state;
     std::optional<PathState> previous;
-    double length = 0.0;                                        ///< of the next step
-    double crossing = std::numeric_limits<double>::infinity();  ///< to where stability has changed
-    double beyond = 0.0;                                        ///< the step that has first shown it
-    double shortest = 0.0;                                      ///< no shorter steps are tried
+    double length = 0.0;                                        ///< length of the next step
+    double crossing = std::numeric_limits<double>::infinity();  ///< distance to a place beyond a change of
+                                                                ///< stability; infinity: none is known
+    double beyond = 0.0;                                        ///< length of the step that first crossed the
+                                                                ///< change
+    double shortest = 0.0;                                      ///< length of the shortest step to be tried
 
     [[nodiscard]] const PathState* last() const { return previous ? &*previous : nullptr; }
-    /// Whether a step of a length changes the load so little that what it crosses is on this path.
+    /// True if a step of this length changes the load so little that a change of stability within it lies on
+    /// this path.
     [[nodiscard]] bool is_narrow(double step) const;
-    /// A step has crossed a change of stability: come nearer to it with the next one. False if it is near.
+    /// Shorten the next step, after a step of length `step` that crossed a change of stability. Returns false
+    /// if the path is already near the change.
     bool come_nearer(double step);
-    /// The length of the step after one that continues the path.
+    /// Set the length of the next step after a step that continues the path.
     void plan_next(const PathStep& step);
     void forget_crossing(double next_length);
 
@@ -32,7 +36,7 @@ struct Arc {
     [[nodiscard]] double length_to_crossing(double length) const;
 };
 
-/// Begin at an equilibrium with a known rate, towards a larger load.
+/// Begin an arc at an equilibrium with a known rate, towards a larger load.
 Arc begin_arc(const PathStepper& stepper, const PathPoint& point, double load_factor);
 
 }  // namespace fretwork::mechanics::nonlinear

@@ -5,40 +5,42 @@
 
 namespace fretwork::mechanics::nonlinear {
 
-/// The direction in which a structure at some configuration is least stable.
+/// The direction in which a structure is least stable in a configuration.
 struct LowestMode {
-    double eigenvalue = 0.0;  ///< of the tangent's symmetric part against the system's weights; below zero:
-                              ///< unstable
-    Eigen::VectorXd shape;    ///< of the unknowns; largest component (displacements in lengths) +1
+    double eigenvalue = 0.0;  ///< lowest eigenvalue of the tangent's symmetric part relative to the system's
+                              ///< weights; below zero: unstable
+    Eigen::VectorXd shape;    ///< change of the unknowns; the largest component is +1 (displacements count in
+                              ///< characteristic lengths)
 };
 
-/// A shift of the tangent that is to its entries as rounding is: what it makes definite is stable, or
-/// neutral.
+/// A shift of the tangent of the size of its rounding error. A tangent that this shift makes definite is
+/// stable or neutral.
 double rounding_shift(const NonlinearSystem& system);
 
-/// By inverse iteration with the tangent of the last evaluation, shifted until it is positive definite.
-/// Leaves the shifted tangent factorized.
+/// The lowest mode of the tangent of the last evaluation, by inverse iteration with the tangent shifted until
+/// it is positive definite. Leaves the shifted tangent factorized.
 LowestMode lowest_mode(const NonlinearSystem& system, Newton& newton);
 
-/// Names a mode in which stability is lost by its largest component, preferably of a reported node, and turns
-/// it so that this is positive. The load factor is left open.
+/// Describe a loss of stability by the largest component of its mode, if possible at a reported node. Changes
+/// the sign of the mode so that this component is positive. The load factor is left unset.
 StabilityLoss describe_loss(const NonlinearSystem& system, LowestMode& mode);
 
-/// Go downhill from a configuration to an equilibrium that is stable, or neutral, as all those around an axis
-/// in which a round column buckles, under this load factor: Newton's steps where the
-/// tangent is positive definite, elsewhere steps with the tangent shifted until it is. On Converged the
+/// Descend in energy from a configuration to an equilibrium under this load factor. The equilibrium is stable
+/// or neutral; a round column that buckles in any direction has neutral ones. The steps are Newton's where
+/// the tangent is positive definite; elsewhere the tangent is first shifted until it is. On Converged the
 /// system is evaluated there.
 Termination descend(double load_factor, NonlinearSystem& system, Newton& newton,
                     Configuration& configuration);
 
-/// An equilibrium by its load factor and its lowest eigenvalue.
+/// The load factor and the lowest eigenvalue of an equilibrium.
 struct LowestEigenvalue {
     double load_factor;
     double eigenvalue;
 };
 
-/// Where the lowest eigenvalue vanishes between a stable equilibrium and an unstable one that lies a move
-/// away from it: the false position, halving the weight of an end that stays (the Illinois rule).
+/// The load factor at which the lowest eigenvalue vanishes between a stable equilibrium and an unstable one
+/// at a distance `move` from it. The method is false position with the Illinois rule, which halves the weight
+/// of an end that stays.
 double critical_load_factor(NonlinearSystem& system, Newton& newton, const PathPoint& from,
                             LowestEigenvalue unstable, const Eigen::VectorXd& move);
 

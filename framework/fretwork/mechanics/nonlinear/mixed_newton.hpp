@@ -9,13 +9,13 @@
 
 namespace fretwork::mechanics::nonlinear {
 
-/// Newton's method in displacements and stresses together. The stresses, extrapolated from the iteration
-/// before, stand in the geometric terms of the tangent; their elimination leaves the unknowns and the
-/// sparsity as they are. The next step then need not undo the membrane forces of a long step: steps may turn
-/// nodes by half a radian, and more. [Magisano2017]
+/// Newton's method in displacements and stresses together [Magisano2017]. The geometric terms of the tangent
+/// take stresses that are extrapolated from the previous iteration. Eliminating the stresses leaves the
+/// unknowns and the sparsity unchanged. The next step then need not undo the membrane forces of a long step,
+/// so a step may turn nodes by half a radian and more.
 ///
-/// Factors are kept while they bring the steps down fast enough: with the slopes B0 of their configuration
-/// the equations of an old tangent are B(x)^T s + B0^T (K e(x) - s), and s <- K (e(x) + B0 dx).
+/// Old factors are kept while the steps shrink fast enough. Let B0 be the slopes at the configuration of the
+/// factors. The equations of an old tangent are then B(x)^T s + B0^T (K e(x) - s), and s <- K (e(x) + B0 dx).
 class MixedNewton {
   public:
     MixedNewton(NonlinearSystem& system, Newton& newton, const EquilibriumOptions& options)
@@ -25,41 +25,44 @@ class MixedNewton {
           options_(options),
           stresses_(unknowns_.assembly()) {}
 
-    /// Take the stresses and factorize the tangent at rest. Throws as Newton::factorize_at_rest.
+    /// Begin at rest: take the stresses there and factorize the tangent. Throws as Newton::factorize_at_rest.
     void begin_at_rest(const Configuration& rest);
-    /// The same at an equilibrium. False if the tangent there is singular.
+    /// Begin at an equilibrium: take the stresses there and factorize the tangent. False if the tangent is
+    /// singular.
     bool begin(const Configuration& equilibrium, double load_factor);
 
-    /// How well equations are to be solved.
+    /// The accuracy to which equations are to be solved.
     enum class Goal {
-        Approach,    ///< between two increments of the load: the last step is short
-        Equilibrium  ///< as EquilibriumOptions say
+        Approach,    ///< between two increments of the load: until a step is short
+        Equilibrium  ///< to the tolerances of EquilibriumOptions
     };
-    /// Go on from a step that was made with the factors of this class; it moves the configuration. On
-    /// Converged the factors are those of the configuration: exactly, or at an equilibrium up to a move that
-    /// changes no sign of a pivot unless it is nearly singular.
+    /// Iterate, starting with a step that the factors of this object gave; moves the configuration. On
+    /// Converged the factors belong to the configuration. With Goal::Equilibrium they may belong to a
+    /// configuration a small move away; such a move changes no sign of a pivot unless the tangent is nearly
+    /// singular.
     Termination solve(double load_factor, Goal goal, const Eigen::VectorXd& step,
                       Configuration& configuration);
 
-    /// Make a step of the unknowns, and of the prescribed components by this share of their values.
+    /// Move the unknowns by a step, and the prescribed components by the share `prescribed` of their values.
     void move(const Eigen::VectorXd& step, double prescribed, Configuration& configuration);
 
-    /// From an equilibrium of other loads, prescribed values or supports, with the factors there: move what
-    /// is held to its values, and make a first step to the equilibrium at the full load.
+    /// Leave an equilibrium of other loads, prescribed values or supports, with the factors there: move the
+    /// held components to their values, and make a first step to the equilibrium at the full load.
     struct FirstStep {
-        Eigen::VectorXd unbalanced;  ///< what it was solved for
+        Eigen::VectorXd unbalanced;  ///< right side of the equations for `step`
         Eigen::VectorXd step;
     };
     FirstStep depart(Configuration& configuration);
-    /// Go back to the equilibrium of the last departure, which was given up. False if the factors are no
-    /// longer those there.
+    /// Return to the equilibrium of the last departure, after it failed. False if the factors no longer
+    /// belong there.
     bool come_back(const Configuration& equilibrium);
 
-    /// Pivots of the last factorization.
+    /// The pivots of the last factorization.
     [[nodiscard]] const sparse::Ldlt::Outcome& outcome() const { return outcome_; }
 
     [[nodiscard]] const std::vector<double>& stresses() const { return stresses_.given(); }
-    /// Go back to a configuration with these stresses, and factorize there. False if there are no factors.
+    /// Return to a configuration with these stresses, and factorize there. False if the residual there is not
+    /// finite; then no factors exist.
     bool restore(const Configuration& configuration, double load_factor, const std::vector<double>& stresses);
 
   private:
@@ -67,10 +70,10 @@ class MixedNewton {
     struct Iteration {
         Goal goal;
         double load_factor;
-        int negative_pivots;  ///< of the path
+        int negative_pivots;  ///< their number on the path
         Eigen::VectorXd step;
         double travelled;  ///< sum of the sizes of all steps
-        double turn;       ///< rad, the largest of a node in the step
+        double turn;       ///< largest rotation of a node in the step, rad
     };
     [[nodiscard]] bool has_own_factors(const Iteration& iteration) const;
     [[nodiscard]] bool wants_own_factors(const Iteration& iteration) const;
@@ -90,13 +93,13 @@ class MixedNewton {
     const EquilibriumOptions& options_;
     StressWorkspace stresses_;
     sparse::Ldlt::Outcome outcome_;
-    /// How far the configuration has gone since the factors were made.
+    /// The distance of the configuration from that of the factors.
     struct Way {
-        double turned = 0.0;  ///< rad, at most
-        double moved = 0.0;   ///< of whole steps, against the system's weights
+        double turned = 0.0;  ///< upper bound on the rotation of a node, rad
+        double moved = 0.0;   ///< sum of the lengths of the steps, measured with the system's weights
     };
     Way way_{};
-    std::optional<Way> way_at_departure_{};  ///< none: the factors were made after it
+    std::optional<Way> way_at_departure_{};  ///< none: the factors are newer than the departure
 };
 
 }  // namespace fretwork::mechanics::nonlinear

@@ -24,36 +24,39 @@ class Newton {
     /// there.
     Termination solve(double load_factor, Configuration& configuration);
 
-    /// Whether the configuration of the last evaluation is an equilibrium, as EquilibriumOptions says.
-    /// @param last_step  that led to it; may be empty
+    /// True if the configuration of the last evaluation is an equilibrium by EquilibriumOptions.
+    /// @param last_step  the step that led to the configuration; may be empty
     [[nodiscard]] bool is_converged(const Configuration& configuration,
                                     const Eigen::VectorXd& last_step) const;
 
-    /// Factorize the tangent of the last evaluation, which is at rest. Throws NumericalError that names a
-    /// node if the structure can move without strain.
+    /// Factorize the tangent of the last evaluation. Pre: that evaluation was at rest. Throws NumericalError
+    /// that names a node if the structure can move without strain.
     void factorize_at_rest();
-    /// Factorize the tangent of the last evaluation. Returns what its symmetric part is.
+    /// Factorize the tangent of the last evaluation. Returns the definiteness of its symmetric part.
     sparse::Ldlt::Outcome factorize();
-    /// The same with `shift` times the system's weights added to the diagonal.
+    /// Factorize the tangent of the last evaluation with `shift` times the system's weights added to its
+    /// diagonal.
     sparse::Ldlt::Outcome factorize(double shift);
-    /// From here on the tangent is singular along this direction by symmetry, or (empty) not: factorize()
-    /// makes it regular by `shift`, and solve_tangent() does not move along the direction.
+    /// Declare that from now on the tangent is singular along this direction because of a symmetry.
+    /// factorize() then makes it regular by `shift`, and solve_tangent() does not move along the direction.
+    /// An empty direction ends this.
     void set_neutral(Eigen::VectorXd direction, double shift);
     [[nodiscard]] bool has_neutral() const { return neutral_.size() > 0; }
     [[nodiscard]] const Eigen::VectorXd& neutral() const { return neutral_; }
 
     /// Solve with the symmetric part of the last factorization, in place.
     void solve_symmetric(Eigen::VectorXd& right_side);
-    /// Solve with the whole tangent of the last factorization, its skew part included.
+    /// Solve with the tangent of the last factorization, its skew part included.
     [[nodiscard]] Eigen::VectorXd solve_tangent(const Eigen::VectorXd& right_side);
 
-    /// The matrix of a linear system: the tangent, or its transpose, which adjoint questions ask for.
+    /// The matrix of a linear system: the tangent, or its transpose for adjoint solutions.
     enum class Side { Tangent, Transposed };
-    /// Solve with the tangent of the last *evaluation*, to rounding, by the factors at hand and refinement;
-    /// one column for each right side. Nothing if these factors are too far from it. Throws Stopped.
+    /// Solve with the tangent of the last *evaluation* up to rounding, by refinement with the current
+    /// factors; one column for each right side. Nothing if the factors are too far from that tangent. Throws
+    /// Stopped.
     [[nodiscard]] std::optional<Eigen::MatrixXd> solve_refined(const Eigen::MatrixXd& right_sides, Side side,
                                                                const base::Control& control);
-    /// The same where the factors are those of the tangent, which has no skew part: one solve.
+    /// Solve without refinement. Pre: the factors are those of the tangent, and the tangent has no skew part.
     [[nodiscard]] Eigen::MatrixXd solve_plainly(Eigen::MatrixXd right_sides,
                                                 const base::Control& control) const;
     /// Blocks of the inverse of the symmetric part of the last factorization (sparse::Ldlt::inverse_blocks).
@@ -62,7 +65,7 @@ class Newton {
         return factors_.inverse_blocks(cliques, control);
     }
 
-    /// Linear solves since the last call.
+    /// The number of linear solves since the last call; resets the count.
     int take_iterations() { return std::exchange(iterations_, 0); }
 
   private:
@@ -75,7 +78,7 @@ class Newton {
     const EquilibriumOptions& options_;
     sparse::Ldlt factors_;
     std::vector<double> shifted_;
-    Eigen::VectorXd neutral_;  ///< of unit size against the system's weights, or empty
+    Eigen::VectorXd neutral_;  ///< of unit length in the system's weights, or empty
     double neutral_shift_ = 0.0;
     int iterations_ = 0;
 };

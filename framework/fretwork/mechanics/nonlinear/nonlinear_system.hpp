@@ -14,35 +14,38 @@ namespace fretwork::mechanics::nonlinear {
 
 /// The equations of nonlinear equilibrium, internal = load factor * loads, and their derivative.
 ///
-/// Where the unknowns are components of rotation vectors, moments and tangent are transformed to them. The
-/// tangent is a symmetric matrix and, at freely turning nodes with applied moments of fixed direction, small
-/// skew blocks.
+/// If unknowns are components of rotation vectors, moments and tangent are transformed to them. The tangent
+/// is a symmetric matrix, plus small skew blocks at freely turning nodes with applied moments of fixed
+/// direction.
 class NonlinearSystem {
   public:
-    /// @param threads  that evaluate the elements where these are many; 0: all there are
+    /// @param threads  number of threads that evaluate the elements of a large structure; 0: one for each
+    /// processor
     /// @param control  stops evaluations
     explicit NonlinearSystem(const Assembly& assembly, int threads = 1, const base::Control& control = {});
 
     [[nodiscard]] const Unknowns& unknowns() const { return unknowns_; }
 
-    /// Take up the assembly as it is now, where its elements have been replaced by others of the same nodes,
-    /// or its loads or prescribed values have changed; and another control.
+    /// Take over the present state of the assembly, after elements were replaced by others of the same nodes,
+    /// or loads or prescribed values changed. Also replaces the control.
     void refresh(const base::Control& control);
 
-    /// Compute the quantities of the members below; the tangent and its dependents only on request.
+    /// Compute the quantities that the functions below return. The tangent, and what depends on it, is
+    /// computed only on demand.
     void evaluate(const Configuration& configuration, double load_factor, Demand demand = Demand::Tangent);
 
-    /// The same in a mixed iteration, with the given stresses in the tangent's geometric terms. The workspace
-    /// takes the elements' own stresses and, with the tangent, the slopes of their strains.
+    /// Evaluate in a mixed iteration, with the given stresses in the tangent's geometric terms. Writes the
+    /// elements' own stresses, and with the tangent the slopes of their strains, to the workspace.
     void evaluate_mixed(const Configuration& configuration, double load_factor, Demand demand,
                         StressWorkspace& stresses);
-    /// Extrapolate the given stresses along small motions of the nodes: steps of the unknowns, and of what is
-    /// prescribed.
+    /// Extrapolate the given stresses along small motions of the nodes, which include the prescribed ones.
     void extrapolate(const NodeValues& motions, StressWorkspace& stresses) const;
-    /// After a mixed evaluation of forces alone: what an old tangent, with the slopes of the same evaluation,
-    /// is to be solved with. It vanishes where the unbalanced forces do and the given stresses are the own.
+    /// The right side for a solution with an old tangent and the slopes of its evaluation. Valid after a
+    /// mixed evaluation with Demand::Force. It is zero if the unbalanced forces are zero and the given
+    /// stresses are the elements' own.
     [[nodiscard]] const Eigen::VectorXd& mixed_unbalanced() const { return mixed_unbalanced_; }
-    /// After the same: B0^T (s - given), what the old tangent makes of given stresses that are not the own.
+    /// The force B0^T (s - given), which the old tangent adds if the given stresses are not the elements'
+    /// own. Valid after the same evaluation.
     [[nodiscard]] Eigen::VectorXd lag() const;
 
     /// The solution at the configuration of the last evaluation, without its history and its stability.
@@ -50,29 +53,29 @@ class NonlinearSystem {
 
     /// Load less internal force, for each equation.
     [[nodiscard]] const Eigen::VectorXd& unbalanced() const { return unbalanced_; }
-    /// Norm of the unbalanced forces over that of loads and reactions.
+    /// The norm of the unbalanced forces over the norm of loads and reactions.
     [[nodiscard]] double relative_residual() const { return relative_residual_; }
-    /// Whether the unbalanced forces are no more than what rounding makes of elements near rest.
+    /// True if rounding of elements near rest explains the unbalanced forces.
     [[nodiscard]] bool is_rounding() const {
         return (unbalanced_.cwiseAbs().array() <= rounding_.array()).all();
     }
-    /// The rate of the unbalanced forces in the load factor while the unknowns rest; with the tangent's share
-    /// of prescribed displacements where it was last asked for.
+    /// The derivative of the unbalanced forces with respect to the load factor at fixed unknowns. It includes
+    /// the effect of prescribed displacements if the last evaluation computed the tangent.
     [[nodiscard]] const Eigen::VectorXd& load_rate() const { return load_rate_; }
     [[nodiscard]] std::span<const double> tangent() const { return values_; }
-    /// Whether moments make the last tangent unsymmetric.
+    /// True if moments make the last tangent unsymmetric.
     [[nodiscard]] bool has_skew_part() const { return !skew_.empty(); }
-    /// y = skew part of the tangent times x.
+    /// The product of the tangent's skew part and x.
     [[nodiscard]] Eigen::VectorXd skew_product(const Eigen::VectorXd& x) const;
     /// False if external moments act: their direction stays fixed in space, so they have no potential. The
     /// moments of gravity stand for forces, which have one.
     [[nodiscard]] bool is_conservative() const { return skew_.empty() || !unknowns_.assembly().has_moments; }
-    /// The stability that the tangent's pivots show.
+    /// The kind of stability test that the tangent's pivots amount to.
     [[nodiscard]] StabilityTest stability_test() const {
         return is_conservative() ? StabilityTest::Tangent : StabilityTest::SymmetricPart;
     }
-    /// How far the ends of elements are turned against each other, and how much farther than in another
-    /// configuration near it: the largest of each.
+    /// The largest relative rotation of the ends of an element (rad), and its largest change from a nearby
+    /// configuration.
     struct RelativeTurn {
         double largest = 0.0;
         double largest_change = 0.0;
@@ -89,11 +92,12 @@ class NonlinearSystem {
     };
     void take_up_loads();
     void map_spins(const Configuration& configuration);
-    /// The quantities that are requested from the elements; stresses in a mixed iteration only.
+    /// The quantities requested from the elements. `stresses` is null except in a mixed iteration.
     struct Pass {
         Demand demand;
         StressWorkspace* stresses = nullptr;
-        /// Those whose lag behind the elements' own is asked for, with forces alone; null: none.
+        /// The stresses whose lag behind the elements' own is wanted, in an evaluation of forces alone; else
+        /// null.
         [[nodiscard]] StressWorkspace* lagging_stresses() const {
             return demand == Demand::Force ? stresses : nullptr;
         }
@@ -122,9 +126,9 @@ class NonlinearSystem {
 
     Unknowns unknowns_;
     bool is_loaded_ = false;
-    Eigen::VectorXd rounding_;                ///< what an equation's force may come to at rest
-    std::vector<int> moment_nodes_;           ///< with applied moments and at least two free rotations
-    std::vector<Eigen::Matrix3d> spin_maps_;  ///< of the vector nodes
+    Eigen::VectorXd rounding_;                ///< rounding of the force of each equation at rest
+    std::vector<int> moment_nodes_;           ///< nodes with applied moments and at least two free rotations
+    std::vector<Eigen::Matrix3d> spin_maps_;  ///< spin maps of the vector nodes
     base::Control control_;
     int threads_ = 1;
     std::size_t batch_ = 1;  ///< elements that are evaluated before they are added
@@ -132,9 +136,9 @@ class NonlinearSystem {
     std::vector<Answer> answers_;
 
     NodeValues internal_;
-    NodeValues forces_;          ///< loads less internal, true moments
-    NodeValues given_internal_;  ///< of the given stresses
-    NodeValues lag_;             ///< against the unknowns
+    NodeValues forces_;          ///< loads less internal forces, with true moments
+    NodeValues given_internal_;  ///< internal forces of the given stresses
+    NodeValues lag_;             ///< lag(), mapped to the unknowns
     NodeValues prescribed_rate_;
     double energy_ = 0.0;
     double relative_residual_ = 0.0;

@@ -7,20 +7,20 @@
 
 namespace fretwork::mechanics::nonlinear {
 
-/// Guesses the next equilibrium of a path from the last ones: the polynomial through up to three of them and
-/// their rates (Hermite), continued. It is written in the unknowns' steps from the last equilibrium, so that
-/// rotations of any size do no harm.
+/// Predicts the next equilibrium of a path by extrapolating the Hermite polynomial through up to three last
+/// equilibria and their rates. The polynomial is in steps of the unknowns from the last equilibrium, so
+/// rotations may have any size.
 class PathPredictor {
   public:
     explicit PathPredictor(const Unknowns& unknowns) : unknowns_(unknowns) {}
 
-    /// Add an equilibrium and the rate of its unknowns in the load factor.
+    /// Add an equilibrium and the derivative of its unknowns with respect to the load factor.
     void add(double load_factor, const Configuration& configuration, const Eigen::VectorXd& rate);
 
-    /// Forget what was before: the path goes on from elsewhere.
+    /// Forget all equilibria, because the path continues elsewhere.
     void restart() { points_.clear(); }
 
-    /// The step of the unknowns from the last equilibrium to that at another load factor.
+    /// The predicted step of the unknowns from the last equilibrium to the one at another load factor.
     [[nodiscard]] Eigen::VectorXd step_to(double load_factor) const;
 
   private:

@@ -10,22 +10,24 @@ namespace fretwork::mechanics::nonlinear {
 /// An equilibrium of a path, and the path's direction there.
 struct PathState {
     PathPoint point;
-    Eigen::VectorXd direction;  ///< of the unknowns; of unit size against the system's weights
-    double load_rate = 0.0;     ///< of the load factor along the direction; below zero: the load falls
+    Eigen::VectorXd direction;  ///< change of the unknowns along the path; of unit length in the system's
+                                ///< weights
+    double load_rate = 0.0;     ///< derivative of the load factor along the direction; below zero: the load
+                                ///< falls
 };
 
 /// A step to an equilibrium that continues the path.
 struct PathStep {
     PathState state;
     Eigen::VectorXd move;
-    double length = 0.0;  ///< of the move, against the system's weights
-    /// How far the move is from what the directions at both ends account for, as a share of the largest
-    /// distance that is accepted.
+    double length = 0.0;  ///< length of the move in the system's weights
+    /// The distance between the move and its prediction from the directions at both ends, as a share of the
+    /// largest distance that is accepted.
     double deviation = 0.0;
 };
 
-/// Correct a trial in the plane at right angles to a step, load factor and unknowns together, to an
-/// equilibrium [Riks1979]. On success the system is evaluated there.
+/// Correct a trial, load factor and unknowns together, to an equilibrium in the plane normal to a step
+/// [Riks1979]. On success the system is evaluated there.
 /// @return  the number of iterations, or -1
 int correct_across(NonlinearSystem& system, Newton& newton, const Eigen::VectorXd& step, double& load_factor,
                    Configuration& trial);
@@ -41,18 +43,18 @@ class PathStepper {
     /// The state at an equilibrium with a known rate, in the direction in which the load rises.
     [[nodiscard]] PathState rising(PathPoint point) const;
 
-    /// A step of a given length; nothing if there is none that continues the path.
+    /// A step of the given length. Nothing if no such step continues the path.
     /// @param previous  the state before; null: not known
     std::optional<PathStep> step(const PathState& from, const PathState* previous, double length);
 
-    /// A step to a larger load factor, from a guess of the move; the rates of the unknowns in the load
-    /// factor at both ends must account for it.
+    /// A step to a larger load factor, starting from a guess of the move. Nothing if the rates of the
+    /// unknowns at both ends do not account for the move.
     std::optional<PathStep> step_to_load(const PathState& from, double load_factor,
                                          const Eigen::VectorXd& guess);
-    /// A step to a load factor that lies within a step, which is known to continue the path.
+    /// A step to a load factor within `known`, a step that continues the path.
     std::optional<PathStep> step_within(const PathState& from, const PathStep& known, double load_factor);
 
-    /// The length of a step in which no node turns far, and the load rises to no more than a given factor.
+    /// The length of a first step: no node turns far in it, and the load does not rise above `load_factor`.
     [[nodiscard]] double first_length(const PathState& from, double load_factor) const;
     /// The length of a step whose largest component has this size (rad, or element lengths).
     [[nodiscard]] double length_of(const PathState& from, double largest_component) const;

@@ -8,22 +8,23 @@
 
 namespace fretwork::mechanics::nonlinear {
 
-/// The state of every element in a mixed iteration, kept here since elements are shared and immutable: the
-/// given stresses, and, from the last evaluation, the own stresses and the slopes of the strains.
+/// The state of all elements in a mixed iteration: the given stresses, and, from the last evaluation, the
+/// elements' own stresses and the slopes of their strains. The state is kept here because elements are shared
+/// and immutable.
 class StressWorkspace {
   public:
     explicit StressWorkspace(const Assembly& assembly);
 
-    /// An element's part, to be evaluated with.
+    /// The buffers of one element, for Element::evaluate_mixed.
     [[nodiscard]] ElementStresses of(std::size_t element);
     [[nodiscard]] Eigen::Map<Eigen::MatrixXd> slopes(std::size_t element);
 
-    /// Give every element its own stresses.
+    /// Set the given stresses of every element to its own.
     void give_own() { given_ = own_; }
-    /// Give an element s + K B dx, where dx are small motions of its nodes (6n).
+    /// Set the given stresses of an element to s + K B dx, where dx are small motions of its nodes (6n).
     void extrapolate(std::size_t element, const Eigen::VectorXd& motion);
-    /// Add B^T (s - given) to an element's forces (6n), with its own stresses s and slopes B of the last
-    /// evaluation: the force by which the given stresses lag behind those of the displacements.
+    /// Add the lag B^T (s - given) to an element's forces (6n), where s and B are its own stresses and slopes
+    /// of the last evaluation. It is the force by which the given stresses lag behind the own ones.
     void add_lag(std::size_t element, Eigen::VectorXd& force) const;
 
     /// The given stresses of all elements. Keep a copy to return to this state by give().

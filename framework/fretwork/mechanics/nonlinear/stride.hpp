@@ -5,14 +5,14 @@
 
 namespace fretwork::mechanics::nonlinear {
 
-/// rad, and element lengths: moves as small as this are linear.
+/// Moves up to this size, in rad and element lengths, count as linear.
 inline constexpr double kLinearMove = 1e-6;
 
 /// An equilibrium of a load path.
 struct PathPoint {
     Configuration configuration;
     double load_factor = 0.0;
-    Eigen::VectorXd rate;  ///< of the unknowns in the load factor
+    Eigen::VectorXd rate;  ///< derivative of the unknowns with respect to the load factor
     sparse::Ldlt::Outcome outcome;
     double turn_bound = 0.0;  ///< rad; upper bound on the relative rotation of the two ends of any element
 };
@@ -24,22 +24,23 @@ struct PathPoint {
 double bound_relative_turn(const NonlinearSystem& system, const PathPoint& from, double turned,
                            const Configuration& to);
 
-/// Whether a step has gone farther than the rates at its ends account for: then it may have passed over a gap
-/// of the path, to another one.
+/// True if a step is longer than the rates at its two ends account for. Such a step may have jumped to
+/// another path.
 /// @param made   the step's change of each unknown
 /// @param rates  for each unknown, the larger of the absolute rates at the two ends, times the step of the
 /// load factor
 bool is_jump(const Unknowns& unknowns, const Eigen::VectorXd& made, const Eigen::VectorXd& rates);
 
-/// Whether rates have grown so much over a step that a bifurcation may be near: there they grow without
-/// bound, and the ends of a long step may lie on the two sides of it, on two paths.
+/// True if rates have grown so much over a step that a bifurcation may be near. Rates grow without bound
+/// there, and the ends of a long step may lie on different sides of it, on two paths.
 bool is_softened(const Unknowns& unknowns, const Eigen::VectorXd& first_rate,
                  const Eigen::VectorXd& last_rate);
 
-/// Follow a load path in few long increments of mixed iterations, each of which turns nodes by up to a
-/// radian. What it sees of the path are the ends of the increments. Converged if they all speak for one path:
-/// the same number of negative pivots, and no move much larger than the rates at both of its ends account
-/// for. Otherwise the point stays where it is; the path is then to be followed in smaller steps.
+/// Follow a load path in few long increments of mixed iterations, each of which may turn nodes by up to a
+/// radian. Only the ends of the increments are known. The result is Converged if all of them seem to lie on
+/// one path: they have the same number of negative pivots, and no move is much larger than the rates at its
+/// two ends account for. Otherwise `point` does not change, and the caller has to follow the path in smaller
+/// steps.
 Termination stride(NonlinearSystem& system, Newton& newton, MixedNewton& mixed, PathPoint& point,
                    double target);
 

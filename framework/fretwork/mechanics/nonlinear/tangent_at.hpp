@@ -6,7 +6,7 @@
 
 namespace fretwork::mechanics {
 
-/// The parts of an EquilibriumSolver that its tangent stands on. They outlive it.
+/// The implementation of EquilibriumTangent on the members of an EquilibriumSolver, which must outlive it.
 class EquilibriumTangent::Impl {
   public:
     struct Parts {
@@ -14,23 +14,25 @@ class EquilibriumTangent::Impl {
         nonlinear::Newton& newton;
         nonlinear::MixedNewton& mixed;
         const nonlinear::Configuration& configuration;
-        bool& has_factors;  ///< near those of the configuration: solutions are refined with them
+        bool& has_factors;  ///< the factors are near those of the configuration, so solutions can be refined
+                            ///< with them
     };
     /// Evaluates the tangent. Throws NumericalError if it is singular, and Stopped.
     Impl(const Parts& parts, const base::Control& control);
 
     [[nodiscard]] std::span<const NodeState> states() const { return parts_.configuration.states; }
-    /// From forces of the equations to steps of the unknowns.
+    /// The steps of the unknowns that belong to forces of the equations.
     [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& right_sides, nonlinear::Newton::Side side,
                                         const base::Control& control);
     [[nodiscard]] Eigen::MatrixXd equations_of(const Eigen::MatrixXd& rows) const;
     [[nodiscard]] Eigen::MatrixXd rows_of(const Eigen::MatrixXd& steps) const;
-    /// In place, at nodes of whose rotation vectors some components are unknown or prescribed: v = T^T v,
-    /// from moments to what is conjugate to the rotation vector.
+    /// Transform moments to the quantities conjugate to rotation vectors, v = T^T v. In place, and only at
+    /// nodes some of whose rotation vector's components are unknown or prescribed.
     void moments_to_vectors(Eigen::MatrixXd& rows) const;
-    /// The same, w = T v: from rates of rotation vectors to spins.
+    /// Transform rates of rotation vectors to spins at the same nodes, w = T v.
     void vectors_to_spins(Eigen::MatrixXd& rows) const;
-    /// At the other nodes: from gradients by rotation vectors to those along spins, and from spins to rates.
+    /// Transform, at the other nodes, gradients with respect to rotation vectors to gradients along spins;
+    /// the next function transforms spins to rates of rotation vectors.
     void gradients_to_spins(Eigen::MatrixXd& rows) const;
     void spins_to_vectors(Eigen::MatrixXd& rows) const;
 
@@ -58,7 +60,7 @@ class EquilibriumTangent::Impl {
 
     Parts parts_;
     bool is_exact_ = false;                   ///< the factors are those of the tangent
-    std::vector<Eigen::Matrix3d> spin_maps_;  ///< of every node's rotation vector
+    std::vector<Eigen::Matrix3d> spin_maps_;  ///< spin map of every node's rotation vector
 };
 
 }  // namespace fretwork::mechanics

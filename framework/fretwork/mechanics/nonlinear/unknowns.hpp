@@ -10,17 +10,16 @@
 
 namespace fretwork::mechanics::nonlinear {
 
-/// Where all nodes are: their rotations as rotations, and as rotation vectors that follow the path without
-/// jumps.
+/// The states of all nodes, and their rotation vectors, which are continuous along the path.
 struct Configuration {
     std::vector<NodeState> states;
     std::vector<Eigen::Vector3d> rotation_vectors;
 };
 
-/// Which components of a structure's nodes are unknown, and how steps of them change a configuration.
+/// The unknown components of a structure's nodes, and the effect of steps of the unknowns on a configuration.
 ///
-/// The rotational unknowns of a node that turns freely are spins. Where supports hold some components of the
-/// total rotation vector, the unknowns are the others.
+/// The rotational unknowns of a node that turns freely are spins. If supports hold some components of the
+/// total rotation vector, the unknowns are its other components.
 class Unknowns {
   public:
     /// Throws Stopped.
@@ -30,7 +29,7 @@ class Unknowns {
     [[nodiscard]] const Assembly& assembly() const { return assembly_; }
     [[nodiscard]] int equations() const { return layout_->equations(); }
 
-    /// Take up other prescribed values of the assembly; what is held is as before.
+    /// Take over changed prescribed values of the assembly. The set of held components must be unchanged.
     void refresh();
 
     [[nodiscard]] Configuration rest() const;
@@ -40,20 +39,20 @@ class Unknowns {
     NodeValues hold(Configuration& configuration) const;
     /// Add a step of the unknowns.
     void move(const Eigen::VectorXd& step, Configuration& configuration) const;
-    /// Give rotation vectors the whole turns that bring them next to those of the last equilibrium, so that
-    /// they are continuous along a path whatever the iterations went through.
+    /// Add whole turns to the rotation vectors, so that they are next to those of the last equilibrium. They
+    /// are then continuous along a path, whatever the iterations passed through.
     void unwind(const Configuration& last, Configuration& configuration) const;
     /// The step of the unknowns from one configuration to another near it.
     [[nodiscard]] Eigen::VectorXd step_between(const Configuration& from, const Configuration& to) const;
-    /// The rate at which such a step changes where the unknowns change at `rate` at its end.
+    /// The rate at which a step from step_between() changes if the unknowns at its end change at `rate`.
     [[nodiscard]] Eigen::VectorXd rate_of_steps(const Eigen::VectorXd& step,
                                                 const Eigen::VectorXd& rate) const;
     /// The largest rotation of a node in a step, rad.
     [[nodiscard]] double largest_rotation(const Eigen::VectorXd& step) const;
-    /// Largest component of a step; displacements count in characteristic lengths.
+    /// The largest component of a step; displacements count in characteristic lengths.
     [[nodiscard]] double largest_component(const Eigen::VectorXd& step) const;
 
-    /// For each equation 1 for a rotation and 1 / length^2 for a displacement: squares in one unit.
+    /// The weight of each equation in sums of squares: 1 for a rotation, 1 / length^2 for a displacement.
     [[nodiscard]] const Eigen::VectorXd& weights() const { return weights_; }
 
     [[nodiscard]] const structure::Constraints& constraints() const { return constraints_; }
@@ -66,8 +65,8 @@ class Unknowns {
     }
     /// The characteristic length of the elements, m.
     [[nodiscard]] double length() const { return length_; }
-    /// Nodes some of whose rotation vector's components are unknowns or prescribed, and a node's place among
-    /// them, or -1.
+    /// The vector nodes: nodes with unknown or prescribed components of their rotation vector. vector_slot()
+    /// gives the index of a node among them, or -1.
     [[nodiscard]] const std::vector<int>& vector_nodes() const { return vector_nodes_; }
     [[nodiscard]] int vector_slot(int node) const { return vector_slot_[node]; }
 

@@ -7,16 +7,16 @@
 
 namespace fretwork::mechanics {
 
-/// Which equilibria to follow where a path becomes unstable.
+/// The equilibria to follow when a path becomes unstable.
 enum class Branch {
-    Primary,  ///< the path itself, stable or not: a flat structure stays flat
+    Primary,  ///< those of the path itself, stable or not: a flat structure stays flat
     Stable,   ///< the stable branch, reached by a push along the critical mode
-    Snapping  ///< as Stable; at a limit load the structure snaps to the stable equilibrium downhill
+    Snapping  ///< as Stable, and at a limit load the structure snaps to a stable equilibrium of lower energy
 };
-/// "primary", "stable", "snapping"
+/// The name of a branch: "primary", "stable" or "snapping".
 std::string_view branch_name(Branch branch);
 std::vector<std::string> branch_names();
-/// Throws InputError that lists the names.
+/// The branch with this name. Throws InputError that lists the names.
 Branch find_branch(std::string_view name);
 
 }  // namespace fretwork::mechanics

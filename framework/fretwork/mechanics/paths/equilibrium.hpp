@@ -13,9 +13,9 @@ namespace fretwork::mechanics {
 
 /// Options of the geometrically nonlinear solve.
 struct EquilibriumOptions {
-    /// A solution has converged below this residual. Where rounding keeps the residual above it, a solution
-    /// has converged below 1e-4, once steps are below 1e-13 (rad and element lengths). Very short beams
-    /// beside long ones do so, and a hundred thousand beams.
+    /// A solution has converged below this residual. If rounding keeps the residual above it, a residual
+    /// below 1e-4 is enough, once steps are below 1e-13 (rad and element lengths). This happens with very
+    /// short beams beside long ones, and with a hundred thousand beams.
     double relative_residual = 1e-9;
     double largest_rotation_step = 0.6;  ///< rad; longer Newton steps are shortened. There is no line search:
                                          ///< the residual may grow while membrane forces build up
@@ -23,8 +23,9 @@ struct EquilibriumOptions {
     bool classify_stability = true;
     Branch branch = Branch::Primary;
     bool locate_critical_loads = false;  ///< fill Solution::stability_losses; Stable and Snapping always do
-    int threads = 1;  ///< 0: all there are. They change no bit of a result, and small structures use one.
-    base::Control control{};  ///< receives the share of the load that is reached
+    int threads = 1;  ///< 0: one for each processor. The number does not change a bit of a result; small
+                      ///< structures use one thread.
+    base::Control control{};  ///< progress counts the share of the load that is reached
     /// Throws InputError if a value is invalid.
     void validate() const;
 };
@@ -33,33 +34,34 @@ struct EquilibriumOptions {
 std::vector<double> even_load_factors(int steps);
 
 /// Follow the load path from rest through the given load factors (ascending, > 0; 1 = the full load):
-/// corotational Newton with a consistent tangent, and a predictor from the path so far. If critical loads
-/// need not be located and the next load is far, a mixed Newton method goes there in few long increments.
-/// Where the path might branch on the way, it is followed by its arc length [Riks1979] instead, in steps so
-/// short that the tangents at both ends account for the move between them. Returns one solution for each
-/// factor. If a factor is not reached, its solution and all later ones have not converged; they hold the last
-/// equilibrium found, and its factor.
+/// Newton's method with a consistent tangent and a predictor from the path so far. If critical loads need not
+/// be located and the next load is far, a mixed Newton method goes there in few long increments. If the path
+/// might branch on the way, it is followed by its arc length [Riks1979] instead, in steps so short that the
+/// tangents at both ends account for the move between them. Returns one solution for each factor. If a factor
+/// is not reached, its solution and all later ones have not converged; they hold the last equilibrium found
+/// and its load factor.
 ///
-/// Termination::LimitLoad: the load falls along the path beyond the last equilibrium; this is the last of
-/// Solution::stability_losses. Termination::Diverged: no step, however short, continues the path.
-/// Termination::IterationsSpent: the load was not reached in 3,000 steps along the path.
+/// Termination::LimitLoad: the load falls along the path beyond the last equilibrium; the last of
+/// Solution::stability_losses is this limit load. Termination::Diverged: no step, however short, continues
+/// the path. Termination::IterationsSpent: the load was not reached in 3,000 steps along the path.
 ///
-/// With Branch::Stable, an unstable equilibrium is pushed along its lowest mode and goes downhill to a stable
-/// one, from which the path goes on. Each such place is one of Solution::stability_losses.
+/// With Branch::Stable, a structure in an unstable equilibrium is pushed along its lowest mode and descends
+/// in energy to a stable one. The path continues from there. Solution::stability_losses lists each such
+/// place.
 ///
 /// With Branch::Snapping, the path also goes on beyond limit loads: the load factor is raised by a
-/// thousandth, and the structure goes downhill from its last equilibrium to a stable one. Such a place is a
-/// stability loss at the limit load; it names the node and the component that move farthest, and is marked
-/// `pushed`. If there are several stable equilibria, a motion with inertia may come to rest in another one.
+/// thousandth, and the structure descends in energy from its last equilibrium to a stable one. Such a place
+/// is a stability loss at the limit load. It names the node and the component that move farthest, and is
+/// marked `pushed`. If several stable equilibria exist, a real motion with inertia may end in another one.
 ///
-/// The ends of an element can turn against each other by less than pi: beyond that, an element cannot tell
-/// the turn from one the other way round. A path on which they reach pi ends there as diverged; finer
+/// The relative rotation of the ends of an element must stay below pi, because an element cannot distinguish
+/// a larger one from a rotation in the opposite sense. A path that reaches pi ends there as diverged; finer
 /// divisions avoid it.
 ///
-/// Rotation vectors are continuous along the path: beyond half a turn they go on growing. The moment of a
-/// reaction is the true moment in space, also where only some rotation components are held. Throws InputError
-/// if the factors are not ascending, NumericalError that names a node if the structure can move without
-/// strain at rest, and Stopped.
+/// Rotation vectors are continuous along the path: they keep growing beyond half a turn. The moment of a
+/// reaction is the true moment in space, even if only some rotation components are held. Throws InputError if
+/// the factors are not ascending, NumericalError that names a node if the structure can move without strain
+/// at rest, and Stopped.
 std::vector<Solution> follow_load_path(const Assembly& assembly, std::span<const double> load_factors,
                                        const EquilibriumOptions& options = {});
 

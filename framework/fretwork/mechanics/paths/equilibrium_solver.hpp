@@ -15,27 +15,28 @@ enum class StartingPoint {
     LastEquilibrium  ///< the equilibrium before the edit, by continuation
 };
 
-/// Whether the stability of an equilibrium is decided. This takes a factorization, without which a small
-/// change of the loads could be solved.
+/// The choice whether to check the stability of an equilibrium. The check takes a factorization, which a
+/// small change of the loads would otherwise not need.
 enum class StabilityCheck {
     Made,
-    Left  ///< Solution::stability is None: for loads that are dragged. If the equilibrium turns out to have
-          ///< lost its stability at the next check, it is solved from rest
+    Left  ///< no check, and Solution::stability is None: for loads that a user drags. If the next check finds
+          ///< the equilibrium unstable, it is solved from rest
 };
 
 /// Receives the first iterate on the way to an equilibrium: the prediction by the tangent at the last
-/// equilibrium. After small edits it is close to the new equilibrium, but it is none: Solution::converged is
-/// false, and there are no reactions. Not called if there is no last equilibrium to go on from.
+/// equilibrium. After small edits it is close to the new equilibrium, but it is not an equilibrium:
+/// Solution::converged is false, and there are no reactions. It is not called if there is no last equilibrium
+/// to continue from.
 using FirstIterate = std::function<void(const Solution&)>;
 
 /// Solves for the nonlinear equilibrium of a structure under its full load after each of many edits. It is
 /// the counterpart of LinearSolver for large displacements.
 ///
-/// A solution from the last equilibrium is accepted only if the structure gets there, as the edit is made,
-/// without losing its stability: both equilibria are stable, and the tangents at both ends account for the
-/// move between them. Otherwise the path is followed from rest. Both ways agree if the loads have only one
-/// stable equilibrium. If they have several (a buckled surface, a snapped dome), a solution from the last
-/// equilibrium stays on the branch to which the edits led, and the path from rest may lead to another.
+/// A solution from the last equilibrium is accepted only if the structure keeps its stability while the edit
+/// is made: both equilibria are stable, and the tangents at both ends account for the move between them.
+/// Otherwise the path is followed from rest. Both ways agree if the loads have only one stable equilibrium.
+/// If they have several (a buckled surface, a snapped dome), a solution from the last equilibrium stays on
+/// the branch to which the edits led, and the path from rest may lead to another.
 class EquilibriumSolver {
   public:
     /// Branch::Stable and located critical loads need the whole path, so they are always solved from rest.
@@ -45,14 +46,15 @@ class EquilibriumSolver {
     EquilibriumSolver& operator=(EquilibriumSolver&&) noexcept;
     ~EquilibriumSolver();
 
-    /// The equilibrium of an assembly under its full load. The work depends on how the assembly differs from
+    /// The equilibrium of an assembly under its full load. The cost depends on how the assembly differs from
     /// the last one (elements are compared by address):
     /// - loads and prescribed values: iterations with the last factors, and new ones once or twice;
-    /// - elements replaced by others of the same nodes: the same after new factors in the last equilibrium;
+    /// - elements replaced by others of the same nodes: new factors in the last equilibrium, and then as
+    /// above;
     /// - supports: a new order of elimination and new factors, in the last equilibrium;
-    /// - other nodes, or a last solution that had not converged or was not stable: everything, from rest.
-    /// Throws as follow_load_path; then the next call starts from rest. After a stop on the way from the
-    /// last equilibrium, the next call starts from that one.
+    /// - other nodes, or a last solution that did not converge or was not stable: everything, from rest.
+    /// Throws as follow_load_path; then the next call starts from rest. If a stop interrupts the way from the
+    /// last equilibrium, the next call starts from that equilibrium.
     ///
     /// @param first_iterate  may be empty
     Solution solve(const Assembly& assembly, const base::Control& control = {},

@@ -18,15 +18,15 @@ namespace fretwork::mechanics {
 ///
 /// Matrices have six rows for each node of the assembly, in the order of the nodes. *Motions* are
 /// displacements (m) and spins (rad; R <- exp(w) R), *forces* are true forces and moments (N, N m).
-/// *Gradients* are derivatives of a function J by the displacements and rotation vectors in which a solution
-/// is given. With T the derivative of the internal less the applied forces along motions,
+/// *Gradients* are derivatives of a function J with respect to the displacements and rotation vectors of a
+/// solution. Let T be the derivative, along motions, of the internal forces minus the applied forces. Then
 ///
 ///     motions = T^-1 forces,    adjoint motions l = T^-T gradient:  dJ = l . d(forces).
 ///
-/// T is not symmetric where moments of fixed direction act. Held components do not move.
+/// T is not symmetric if moments of fixed direction act. Held components do not move.
 ///
-/// EquilibriumSolver makes it from the equilibrium that it has found, with factors that it has; it is valid
-/// until the next call of that solver.
+/// EquilibriumSolver creates this object at the equilibrium that it has found, and lends its factors. The
+/// object is valid until the next call of that solver.
 class EquilibriumTangent {
   public:
     class Impl;
@@ -41,15 +41,15 @@ class EquilibriumTangent {
     /// The motions under small forces, one column each. Throws Stopped.
     [[nodiscard]] Eigen::MatrixXd motions(const Eigen::MatrixXd& forces,
                                           const base::Control& control = {}) const;
-    /// The motions when held components move by these values, one column each; rows of free components are
+    /// The motions if held components move by these values, one column each; rows of free components are
     /// ignored. Held rotation components are components of the rotation vector. Throws Stopped.
     [[nodiscard]] Eigen::MatrixXd motions_of_held(const Eigen::MatrixXd& values,
                                                   const base::Control& control = {}) const;
     /// The adjoint motions of gradients, one column each. Throws Stopped.
     [[nodiscard]] Eigen::MatrixXd adjoint_motions(const Eigen::MatrixXd& gradients,
                                                   const base::Control& control = {}) const;
-    /// The derivatives of J by the values of held components; zero for others.
-    /// @param adjoint_motions  of the same gradients
+    /// The derivatives of J with respect to the values of held components; zero for free components.
+    /// @param adjoint_motions  the adjoint motions of the same gradients
     [[nodiscard]] Eigen::MatrixXd by_held_values(const Eigen::MatrixXd& gradients,
                                                  const Eigen::MatrixXd& adjoint_motions) const;
 
@@ -61,8 +61,8 @@ class EquilibriumTangent {
     [[nodiscard]] Eigen::MatrixXd strain_slopes(std::size_t element) const;
     /// The internal forces of an element on its nodes: 6n.
     [[nodiscard]] Eigen::VectorXd internal_forces(std::size_t element) const;
-    /// For each of these elements the motions of its nodes under unit forces on them, 6n x 6n, with the
-    /// symmetric part of T. One selected inversion gives them all. Throws Stopped.
+    /// For each of these elements, the motions of its nodes under unit forces on these nodes, 6n x 6n, with
+    /// the symmetric part of T. One selected inversion computes all of them. Throws Stopped.
     [[nodiscard]] std::vector<Eigen::MatrixXd> flexibilities(std::span<const std::size_t> elements,
                                                              const base::Control& control = {}) const;
 

@@ -8,33 +8,32 @@ namespace fretwork::mechanics {
 
 struct Assembly;
 
-/// An estimate of how far a linear solution is from the solution for large displacements.
+/// An estimate of the distance between a linear solution and the solution for large displacements.
 struct LinearRange {
     /// The estimated largest error of a translation, as a share of the largest displacement. Below one, it is
     /// right within a factor of about two; if the true error is large, so is the estimate.
     double error = 0.0;
-    /// The load exceeds the first load of linearized buckling: the true solution may be a different one.
+    /// True if the load exceeds the first load of linearized buckling: the structure may then buckle.
     bool loses_stability = false;
     friend bool operator==(const LinearRange&, const LinearRange&) = default;
 };
 
 /// Options of linear_range().
 struct LinearRangeOptions {
-    int threads = 1;  ///< 0: all there are
+    int threads = 1;  ///< 0: one for each processor
     base::Control control{};
 };
 
 /// Estimate the error of a linear solution. The linear solution u1 is the first term of the path
 /// u = p u1 + p^2 u2 + p^3 u3 + .. in the load p. The next two terms take two more solutions with the same
-/// stiffness: u2 (a turned beam's end moves back along it) under the forces quadratic in u1, and u3 under the
-/// cubic forces of u1 and u2. These forces come from differences of the elements' forces. If u3 points
-/// against u1, held ends stiffen the structure, and the share x of u1 that remains solves p x + p^3 q x^3 =
-/// p.
+/// stiffness. The forces of u2 are quadratic in u1: the end of a beam that turns also moves back along the
+/// beam. The forces of u3 are cubic in u1 and u2. Both are differences of the elements' forces. If u3 points
+/// against u1, held ends stiffen the structure, and the remaining share x of u1 solves p x + p^3 q x^3 = p.
 ///
 /// The elements must be made for large displacements. Throws as LinearSolver.
 LinearRange linear_range(const Assembly& assembly, const LinearRangeOptions& options = {});
 
-/// The estimate, and the linear solution, which it needs in any case.
+/// The estimate together with the linear solution, which the estimate needs anyway.
 struct LinearPath {
     LinearRange range;
     NodeValues displacements;  ///< u1; the assembly's reported nodes first

@@ -9,9 +9,11 @@ namespace fretwork::mechanics {
 
 /// Options of tracing a path by arc length.
 struct PathTracingOptions {
-    double first_load_step = 0.05;     ///< share of the load in the first step; sets the first arc
+    double first_load_step = 0.05;     ///< share of the load in the first step; sets the arc length of the
+                                       ///< first step
     double largest_load_factor = 1.0;  ///< the path ends when its absolute load factor exceeds it
-    double largest_arc = 0.5;   ///< of one step, in rad and element lengths (root of the sum of squares)
+    double largest_arc = 0.5;   ///< largest arc length of one step, in rad and element lengths (root of the
+                                ///< sum of squares)
     int steps = 200;            ///< the path ends after this many steps
     int largest_cut_back = 10;  ///< a step is halved at most this many times
     EquilibriumOptions equilibrium{};  ///< only its relative_residual, threads and control are used
@@ -21,7 +23,8 @@ struct PathTracingOptions {
 
 /// Follow the equilibrium path from rest by its arc length, through limit points where the load turns back.
 /// Returns one solution for each point; their load factors rise and fall. If the last solution has not
-/// converged, the path was lost there, and it holds the last equilibrium. Throws as follow_load_path.
+/// converged, the path could not be followed further, and this solution holds the last equilibrium. Throws as
+/// follow_load_path.
 std::vector<Solution> trace_path(const Assembly& assembly, const PathTracingOptions& options = {});
 
 }  // namespace fretwork::mechanics

@@ -7,33 +7,35 @@
 
 namespace fretwork::mechanics {
 
-/// How the fictitious masses of rotations grow as elements get shorter.
+/// The growth of the fictitious masses of rotations as elements get shorter.
 enum class RotationalMass {
-    Natural,   ///< as their stiffness, E I / l and G J / l: the fair baseline
-    Published  ///< as E I / l^3 and G J / l^3 with l in metres, as in public implementations of [Sakai2020]
+    Natural,   ///< like their stiffness, E I / l and G J / l: the fair baseline
+    Published  ///< like E I / l^3 and G J / l^3 with l in metres, as in public implementations of [Sakai2020]
 };
 
 /// Options of dynamic relaxation.
 struct RelaxationOptions {
     double relative_residual = 1e-9;  ///< converged below this
-    int iterations = 200000;          ///< at most; a structure of the size of patterns takes thousands
+    int iterations = 200000;          ///< the most iterations; a structure of the size of a pattern takes
+                                      ///< thousands
     RotationalMass rotational_mass = RotationalMass::Natural;
-    base::Control control{};  ///< receives the iterations
+    base::Control control{};  ///< progress counts iterations
     /// Throws InputError if a value is invalid.
     void validate() const;
 };
 
 /// Find the equilibrium under the full load by dynamic relaxation with kinetic damping: the structure is
-/// released from rest, and stopped whenever its kinetic energy has a peak. The paper's ground truth is
-/// computed in this way [Sakai2020]. Here the forces are those of follow_load_path(), so both find the same
-/// equilibria; relaxation costs some hundred times as much. The equilibria are stable, unless an undisturbed
-/// symmetry keeps the structure at an unstable one (a perfect column). Fictitious masses bound the stiffness
-/// of each equation from above, so that unit time steps are stable. With RotationalMass::Published, those of
-/// rotations are larger by 1 / l^2 (l: the mean length of an element, below one metre).
+/// released from rest, and its velocities are set to zero whenever its kinetic energy peaks. The paper
+/// computes its ground truth in this way [Sakai2020]. The forces here are those of follow_load_path(), so
+/// both functions find the same equilibria; relaxation costs some hundred times as much. The equilibria are
+/// stable, unless an exact symmetry keeps the structure at an unstable one (a perfect column). Fictitious
+/// masses bound the stiffness of each equation from above, so that unit time steps are stable. With
+/// RotationalMass::Published, those of rotations are larger by 1 / l^2 (l: the mean length of an element,
+/// below one metre).
 ///
 /// Prescribed displacements act from the start, in one jump. So no prescribed rotation may turn a node, or
-/// one end of an element against its other, by more than pi: it would be taken for a turn the other way
-/// round. Throws InputError that names such a node, or an invalid option; Stopped.
+/// one end of an element relative to the other, by more than pi: it would be taken for a rotation in the
+/// opposite sense. Throws InputError that names such a node, or an invalid option; Stopped.
 Solution relax(const Assembly& assembly, const RelaxationOptions& options = {});
 
 }  // namespace fretwork::mechanics

@@ -14,16 +14,16 @@ struct StageTarget {
     NodeValues loads;  ///< one row for each node of the assembly
 };
 
-/// Follows load stages one after the other. Each begins at the equilibrium in which the one before ended.
+/// Follows load stages one after the other. Each begins at the equilibrium in which the previous one ended.
 /// During a load stage, loads and prescribed values change linearly to those of the target. A newly
 /// prescribed component starts from its present value; the reaction on a released component is reduced to
 /// zero.
 ///
-/// Newton's method solves each step; a step that fails is halved. An unstable equilibrium is left along a
-/// descent direction. If no step is short enough, the load stage ends at this limit load; with
-/// Branch::Snapping, the structure goes downhill from its last equilibrium instead. Each such place is one of
-/// Solution::stability_losses: its load factor is the share of the load stage, its node the one that moves
-/// farthest.
+/// Newton's method solves each step; a step that fails is halved. The structure leaves an unstable
+/// equilibrium along a descent direction. If no step is short enough, the load stage ends at this limit load;
+/// with Branch::Snapping, the structure instead descends in energy from its last equilibrium.
+/// Solution::stability_losses lists each such place: its load factor is the share of the load stage, and its
+/// node is the one that moves farthest.
 class StagedPath {
   public:
     /// Ignores the supports, prescribed values and loads of the assembly, and
@@ -34,8 +34,8 @@ class StagedPath {
     ~StagedPath();
 
     /// Follow one load stage. Solution::load_factor is the share of it that was reached. If the solution has
-    /// not converged, the next call goes on from its last equilibrium. Throws NumericalError if the
-    /// structure, as held, can move without strain at rest; Stopped.
+    /// not converged, the next call continues from its last equilibrium. Throws NumericalError if the
+    /// structure can move without strain at rest in spite of its supports; Stopped.
     Solution advance(const StageTarget& target);
 
   private:

@@ -13,7 +13,7 @@
 
 namespace fretwork::mechanics {
 
-/// The solution of a structure, and what else was asked for.
+/// The solution of a structure, and the further results that were asked for.
 struct Result {
     struct Node {
         int id = 0;
@@ -21,25 +21,27 @@ struct Result {
         bool is_interface = false;
     };
     std::string solver;                        ///< "linear", "newton", ...
-    std::string program{};                     ///< the version that made it; empty: not read from a file
-    base::IndexVector<NodeIndex, Node> nodes;  ///< as many as the solution has rows
+    std::string program{};                     ///< the version of the program that wrote the file; empty: not
+                                               ///< read from a file
+    base::IndexVector<NodeIndex, Node> nodes;  ///< one for each row of the solution
     Solution solution;
-    std::vector<Solution> load_steps;                           ///< only where asked for
-    std::vector<Mode> vibration_modes{};                        ///< only where asked for
-    std::vector<Mode> buckling_modes{};                         ///< only where asked for
-    std::optional<DiscretizationError> discretization_error{};  ///< of the solution; only where asked for
+    std::vector<Solution> load_steps;                           ///< only if asked for
+    std::vector<Mode> vibration_modes{};                        ///< only if asked for
+    std::vector<Mode> buckling_modes{};                         ///< only if asked for
+    std::optional<DiscretizationError> discretization_error{};  ///< error of the solution; only if asked for
     double seconds = 0.0;
 };
 
-/// Read the text of a result file. Throws InputError that names `source`, and the place in it: also where
-/// values contradict each other.
+/// Parse the text of a result file. Throws InputError that names `source` and the place in it, also if values
+/// contradict each other.
 Result parse_result(std::string_view text, const std::string& source);
 /// The text of a result file. Throws NumericalError if a value is not finite.
 std::string result_text(const Result& result);
 
-/// Throws as parse_result.
+/// Read a result file. Throws as parse_result.
 Result read_result(const std::filesystem::path& path);
-/// Throws IoError, or NumericalError if a value is not finite; then nothing is written.
+/// Write a result file atomically. Throws IoError, or NumericalError if a value is not finite; then nothing
+/// is written.
 void write_result(const Result& result, const std::filesystem::path& path);
 
 }  // namespace fretwork::mechanics

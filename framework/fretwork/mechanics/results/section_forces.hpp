@@ -11,8 +11,9 @@
 
 namespace fretwork::mechanics {
 
-/// The forces and moments of the material on the far side of a cut, along the beam's local axes as they turn
-/// with it: N pulls, M2 and M3 turn about axes 2 and 3 (V3 = dM2/ds, V2 = -dM3/ds).
+/// The forces and moments that the material on the far side of a cut exerts, along the beam's local axes,
+/// which turn with the beam. Positive N is tension; M2 and M3 act about axes 2 and 3 (V3 = dM2/ds, V2 =
+/// -dM3/ds).
 struct SectionForces {
     double N = 0.0;   ///< N, axial
     double V2 = 0.0;  ///< N, shear along axis 2
@@ -22,19 +23,20 @@ struct SectionForces {
     double M3 = 0.0;  ///< N m, bending about axis 3
 };
 
-/// The section forces at both ends of a straight beam, from how its ends move. Made once for a beam, and
-/// asked for many states.
+/// Computes the section forces at both ends of a straight beam from the motions of its ends. One object
+/// serves many states of a beam.
 class BeamSection {
   public:
     using Ends = std::array<SectionForces, 2>;
 
-    /// The beam without its divisions and hinges. Throws GeometryError if it has no length.
+    /// Ignores the beam's divisions and hinges. Throws GeometryError if the beam's length is zero.
     BeamSection(const Beam& beam, const std::array<Eigen::Vector3d, 2>& ends);
 
-    /// For small displacements: ux uy uz rx ry rz of each end.
+    /// The section forces for small displacements: ux uy uz rx ry rz of each end.
     [[nodiscard]] Ends linear(const Eigen::Vector<double, 6>& start,
                               const Eigen::Vector<double, 6>& end) const;
-    /// For displacements and rotations of any size, as the corotational beam element has them.
+    /// The section forces for displacements and rotations of any size, as in the beam element for large
+    /// displacements.
     [[nodiscard]] Ends large(const NodeState& start, const NodeState& end) const;
 
   private:
@@ -42,10 +44,10 @@ class BeamSection {
     [[nodiscard]] Ends from_gradient(const Deformations& gradient) const;
 
     double length_;
-    Eigen::Matrix3d axes_;  ///< at rest, as columns
+    Eigen::Matrix3d axes_;  ///< local axes at rest, as columns
     Section section_;
     Material material_;
-    Deformations stiffness_;  ///< at rest
+    Deformations stiffness_;  ///< of BeamEnergy, at rest
 };
 
 }  // namespace fretwork::mechanics

@@ -10,14 +10,14 @@
 
 namespace fretwork::mechanics {
 
-/// The largest stresses over a section, Pa, without their signs. They may lie at different points.
+/// The largest absolute stresses over a section, Pa. They may occur at different points.
 struct SectionStress {
     double normal = 0.0;     ///< along the beam
     double shear = 0.0;      ///< in the plane of the section
-    double von_mises = 0.0;  ///< of both at one point: sqrt(normal^2 + 3 shear^2)
+    double von_mises = 0.0;  ///< sqrt(normal^2 + 3 shear^2), with both at one point
 };
 
-/// The points of a section at which stresses can be largest, and the stress there for each section force.
+/// The points of a section at which stresses can be largest, and the stresses there for unit section forces.
 ///
 /// Stresses are those of technical beam theory: bending is linear over the section; shear follows from
 /// equilibrium with bending (Jourawski); torsion is free of warping stresses (Saint-Venant), a series for
@@ -25,16 +25,16 @@ struct SectionStress {
 /// of half a side apart on rectangles, 1/32 of a turn on circles and tubes.
 class SectionPoints {
   public:
-    /// A section without a shape is taken as the rectangle of its area and second moments.
+    /// A section without a shape counts as the rectangle of its area and second moments.
     explicit SectionPoints(const Section& section);
 
-    /// The largest stresses over the points. Linear in their number, some 70.
+    /// The largest stresses over the points. The cost is linear in the number of points, some 70.
     [[nodiscard]] SectionStress largest(const SectionForces& forces) const;
 
   private:
     struct Point {
-        Eigen::RowVector3d normal;          ///< Pa for N, M2, M3 of one
-        Eigen::Matrix<double, 2, 3> shear;  ///< along axes 2 and 3, Pa for V2, V3, T of one
+        Eigen::RowVector3d normal;          ///< Pa, for N, M2 and M3 equal to 1
+        Eigen::Matrix<double, 2, 3> shear;  ///< along axes 2 and 3, Pa, for V2, V3 and T equal to 1
     };
     class Builder;
     std::vector<Point> points_;

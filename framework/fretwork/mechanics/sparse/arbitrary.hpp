@@ -5,7 +5,8 @@
 
 namespace fretwork::mechanics::sparse {
 
-/// Numbers in [-1, 1) without pattern, the same on every system: a start that no mode is missing from.
+/// Pseudo-random numbers in [-1, 1), the same on every system. As starting vectors of an eigenvalue search
+/// they contain every mode.
 Eigen::MatrixXd arbitrary_numbers(Eigen::Index rows, Eigen::Index columns = 1);
 
 }  // namespace fretwork::mechanics::sparse

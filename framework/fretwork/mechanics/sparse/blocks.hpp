@@ -7,11 +7,11 @@
 
 namespace fretwork::mechanics::sparse {
 
-/// Rows and columns of the block that a matrix has for each pair of coupled nodes: the most unknowns that a
-/// node has.
+/// The size of the matrix block of a pair of coupled nodes, which is the largest number of unknowns of a
+/// node.
 inline constexpr int kBlockSize = 6;
 
-/// Which components of a node are unknowns.
+/// The components of a node that are unknowns.
 using Components = std::array<bool, kBlockSize>;
 
 /// One row of components for each node.

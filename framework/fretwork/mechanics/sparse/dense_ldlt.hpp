@@ -9,16 +9,17 @@
 
 namespace fretwork::mechanics::sparse {
 
-/// The dense matrix in which the columns of one supernode are eliminated, lower triangle by columns:
-/// `width` columns of width + rows entries, and the square that they leave to the columns after them.
+/// The dense matrix in which the columns of one supernode are eliminated (lower triangle, by columns). It has
+/// a panel of `width` columns with width + rows entries each, and a square rest that the panel's elimination
+/// leaves to later columns.
 struct Front {
     int width = 0;
     int rows = 0;
     double* panel = nullptr;  ///< (width + rows) x width; afterwards D on the diagonal, unit L below it
-    double* rest = nullptr;   ///< rows x rows, written in the lower triangle; the upper one may hold anything
+    double* rest = nullptr;   ///< rows x rows; only the lower triangle is used
 };
 
-/// A pivot that has lost this many digits against its diagonal is zero: what is left of it is rounding.
+/// A pivot below this share of its diagonal entry counts as zero, because only rounding is left of it.
 constexpr double kZeroPivot = 64.0 * std::numeric_limits<double>::epsilon();
 
 constexpr double kWeakPivot = 1e4;
@@ -26,28 +27,30 @@ constexpr double kWeakPivot = 1e4;
 /// Throws NumericalError if an entry of a stiffness' diagonal is not finite.
 void require_finite(std::span<const double> diagonal);
 
-/// Findings of an elimination.
+/// The signs and sizes of the pivots of an elimination.
 struct Pivots {
     int negative = 0;
     int zero = -1;      ///< the column that stopped the elimination; -1: none
-    bool weak = false;  ///< a pivot was less than kWeakPivot times what would have stopped it
+    bool weak = false;  ///< a pivot was less than kWeakPivot times the size that counts as zero
 };
 
-/// Which pivots are taken for zero: those that are not above `share` times the column's entry in `diagonal`.
+/// The rule for zero pivots: a pivot is zero if it is not above `share` times the column's entry in
+/// `diagonal`.
 struct ZeroPivot {
     std::span<const double> diagonal;
     double share = 0.0;
 };
 
-/// The threads that work on a front.
+/// The threads that eliminate a front.
 struct Crew {
-    int threads = 1;  ///< on large fronts; 0: all there are. They change no bit of a result.
+    int threads = 1;  ///< number on large fronts; 0: one for each processor. It does not change a bit of a
+                      ///< result.
     base::Control control{};
 };
 
-/// Eliminate the front's columns: F = L D L^T in the panel, and rest = -L D L^T of the rows below. There is
-/// no exchange of pivots: a pivot that counts as zero ends it. `scratch` is grown as needed. The kernels are
-/// compiled for several instruction sets; the machine picks one. Throws Stopped.
+/// Eliminate the front's columns: F = L D L^T in the panel, and rest = -L D L^T of the rows below. Pivots are
+/// not exchanged, so a pivot that counts as zero ends the elimination. `scratch` grows as needed. The kernels
+/// are compiled for several instruction sets, and the machine picks one at run time. Throws Stopped.
 Pivots eliminate(const Front& front, const ZeroPivot& zero, std::vector<double>& scratch,
                  const Crew& crew = {});
 

@@ -9,16 +9,16 @@
 
 namespace fretwork::mechanics::sparse {
 
-/// Which supernodes are eliminated together, and where each leaves its rest meanwhile.
+/// The tasks of an elimination: the supernodes of each task, and the storage for the rest of each supernode.
 ///
-/// A task is a subtree of the elimination tree or, next to the roots, a single supernode; it can start when
-/// the tasks that hand something on to it have ended. How the tree is cut changes no number: a supernode
-/// always meets its children in the same order.
+/// A task is a subtree of the elimination tree or, next to the roots, a single supernode. A task can start
+/// when its children in the tree of tasks have ended. The division into tasks does not change any number,
+/// because a supernode always adds its children in the same order.
 struct EliminationPlan {
     std::vector<int> task_start;          ///< tasks + 1
-    std::vector<int> supernode;           ///< of the tasks, ascending for each
-    std::vector<int> parent;              ///< the task that waits for this one, later than it; -1: none
-    std::vector<std::size_t> rest_start;  ///< of each supernode's rest in the working storage
+    std::vector<int> supernode;           ///< supernodes of all tasks, ascending within each
+    std::vector<int> parent;              ///< the later task that waits for this one; -1: none
+    std::vector<std::size_t> rest_start;  ///< start of each supernode's rest in the working storage
     std::size_t storage_size = 0;
 
     [[nodiscard]] std::span<const int> supernodes_of(std::size_t task) const {
@@ -26,7 +26,8 @@ struct EliminationPlan {
     }
 };
 
-/// One task for one thread, and for a tree whose elimination is not worth starting threads.
+/// Plan the elimination of a tree. The plan is a single task for one thread, and for a tree too small for
+/// threads to pay.
 EliminationPlan plan_elimination(const SupernodeTree& tree, int threads);
 
 }  // namespace fretwork::mechanics::sparse

@@ -11,8 +11,8 @@ struct LargeArrayDeleter {
 };
 using LargeArray = std::unique_ptr<double[], LargeArrayDeleter>;
 
-/// Numbers without values. Where there are millions of them, the system is asked for large pages: it then
-/// hands out a page per 2 MB rather than per 4 kB, and a pass through all numbers misses no page's address.
+/// Allocate uninitialized numbers. For millions of numbers, the operating system is asked for pages of 2 MB
+/// in place of 4 kB, which avoids page faults and misses of the address cache.
 LargeArray make_large_array(std::size_t size);
 
 }  // namespace fretwork::mechanics::sparse

@@ -11,27 +11,31 @@
 
 namespace fretwork::mechanics::sparse {
 
-/// The factorization A = L D L^T of a symmetric sparse matrix in the order of its layout, whose pivots count
-/// its negative eigenvalues (Sylvester). Multifrontal: the columns of each supernode are eliminated in one
-/// small dense matrix, which hands what is left of it to its parent's. Pivots are not exchanged: of the
-/// tangents of structures only those next to a singular one suffer from that, and a vanishing pivot says so.
+/// The factorization A = L D L^T of a symmetric sparse matrix in the order of its layout. The number of
+/// negative pivots is the number of negative eigenvalues (Sylvester). The method is multifrontal: the columns
+/// of each supernode are eliminated in one small dense matrix, whose rest is added to the parent's matrix.
+/// Pivots are not exchanged. Among tangents of structures, this harms only those that are nearly singular,
+/// and a vanishing pivot reveals them.
 class Ldlt {
   public:
-    /// @param threads  that factorize() uses where it is worth them; 0: all there are. They change no bit.
+    /// @param threads  number that factorize() uses for large matrices; 0: one for each processor. It does
+    /// not change a bit of a result.
     explicit Ldlt(const SystemLayout& layout, int threads = 1, const base::Control& control = {});
-    /// Room for the factors of another matrix of the same layout; what was found about the layout is shared.
+    /// An empty factorization for another matrix of the same layout. Both share the analysis of the layout.
     [[nodiscard]] Ldlt another() const;
 
-    /// How a factorization ended.
+    /// The outcome of a factorization.
     struct Outcome {
         int negative_pivots = 0;
         int zero_pivot =
-            -1;  ///< an equation whose pivot vanishes against its diagonal; -1: none, and solve() works
-        bool has_weak_pivot = false;  ///< one pivot is so small beside its diagonal that it may be rounding
+            -1;  ///< an equation whose pivot vanishes relative to its diagonal; -1: none, and solve() works
+        bool has_weak_pivot = false;  ///< a pivot is so small relative to its diagonal that it may be
+                                      ///< rounding
         [[nodiscard]] bool positive_definite() const { return zero_pivot < 0 && negative_pivots == 0; }
     };
     /// Factorize the matrix with these values, in the order of the layout's rows. Throws NumericalError if a
-    /// diagonal entry is not finite, and Stopped: then there are no factors until the next factorization.
+    /// diagonal entry is not finite, and Stopped. After either, no factors exist until the next
+    /// factorization.
     Outcome factorize(std::span<const double> values, const base::Control& control = {});
 
     /// Solve with the last factorization, in place, for one right side or several columns of them. Several
@@ -39,9 +43,9 @@ class Ldlt {
     void solve(Eigen::VectorXd& right_side, const base::Control& control = {}) const;
     void solve(Eigen::MatrixXd& right_sides, const base::Control& control = {}) const;
 
-    /// U^T A^-1 U for a positive definite A and columns that are zero but at some equations. Only the
-    /// supernodes above these take part, which makes it far cheaper than to solve.
-    /// Throws Stopped.
+    /// The product U^T A^-1 U for a positive definite A and columns U that are zero except at `equations`.
+    /// Only the supernodes above these equations take part, so it is far cheaper than a solution. Throws
+    /// Stopped.
     [[nodiscard]] Eigen::MatrixXd inverse_form(Eigen::MatrixXd columns, std::span<const int> equations,
                                                const base::Control& control = {}) const;
 
@@ -54,7 +58,7 @@ class Ldlt {
     /// The diagonal entry of A in an equation.
     [[nodiscard]] double diagonal(int equation) const { return diagonal_[equation]; }
 
-    /// Multiplications of factorize(), of solve() for one column, and of inverse_form().
+    /// The numbers of multiplications of factorize(), of solve() for one column, and of inverse_form().
     [[nodiscard]] double factorization_work() const;
     [[nodiscard]] double solution_work() const;
     [[nodiscard]] double inverse_form_work(std::span<const int> equations, Eigen::Index columns) const;
@@ -66,8 +70,8 @@ class Ldlt {
         int threads;
         SupernodeTree tree;
         EliminationPlan plan;
-        std::vector<int> entry_place;  ///< of the layout's entries: rows of their columns in the fronts
-        int most_rows = 0;             ///< of any supernode
+        std::vector<int> entry_place;  ///< row in its front of each entry of the layout
+        int most_rows = 0;             ///< largest number of rows of a supernode
     };
     static std::shared_ptr<const Analysis> analyse(const SystemLayout& layout, int threads,
                                                    const base::Control& control);
@@ -77,7 +81,7 @@ class Ldlt {
     void assemble(const Supernode& supernode, std::span<const double> values, const Front& front) const;
     void add_to_panel(std::size_t child, const Front& front) const;
     void add_to_rest(std::size_t child, const Front& front) const;
-    /// Columns one below the other, each with a number for every equation.
+    /// Columns stored one after the other, each with a number for every equation.
     struct Columns {
         double* values;
         Eigen::Index count;
@@ -96,7 +100,7 @@ class Ldlt {
 
     std::shared_ptr<const Analysis> analysis_;
     LargeArray factor_;   ///< the panels, one after the other
-    LargeArray storage_;  ///< what waits for its parent
+    LargeArray storage_;  ///< the rests that wait for their parents
     std::vector<double> diagonal_;
     std::vector<Pivots> pivots_;  ///< of each supernode
 };

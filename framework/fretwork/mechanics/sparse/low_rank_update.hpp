@@ -19,24 +19,24 @@ struct MatrixChange {
 
 /// The changed matrix A + sum of E C E^T, solved by the factors of A (Sherman, Morrison, Woodbury).
 ///
-/// The eigenvectors of each change C, scaled by A's diagonal, give C = P P^T - M M^T; eigenvalues that are
-/// rounding are dropped. With U = (E P, E M), S = diag(I, -I) and y = A^-1 b, the solution is
-/// x = y - A^-1 U (S + U^T A^-1 U)^-1 U^T y. The inner matrix is eliminated by blocks: the eigenvalues of the
-/// block of P are the ratios by which A becomes stiffer, and those of what it leaves, negated, the ratios by
-/// which it becomes softer.
+/// The eigenvectors of each change C, scaled by A's diagonal, give C = P P^T - M M^T. Eigenvalues of the size
+/// of rounding are dropped. With U = (E P, E M), S = diag(I, -I) and y = A^-1 b, the solution is x = y - A^-1
+/// U (S + U^T A^-1 U)^-1 U^T y. The inner matrix is eliminated by blocks. The eigenvalues of the block of P
+/// are the ratios by which A becomes stiffer. Those of the Schur complement that it leaves, negated, are the
+/// ratios by which A becomes softer.
 class LowRankUpdate {
   public:
-    /// None if the changed matrix is not positive definite, or so much softer or stiffer than A somewhere
-    /// that about a third of the digits would be lost: 1e5 times, by the pivots of the inner matrix. These
-    /// are cheaper than its eigenvalues, and no farther from one. Throws Stopped.
+    /// Make the update. None if the changed matrix is not positive definite, or 1e5 times softer or stiffer
+    /// than A somewhere, at which about a third of the digits would be lost. The pivots of the inner matrix
+    /// measure this ratio: they are cheaper than its eigenvalues, and no farther from one. Throws Stopped.
     static std::optional<LowRankUpdate> make(const Ldlt& factors, std::vector<MatrixChange> changes,
                                              const base::Control& control = {});
 
-    /// Multiplications of make() for changes of these equations, each named once a change, and of what one
-    /// solve() does beyond solving with A.
+    /// The number of multiplications of make() for changes of these equations, plus those that one solve()
+    /// needs beyond a solution with A. `equations` lists each equation once for each change.
     static double work(const Ldlt& factors, std::span<const int> equations);
 
-    /// Solve in place: two solutions with A. Throws Stopped.
+    /// Solve in place, by two solutions with A. Throws Stopped.
     void solve(const Ldlt& factors, Eigen::VectorXd& right_side, const base::Control& control = {}) const;
     void solve(const Ldlt& factors, Eigen::MatrixXd& right_sides, const base::Control& control = {}) const;
 
@@ -51,16 +51,16 @@ class LowRankUpdate {
     LowRankUpdate() = default;
     static Modes modes_of(const Ldlt& factors, const MatrixChange& change);
     [[nodiscard]] Eigen::Index rank() const { return plus_ + minus_; }
-    /// Call body(change, its columns of P or M, their place in U) for all of them.
+    /// Call body(change, its columns of P or M, their position in U) for every P and M.
     template <class Body>
     void for_each_block(const Body& body) const;
     [[nodiscard]] bool factorize_inner(const Eigen::MatrixXd& form);
     [[nodiscard]] Eigen::MatrixXd inner_solution(const Eigen::MatrixXd& projected) const;
 
     std::vector<MatrixChange> changes_;
-    std::vector<Modes> modes_;  ///< of each change
+    std::vector<Modes> modes_;  ///< P and M of each change
     Eigen::Index plus_ = 0;     ///< columns of all P, which come first in U
-    Eigen::Index minus_ = 0;    ///< of all M
+    Eigen::Index minus_ = 0;    ///< columns of all M
     /// Pivots of the blocks of stiffer and of softer modes; none for an empty block.
     std::optional<Eigen::LLT<Eigen::MatrixXd>> stiffer_, softer_;
     Eigen::MatrixXd coupling_;  ///< M^T A^-1 P

@@ -10,7 +10,7 @@
 
 namespace fretwork::mechanics::sparse {
 
-/// Sets of nodes, each of which couples all of its nodes with one another: those of an element, for instance.
+/// Sets of nodes. Each set, such as the nodes of an element, couples all of its nodes with one another.
 class Cliques {
   public:
     void add(std::span<const int> nodes) {
@@ -27,21 +27,22 @@ class Cliques {
     std::vector<int> node_;
 };
 
-/// Which nodes are coupled.
+/// The graph of coupled nodes.
 struct NodeGraph {
     int nodes = 0;
     Cliques cliques;
     std::vector<int> start;      ///< nodes + 1
-    std::vector<int> neighbour;  ///< of node i: [start[i], start[i + 1]), ascending, both ways, i itself not
+    std::vector<int> neighbour;  ///< the neighbours of node i, at [start[i], start[i + 1]): ascending, in
+                                 ///< both directions, without i itself
 };
 
-/// @param nodes  their number; a node of the cliques is below it
+/// @param nodes  number of nodes; every node of the cliques is below it
 NodeGraph node_graph(int nodes, Cliques cliques);
 
-/// An order of elimination with little fill of the nodes that have unknowns; the others do not appear. The
-/// graph of nodes is ordered, not that of unknowns: it is up to six times smaller and gives better orders.
-/// Throws Stopped; a thread that still orders a large graph then ends by itself, within seconds, and the
-/// program not before it.
+/// An order of elimination with little fill for the nodes that have unknowns. Other nodes do not appear. The
+/// order is found on the graph of nodes, not of unknowns: this graph is up to six times smaller and gives
+/// better orders. Throws Stopped. After a stop, a thread that still orders a large graph ends by itself
+/// within seconds; the program cannot end before it.
 std::vector<int> elimination_order(const NodeGraph& graph, std::span<const Components> free,
                                    const base::Control& control = {});
 

@@ -8,30 +8,31 @@
 
 namespace fretwork::mechanics::sparse {
 
-/// Neighbouring columns of a factor that share their rows below, and what they hand on.
+/// Neighbouring columns of a factor with the same rows below them.
 struct Supernode {
-    int first = 0;  ///< equation
+    int first = 0;  ///< its first equation
     int width = 0;
-    int rows = 0;                 ///< below its own columns
+    int rows = 0;                 ///< number of rows below its own columns
     int parent = -1;              ///< the supernode of the first row below; -1: none
-    std::size_t row_start = 0;    ///< of its rows in SupernodeTree::row
-    std::size_t panel_start = 0;  ///< of its columns in the factor
+    std::size_t row_start = 0;    ///< start of its rows in SupernodeTree::row
+    std::size_t panel_start = 0;  ///< start of its columns in the factor
     [[nodiscard]] int height() const { return width + rows; }
 };
 
-/// How a system's matrix is eliminated: found once for a layout.
+/// The order and storage of the elimination of a layout's matrices. It is computed once for each layout.
 struct SupernodeTree {
     std::vector<Supernode> supernodes;  ///< each comes before its parent
     std::vector<int> row;               ///< equations of the rows below, ascending for each supernode
-    std::vector<int> child_start;       ///< supernodes + 1
+    std::vector<int> child_start;       ///< children of supernode i: [child_start[i], child_start[i + 1]) of
+                                        ///< `child`
     std::vector<int> child;             ///< ascending for each supernode
-    std::vector<int> place;             ///< of each of `row` in the front of the supernode's parent
+    std::vector<int> place;             ///< position of each entry of `row` in the front of the supernode's
+                                        ///< parent
     std::size_t factor_size = 0;
 };
 
-/// The elimination in the layout's order. Small supernodes are merged with their parents where few zeros come
-/// in: larger dense blocks are faster.
-/// Throws Stopped.
+/// Find the supernodes of an elimination in the layout's order. A small supernode is merged with its parent
+/// if that adds few zeros, because larger dense blocks are faster. Throws Stopped.
 SupernodeTree supernode_tree(const SystemLayout& layout, const base::Control& control = {});
 
 }  // namespace fretwork::mechanics::sparse

@@ -9,14 +9,13 @@
 
 namespace fretwork::mechanics::sparse {
 
-/// The equations of coupled nodes in the order of their elimination, and where the matrix of each clique goes
-/// in the lower triangle of their sparse matrix (compressed columns, rows ascending). It depends only on what
-/// is coupled and unknown; the numbers of a matrix are a plain vector that this class adds to.
+/// The equations of coupled nodes in the order of their elimination, and the place of each clique's matrix in
+/// the lower triangle of the sparse matrix (compressed columns, rows ascending). The layout depends only on
+/// the couplings and the unknowns. The values of a matrix are a plain vector, to which this class adds.
 class SystemLayout {
   public:
-    /// @param free   the components of each node that are unknowns: the equations
-    /// @param order  the nodes that have any, in their order of elimination
-    /// Throws Stopped.
+    /// @param free   the components of each node that are unknowns; each gives an equation
+    /// @param order  the nodes that have unknowns, in their order of elimination Throws Stopped.
     SystemLayout(const NodeGraph& graph, std::span<const Components> free, std::span<const int> order,
                  const base::Control& control = {});
 
@@ -27,7 +26,8 @@ class SystemLayout {
     [[nodiscard]] int equation(int node, int component) const { return equation_[node][component]; }
     [[nodiscard]] int node_of(int equation) const { return node_of_[equation]; }
 
-    /// Add a clique's symmetric matrix, kBlockSize rows a node, to the values of the system's.
+    /// Add a clique's symmetric matrix, with kBlockSize rows for each node, to the values of the system's
+    /// matrix.
     void add(std::size_t clique, const Eigen::MatrixXd& matrix, std::span<double> values) const;
 
     /// Add a symmetric block to one node's diagonal.
@@ -35,7 +35,8 @@ class SystemLayout {
         add_diagonal(node, block, values);
     }
 
-    /// Pick the equations' components from a table, and put them back into it.
+    /// gather() reads the equations' components from a table of nodes into a vector; scatter() writes them
+    /// back.
     void gather(const NodeTable& table, Eigen::VectorXd& vector) const;
     void scatter(const Eigen::VectorXd& vector, NodeTable& table) const;
 
@@ -61,7 +62,7 @@ class SystemLayout {
     std::vector<int> node_of_;
     std::vector<int> column_start_;
     std::vector<int> row_;
-    std::vector<std::size_t> pair_start_;  ///< of a clique's pairs in pair_offset_
+    std::vector<std::size_t> pair_start_;  ///< start of each clique's pairs in pair_offset_
     std::vector<int> pair_offset_;         ///< rows above a coupling block in its columns; -1: none
 };
 

@@ -11,30 +11,31 @@ namespace fretwork::mechanics::structure {
 /// The kept and the eliminated unknowns of a structure.
 struct CondensingTask {
     const Assembly& assembly;
-    std::vector<int> slot;  ///< of each node: its place among the kept ones; -1: eliminated
+    std::vector<int> slot;  ///< index of each node among the kept nodes; -1: eliminated
     std::vector<DofSet>
-        inner;  ///< of each node: the dofs to eliminate; those that hinges hold are not among them
+        inner;  ///< the dofs of each node to eliminate; a dof that a hinge holds is not among them
     int kept_nodes = 0;
 };
 
-/// Throws InputError if a kept node does not exist or is named twice.
+/// State the task of condensing an assembly. Throws InputError if a kept node does not exist or appears
+/// twice.
 CondensingTask condensing_task(const Assembly& assembly, std::span<const NodeIndex> kept);
 
 /// The condensed stiffness by sparse elimination, for structures of any size.
 Eigen::MatrixXd condense_sparse(const CondensingTask& task);
 
-/// The same by dense elimination: faster for small structures. Membrane and bending are apart where the
-/// structure is flat and its elements decouple.
+/// The condensed stiffness by dense elimination, which is faster for small structures. Membrane and bending
+/// are eliminated separately if the structure is flat and its elements decouple.
 Eigen::MatrixXd condense_dense(const CondensingTask& task);
 
-/// The mass of the kept nodes, where the inner ones follow them statically. By dense matrices. The inner
-/// nodes cannot move without strain (as condense_dense has checked).
+/// The condensed mass: the inner nodes follow the kept ones statically. Computed with dense matrices. Pre:
+/// the inner nodes cannot move without strain (condense_dense checks this).
 Eigen::MatrixXd condense_mass(const CondensingTask& task);
 
-/// How the inner nodes follow the kept ones: mechanics::following.
+/// The matrix by which the inner nodes follow the kept ones; see mechanics::following.
 Eigen::MatrixXd following(const CondensingTask& task);
 
-/// Throws the NumericalError of inner nodes that can move without strain.
+/// Throw the NumericalError about inner nodes that can move without strain.
 [[noreturn]] void refuse_inner_mechanism(const Assembly& assembly, NodeIndex node);
 
 }  // namespace fretwork::mechanics::structure

@@ -11,7 +11,7 @@ namespace fretwork::mechanics::structure {
 /// The supports of every node of an assembly, with their values.
 struct Constraints {
     std::vector<DofSet> held;
-    NodeValues values;  ///< zero where not prescribed
+    NodeValues values;  ///< prescribed values; zero for other components
 };
 
 Constraints constraints_of(const Assembly& assembly);
@@ -19,15 +19,15 @@ Constraints constraints_of(const Assembly& assembly);
 /// The reported node that is nearest to a node of the assembly.
 NodeIndex nearest_reported(const Assembly& assembly, NodeIndex node);
 
-/// A node of the assembly as a person knows it: "node 3", or for an inner one "the inside of a beam at node
-/// 3".
+/// The name of a node in messages: "node 3", or "the inside of a beam at node 3" for a node inside a beam.
 std::string node_text(const Assembly& assembly, NodeIndex node);
 
-/// A typical length of the elements, m: what makes moments comparable to forces, and rotations to
+/// A typical length of the elements, m. It makes moments comparable to forces, and rotations to
 /// displacements.
 double characteristic_length(const Assembly& assembly);
 
-/// Norm of a set of forces and moments in which a moment counts as the force on the characteristic length.
+/// The norm of forces and moments. A moment counts as the force that causes it at the characteristic length
+/// as its lever arm.
 double force_norm(const NodeValues& forces, double length);
 
 }  // namespace fretwork::mechanics::structure

@@ -13,17 +13,17 @@ namespace fretwork::mechanics::structure {
 
 static_assert(sparse::kBlockSize == kDofsPerNode);
 
-/// The nodes of the assembly and, as cliques in their order, its elements.
+/// The graph of the assembly's nodes. Its cliques are the elements, in their order.
 sparse::NodeGraph coupling_graph(const Assembly& assembly);
 
 /// An element's stiffness (6n x 6n) with its nodes in the order `wanted`. The lower triangle of blocks is
-/// taken from the upper one, as a layout reads it, so that each sum has the same bits in any order.
+/// copied from the upper one, which a layout reads, so each sum has the same bits in any order.
 Eigen::MatrixXd reordered(const Eigen::MatrixXd& stiffness, std::span<const NodeIndex> nodes,
                           std::span<const int> wanted);
 
 /// The dofs of each node as the components that are unknowns.
 std::vector<sparse::Components> components(std::span<const DofSet> dofs);
-/// The dofs that are not among these.
+/// The dofs outside these sets as the components that are unknowns.
 std::vector<sparse::Components> other_components(std::span<const DofSet> dofs);
 
 }  // namespace fretwork::mechanics::structure

@@ -18,25 +18,26 @@ struct HeldEntry {
     double value;
 };
 
-/// How factors follow an edit that replaces elements.
+/// The treatment of factors after an edit that replaces elements.
 enum class ElementEdit {
-    Cheaper,   ///< a correction of the factors where it saves time and keeps their accuracy
+    Cheaper,   ///< a correction of the factors if it saves time and keeps their accuracy, else new factors
     Refactor,  ///< new factors
-    Correct,   ///< a correction wherever it keeps their accuracy, at any cost
+    Correct,   ///< a correction if it keeps their accuracy, even if it is slower; else new factors
 };
 
-/// The factorized linear stiffness of a structure with its supports. It is one system of equations; two, if
-/// the structure is flat and its elements decouple. The class is a value: after an edit it shares all that is
-/// still valid with the value before the edit. It refers to no part of the caller's assembly but the
-/// immutable elements.
+/// The factorized linear stiffness of a structure with its supports. It has one system of equations, or two
+/// if the structure is flat and its elements decouple. The class is a value: after an edit, the new value
+/// shares all that is still valid with the old value. It refers to nothing of the caller's assembly except
+/// the immutable elements.
 class FactorizedStructure {
   public:
-    /// Throws NumericalError that names a node if the structure, as held, can move without strain; Stopped.
+    /// Throws NumericalError that names a node if the structure can move without strain in spite of its
+    /// supports; Stopped.
     FactorizedStructure(const Assembly& assembly, const LinearOptions& options);
-    /// The same for a structure that is an edit of another. If only loads and prescribed values differ, the
-    /// factors are shared. If elements are replaced by others of the same nodes, in any order of these nodes,
-    /// `edit` decides. If supports differ, the elimination order is shared. Any other edit starts from
-    /// nothing.
+    /// Factorize a structure that results from an edit of another. If only loads and prescribed values
+    /// differ, the factors are shared. If elements are replaced by others of the same nodes, in any order of
+    /// these nodes, `edit` decides. If supports differ, the elimination order is shared. After any other
+    /// edit, nothing is shared.
     FactorizedStructure(const FactorizedStructure& before, const Assembly& assembly,
                         ElementEdit edit = ElementEdit::Cheaper, const base::Control& control = {});
 
@@ -44,7 +45,7 @@ class FactorizedStructure {
     [[nodiscard]] const Constraints& constraints() const { return constraints_; }
     [[nodiscard]] std::span<const Subsystem> systems() const { return systems_; }
     [[nodiscard]] std::span<const HeldEntry> held_entries() const { return held_entries_; }
-    /// How the last edit changed the factors.
+    /// The effect of the last edit on the factors.
     [[nodiscard]] FactorChange last_change() const { return last_change_; }
     /// The number of elements that differ from those that were factorized.
     [[nodiscard]] std::size_t corrected_elements() const { return corrected_elements_; }
@@ -56,7 +57,7 @@ class FactorizedStructure {
         sparse::NodeGraph graph;
         std::vector<int> order;
     };
-    /// Whether the split into problems in and out of the plane is tried.
+    /// The choice whether to try the split into problems in and out of the plane.
     enum class Split { Tried, Refused };
 
     static std::shared_ptr<const Connections> connections_of(const Assembly& assembly,

@@ -9,15 +9,16 @@
 
 namespace fretwork::mechanics::structure {
 
-/// Throws NumericalError that names a node if a structure at rest, as held, can move without strain.
+/// Throws NumericalError that names a node if a structure at rest can move without strain in spite of its
+/// supports.
 ///
-/// A mechanism's pivot vanishes, or, if its beams lie askew, is rounding: then no load on it is balanced.
-/// Where a pivot is small enough for that, an arbitrary load distinguishes it from a structure that is only
-/// soft.
+/// A pivot of a mechanism is zero or, if beams are oblique, of the size of rounding. A small pivot alone
+/// could also belong to a structure that is only soft. So a solution under an arbitrary load decides: in a
+/// mechanism, no load is balanced.
 ///
 /// @param values   the stiffness at rest
-/// @param factors  of it
-/// @param outcome  how its factorization ended
+/// @param factors  its factors
+/// @param outcome  the outcome of its factorization
 void refuse_mechanisms(const Assembly& assembly, const sparse::SystemLayout& layout,
                        std::span<const double> values, const sparse::Ldlt& factors,
                        const sparse::Ldlt::Outcome& outcome);

@@ -5,14 +5,15 @@
 
 namespace fretwork::mechanics::structure {
 
-/// A flat structure whose elements decouple is two problems of three dofs a node: membrane and bending.
+/// The dofs of the two problems of a flat structure whose elements decouple: membrane and bending, with three
+/// dofs at each node.
 inline constexpr DofSet kInPlane = {{true, true, false, false, false, true}};
 inline constexpr DofSet kOutOfPlane = {{false, false, true, true, true, false}};
 
 /// True if all nodes have the same z.
 bool is_flat(const Assembly& assembly);
 
-/// True if an element passes nothing between motions in and out of the plane, up to rounding.
+/// True if an element does not couple motions in and out of the plane, up to rounding.
 bool decouples(const Eigen::MatrixXd& stiffness);
 
 }  // namespace fretwork::mechanics::structure

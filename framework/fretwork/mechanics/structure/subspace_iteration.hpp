@@ -12,8 +12,8 @@
 
 namespace fretwork::mechanics::structure {
 
-/// Eigenvalues mu of A x = mu K x, where K is a structure's stiffness at rest and A any symmetric matrix of
-/// the same layout, with their vectors: subspace iteration with a factor of K - shift A.
+/// Finds eigenvalues mu and eigenvectors of A x = mu K x by subspace iteration with factors of K - shift A. K
+/// is a structure's stiffness at rest, and A is any symmetric matrix of the same layout.
 class SubspaceIteration {
   public:
     struct Pairs {
@@ -22,21 +22,21 @@ class SubspaceIteration {
     };
 
     struct Matrices {
-        std::span<const double> stiffness;  ///< K, positive definite; used while this lives
+        std::span<const double> stiffness;  ///< K, positive definite; must outlive the SubspaceIteration
         std::vector<double> operand;        ///< A
     };
 
-    /// @param factors  of K
-    /// @param control  told the iterations
+    /// @param factors  the factors of K
+    /// @param control  progress counts iterations
     SubspaceIteration(const sparse::SystemLayout& layout, Matrices matrices, sparse::Ldlt factors,
                       const base::Control& control = {});
 
-    /// The `count` eigenvalues of largest size, largest first; fewer if A has a lower rank.
+    /// The `count` eigenvalues of largest absolute value, largest first; fewer if A has a lower rank.
     Pairs largest(int count);
 
-    /// The `count` largest of the positive eigenvalues, largest first; fewer if there are fewer that are more
-    /// than 1e-8 of the largest size. They are counted by Sylvester's law of inertia (K - A / lambda has as
-    /// many negative pivots as there are mu > 1 / lambda), so that none is passed over.
+    /// The `count` largest positive eigenvalues, largest first. Eigenvalues below 1e-8 of the largest
+    /// absolute value are left out, so there may be fewer. Sylvester's law of inertia counts them, so none is
+    /// missed: K - A / lambda has as many negative pivots as there are mu > 1 / lambda.
     Pairs largest_positive(int count);
 
   private:

@@ -10,11 +10,11 @@
 
 namespace fretwork::mechanics::structure {
 
-/// Equations that can be solved on their own: all of a structure, or its half in or out of the plane. A
-/// value: copies share layout and factors, which no copy changes.
+/// Equations that can be solved on their own: all equations of a structure, or those in the plane, or those
+/// out of it. The class is a value: copies share layout and factors, which no copy changes.
 class Subsystem {
   public:
-    /// Equations without stiffness yet.
+    /// Equations to which no stiffness has been added yet.
     Subsystem(sparse::SystemLayout layout, int threads, const base::Control& control);
     /// The same equations without stiffness: layout and symbolic analysis are shared.
     [[nodiscard]] Subsystem cleared() const;
@@ -24,21 +24,23 @@ class Subsystem {
 
     [[nodiscard]] const sparse::SystemLayout& layout() const { return *layout_; }
 
-    /// Add an element's stiffness, and factorize the sum. Only before the equations are copied.
+    /// Add an element's stiffness. Call add() and factorize() only before the subsystem is copied.
     void add(std::size_t element, const Eigen::MatrixXd& stiffness);
-    /// Throws NumericalError that names a node of the assembly if the structure can move without strain.
+    /// Factorize the sum of all stiffnesses. Throws NumericalError that names a node of the assembly if the
+    /// structure can move without strain.
     void factorize(const Assembly& assembly, const base::Control& control);
 
     /// The equations of some nodes, in their order.
     [[nodiscard]] std::vector<int> equations_of(std::span<const int> nodes) const;
-    /// A change of the stiffness between some nodes (6n x 6n) as one of equations.
+    /// A change of the stiffness between some nodes (6n x 6n), expressed as a change of the matrix of the
+    /// equations.
     [[nodiscard]] sparse::MatrixChange change_at(std::span<const int> nodes,
                                                  const Eigen::MatrixXd& stiffness) const;
-    /// Multiplications of a correction for changes of these equations, and of a factorization.
+    /// The numbers of multiplications of a correction for changes of these equations, and of a factorization.
     [[nodiscard]] double correction_work(std::span<const int> equations) const;
     [[nodiscard]] double factorization_work() const { return numbers_->factors.factorization_work(); }
-    /// The stiffness as factorized, with these changes. False, and nothing is changed, if that would cost
-    /// accuracy. Throws Stopped.
+    /// Correct the factorized stiffness by these changes. Returns false and changes nothing if the correction
+    /// would lose accuracy. Throws Stopped.
     bool correct(std::vector<sparse::MatrixChange> changes, const base::Control& control);
 
     /// Solve in place. Throws Stopped.
@@ -52,7 +54,8 @@ class Subsystem {
     }
     /// The stiffness times x.
     [[nodiscard]] Eigen::VectorXd internal_forces(const Eigen::VectorXd& x) const;
-    /// The forces that cancel in it, |K| |x|, with the stiffness as factorized.
+    /// The sum of the absolute values of all terms of K x, |K| |x|, with the factorized stiffness. It bounds
+    /// the rounding error of internal_forces().
     [[nodiscard]] Eigen::VectorXd cancelling_forces(const Eigen::VectorXd& x) const;
 
   private:
