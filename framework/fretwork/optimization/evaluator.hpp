@@ -12,27 +12,28 @@
 
 namespace fretwork::optimization {
 
-/// How much a method may spend, and who may end it sooner.
+/// The limits of a run: its cost, its time, and the caller's stop.
 struct Budget {
     long cost = 20000;                                         ///< in the problem's unit, > 0
     double seconds = std::numeric_limits<double>::infinity();  ///< wall time, > 0
-    base::Control control{};  ///< asked before every evaluation, and receives the cost
+    base::Control control{};  ///< checked before every evaluation; progress counts the cost
     /// Throws InputError if a value is invalid.
     void validate() const;
 };
 
-/// The best objective value after `cost`.
+/// The best objective value found up to a cost.
 struct TracePoint {
     long cost = 0;
     double value = 0.0;
     friend bool operator==(const TracePoint&, const TracePoint&) = default;
 };
 
-/// A problem as methods see it: every evaluation passes here, is charged and remembered.
+/// The problem as a method sees it. Every evaluation passes through this class, which charges it to the
+/// budget and remembers the best point.
 ///
-/// An evaluation is refused (nothing comes back) once the budget does not pay for it, and for a point outside
-/// the bounds. It throws base::Stopped once the caller asks to stop. The objective, never its smoothed
-/// version, decides what is best; NaN counts as infinite.
+/// An evaluation is refused and returns nothing if the rest of the budget does not cover it, or the point is
+/// outside the bounds. It throws base::Stopped if the caller asks to stop. The best point is the one with the
+/// lowest objective, not the lowest smoothed value; NaN counts as infinite.
 class Evaluator {
   public:
     /// Throws InputError if the bounds or the budget are invalid.
@@ -46,15 +47,24 @@ class Evaluator {
     std::optional<ResidualEvaluation> residuals(const Eigen::VectorXd& point, double smoothing = 0.0);
     std::optional<CurvatureEvaluation> curvature(const Eigen::VectorXd& point, double smoothing = 0.0);
 
-    /// True as long as the budget pays for one more evaluation of this kind.
+    /// True if the rest of the budget covers one more evaluation of this kind.
     [[nodiscard]] bool can_afford(Evaluation kind) const;
 
     [[nodiscard]] long cost() const { return cost_; }
     [[nodiscard]] long evaluations() const { return evaluations_; }
     [[nodiscard]] long derivative_evaluations() const { return derivative_evaluations_; }
-    [[nodiscard]] long points_outside() const { return points_outside_; }  ///< refused
-    [[nodiscard]] long failures() const { return failures_; }              ///< objective not finite
-    [[nodiscard]] double best_value() const { return best_value_; }        ///< infinite before the first
+    [[nodiscard]] long points_outside() const {
+        return points_outside_;
+    }  ///< evaluations refused for their
+       ///< point
+    [[nodiscard]] long failures() const {
+        return failures_;
+    }  ///< evaluations with a non-finite
+       ///< objective
+    [[nodiscard]] double best_value() const {
+        return best_value_;
+    }  ///< infinite before the first
+       ///< evaluation
     [[nodiscard]] const Eigen::VectorXd& best_point() const { return best_point_; }
     /// One point for each improvement: cost ascending, value descending.
     [[nodiscard]] const std::vector<TracePoint>& trace() const { return trace_; }

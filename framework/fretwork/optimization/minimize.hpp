@@ -12,25 +12,25 @@ namespace fretwork::optimization {
 struct OptimizationReport {
     std::string optimizer;
     Ending ending = Ending::Converged;
-    Eigen::VectorXd point;        ///< the best that was seen; empty if the objective was finite nowhere
+    Eigen::VectorXd point;        ///< the best point found; empty if the objective was never finite
     double value = 0.0;           ///< the objective there
-    Eigen::VectorXd final_point;  ///< where the method itself stood in the end
+    Eigen::VectorXd final_point;  ///< the point at which the method itself ended
     long cost = 0;                ///< in the problem's unit
     long evaluations = 0;         ///< of any kind
     long derivative_evaluations = 0;
-    int dead_starts = 0;      ///< starts that gave no descent; all of them: the ending is Invalid
+    int dead_starts = 0;      ///< starts that gave no descent; if all did, `ending` is Invalid
     long failures = 0;        ///< evaluations whose objective was not finite
-    long points_outside = 0;  ///< refused: a method that asks for them is at fault
+    long points_outside = 0;  ///< evaluations refused outside the bounds, a fault of the method
     std::vector<TracePoint> trace;
 };
 
-/// Minimize a problem by the method of this row. The same arguments give the same report, except where a
-/// budget in seconds cuts in. Throws InputError if an option is invalid, or the problem does not offer what
-/// the method needs; base::Stopped once the budget's control asks to stop.
+/// Minimize a problem by the method of this row. The same arguments give the same report, unless a budget in
+/// seconds ends the run. Throws InputError if an option is invalid, or the problem does not offer the
+/// evaluations that the method needs; base::Stopped if the budget's control asks to stop.
 OptimizationReport minimize(const Problem& problem, const OptimizerRow& method,
                             const OptimizerOptions& options = {}, const Budget& budget = {});
 
-/// The same by a method that is in no catalogue.
+/// Minimize a problem by a method that has no row in a catalogue.
 OptimizationReport minimize(const Problem& problem, const Optimizer& optimizer, const Budget& budget = {});
 
 }  // namespace fretwork::optimization

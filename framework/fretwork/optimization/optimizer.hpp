@@ -8,40 +8,42 @@
 
 namespace fretwork::optimization {
 
-/// The claim of a method.
+/// The kind of search that a method performs.
 enum class OptimizerClass {
-    Local,   ///< descends from each of `starts` points to a minimum near it
+    Local,   ///< descends from each of `starts` points to a minimum nearby
     Global,  ///< searches the whole box by a deterministic plan: neither `starts` nor the seed matters
-    Random,  ///< draws at random, `starts` times over
+    Random,  ///< draws at random, in `starts` repetitions
 };
 std::string_view optimizer_class_name(OptimizerClass kind);
 
-/// How a run ended.
+/// The way in which a run ended.
 enum class Ending {
     Converged,    ///< by the method's own criterion
-    BudgetSpent,  ///< an evaluation was refused because the budget does not pay for it
-    Stalled,      ///< the method found no way on before its criterion was met
-    Invalid,      ///< no descent: the objective was finite nowhere, or each start died where it began
+    BudgetSpent,  ///< an evaluation was refused because the rest of the budget did not cover it
+    Stalled,      ///< the method made no further progress before its criterion was met
+    Invalid,      ///< no start gave a descent: the objective was not finite there, or the first step failed
 };
 std::string_view ending_name(Ending ending);
 
 /// The options that all methods understand.
 struct OptimizerOptions {
-    int starts = 4;  ///< descents, or repetitions of a method that has none; 1 to 100,000
+    int starts = 4;  ///< number of descents, or of repetitions of a method without descents; 1 to 100,000
     std::uint64_t seed = 1;
     /// Throws InputError if a value is invalid.
     void validate() const;
 };
 
-/// How a method left: why, and where it stood, which need not be the best point that it saw. With several
-/// starts both are of the start that found the best value, unless the budget was spent.
+/// The outcome of a run: why the method ended, and at which point, which need not be the best point. With
+/// several starts, both belong to the start that found the best value, unless the budget was spent.
 struct RunOutcome {
     Ending ending = Ending::Converged;
     Eigen::VectorXd final_point;
-    int dead_starts = 0;  ///< starts that gave no descent: not finite, or given up at their first evaluation
+    int dead_starts = 0;  ///< starts that gave no descent: the objective was not finite, or the method gave
+                          ///< up after the first evaluation
 };
 
-/// A minimization method. It evaluates through the evaluator only, and stops once an evaluation is refused.
+/// A minimization method. It evaluates the problem only through the evaluator, and ends if an evaluation is
+/// refused.
 class Optimizer {
   public:
     virtual ~Optimizer() = default;

@@ -16,15 +16,15 @@ struct OptimizerRow {
     std::string name;
     std::string summary;  ///< one line
     OptimizerClass kind;
-    Evaluation needs;  ///< besides the value
+    Evaluation needs;  ///< the kind of evaluation that it needs besides the value
     std::function<std::unique_ptr<Optimizer>(const OptimizerOptions& options)> make;
 };
 
-/// All methods of the library. To add one: a file with its factory, and a row; a method of NLopt is a row
-/// alone. A program with its own methods passes a list of rows where one is taken.
+/// The built-in methods. A new method is a file with its factory and a row; a method of NLopt needs only a
+/// row. A program with its own methods passes its own list of rows to the functions that take one.
 std::span<const OptimizerRow> optimizer_catalogue();
 
-/// Throws InputError that names the nearest method, or all of them.
+/// The row with this name. Throws InputError that suggests the nearest name, or lists all.
 const OptimizerRow& find_optimizer(std::string_view name,
                                    std::span<const OptimizerRow> rows = optimizer_catalogue());
 

@@ -13,7 +13,7 @@ class LowDiscrepancySequence {
   public:
     /// Pre: dimension >= 1.
     LowDiscrepancySequence(int dimension, std::uint64_t seed);
-    /// Point n: it depends on nothing but dimension, seed and n.
+    /// Point n, which depends on dimension, seed and n alone.
     [[nodiscard]] Eigen::VectorXd point(std::uint64_t n) const;
 
   private:

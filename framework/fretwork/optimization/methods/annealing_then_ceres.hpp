@@ -9,14 +9,14 @@
 namespace fretwork::optimization {
 
 struct AnnealingThenCeresOptions {
-    /// Its `starts` is how many times the pair, an annealing and a descent, is run.
+    /// Its `starts` is the number of runs; each run is one annealing followed by one descent.
     SimulatedAnnealingOptions annealing{};
     ContinuationOptions continuation{};
     void validate() const;
 };
 
 /// Simulated annealing until it is frozen, then a descent by Ceres from the best point so far, as in
-/// make_ceres_multistart. Shows what a descent adds to annealing alone, the paper's choice.
+/// make_ceres_multistart. The comparison with annealing alone, the paper's method, shows what a descent adds.
 std::unique_ptr<Optimizer> make_annealing_then_ceres(const AnnealingThenCeresOptions& options);
 
 }  // namespace fretwork::optimization

@@ -7,7 +7,7 @@
 
 namespace fretwork::optimization {
 
-/// Independent uniform points until the budget is spent: the method that others must beat.
+/// Random search: independent uniform points until the budget is spent. It is the baseline for other methods.
 std::unique_ptr<Optimizer> make_random_search(const OptimizerOptions& options);
 
 }  // namespace fretwork::optimization

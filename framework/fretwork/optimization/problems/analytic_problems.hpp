@@ -15,9 +15,9 @@ struct AnalyticProblem {
     Eigen::VectorXd best_point;
 };
 
-/// Functions of the literature for sanity, each offering every kind of evaluation: sphere, Rosenbrock,
-/// Powell's singular one, Beale, Rastrigin and Levy (many minima), and a sum of distances with its minimum in
-/// a kink. No optimum lies in the middle of its box, where some methods begin.
+/// Test functions of the literature with every kind of evaluation: sphere, Rosenbrock, Powell's singular one,
+/// Beale, Rastrigin and Levy (many minima), and a sum of distances with its minimum in a kink. No optimum
+/// lies in the middle of its box, because some methods start there.
 std::vector<AnalyticProblem> analytic_problems();
 
 }  // namespace fretwork::optimization

@@ -7,8 +7,8 @@
 
 namespace fretwork::optimization {
 
-/// (sum_q |x - p_q|)^2 for the columns p_q of a matrix: the squared sum of distances to points, with a kink
-/// in each of them. With smoothing mu each |d| becomes sqrt(d.d + mu^2). Its one residual is the sum.
+/// The squared sum of distances to points, (sum_q |x - p_q|)^2, where p_q are the columns of a matrix. It has
+/// a kink at each point. With smoothing mu each |d| becomes sqrt(d.d + mu^2). Its one residual is the sum.
 class DistanceSumProblem final : public Problem {
   public:
     DistanceSumProblem(Bounds bounds, Eigen::MatrixXd points);

@@ -8,7 +8,7 @@
 
 namespace fretwork::optimization {
 
-/// A sum of squares given by its residuals and their Jacobian: it offers every kind of evaluation.
+/// A sum of squares, given by its residuals and their Jacobian. It offers every kind of evaluation.
 class LeastSquaresProblem final : public Problem {
   public:
     using Residuals = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;

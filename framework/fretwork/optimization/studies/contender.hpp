@@ -7,17 +7,17 @@
 
 namespace fretwork::optimization::study {
 
-/// A method as it takes part in a study, with restarts as a part of it.
+/// A method with its number of starts, as it takes part in a study.
 struct Contender {
     const optimization::OptimizerRow* method = nullptr;
     int starts = 1;
 };
 
-/// All methods of the catalogue with the number of starts that the study gives them: enough that a method
-/// made of short descents is no worse off than one whose single run takes long.
+/// All methods of the catalogue with their numbers of starts in a study. A method with short descents gets
+/// more starts, so that it has the same chance as a method with one long run.
 std::vector<Contender> default_contenders();
 
-/// How often a contender runs on one problem: once if its method is deterministic, else as often as wanted.
+/// The number of runs of a contender on one problem: 1 if its method is deterministic, else `wanted`.
 int repetitions_of(const Contender& contender, int wanted);
 
 }  // namespace fretwork::optimization::study

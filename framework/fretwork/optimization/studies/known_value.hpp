@@ -10,7 +10,7 @@
 
 namespace fretwork::optimization::study {
 
-/// The least objective that is known of one problem.
+/// The lowest known objective of one problem.
 struct KnownValue {
     std::string problem;
     double best_value = 0.0;
@@ -18,26 +18,27 @@ struct KnownValue {
     std::string found_by;
 };
 
-/// Throws InputError that names file and line.
+/// Read a table of known values. Throws InputError that names file and line.
 std::vector<KnownValue> read_known_values(const std::filesystem::path& path);
 std::string known_values_csv(const std::vector<KnownValue>& values);
 
 struct KnownValueOptions {
-    ProblemFamilies families{};  ///< that the ids name
+    ProblemFamilies families{};  ///< the families of the ids
     int starts = 300;            ///< descents of each calibrator on each problem
-    int threads = 0;             ///< 0: all there are
-    base::Control control{};     ///< receives every finished problem
+    int threads = 0;             ///< 0: one for each processor
+    base::Control control{};     ///< progress counts finished problems
     /// Throws InputError if a value is invalid.
     void validate() const;
 };
 
-/// Search each problem by many starts of our two calibrators, unless its minimum is known in closed form. The
-/// scale is the value itself for calibrations, 1 for synthetic problems, whose least value is 0, and for
-/// analytic ones the median of 1,001 spread points above the minimum. Throws base::Stopped.
+/// Find the lowest value of each problem by many starts of the framework's two multistart methods, unless it
+/// is known in closed form. The scale depends on the family. It is the value itself for calibrations. It is 1
+/// for synthetic problems, whose lowest value is 0. For analytic problems it is the median, over 1,001 spread
+/// points, of the value above the minimum. Throws base::Stopped.
 std::vector<KnownValue> find_known_values(const std::vector<std::string>& problems,
                                           const KnownValueOptions& options);
 
-/// Take over what the runs of a table found lower.
+/// Lower the known values to those that the runs of a table found, where these are lower.
 void improve_known_values(std::vector<KnownValue>& values, const std::filesystem::path& results);
 
 }  // namespace fretwork::optimization::study

@@ -10,24 +10,24 @@
 namespace fretwork::optimization::study {
 
 struct LandscapeOptions {
-    ProblemFamilies families{};  ///< that the ids name
+    ProblemFamilies families{};  ///< the families of the ids
     int descents = 300;          ///< of each kind on each problem, from uniform random points
-    int threads = 0;             ///< 0: all there are
-    base::Control control{};     ///< receives every finished problem
+    int threads = 0;             ///< 0: one for each processor
+    base::Control control{};     ///< progress counts finished problems
     /// Throws InputError if a value is invalid.
     void validate() const;
 };
 
 /// The objective around its minima, as two tables in CSV.
 struct Landscape {
-    /// Where single descents end. Kinds: "smoothed", with the default continuation; "sharp", with all but its
-    /// last stage left out; "residuals", Ceres on the bare residuals.
+    /// The ends of single descents. Kinds: "smoothed", with the default continuation; "sharp", with only its
+    /// last stage; "residuals", Ceres on the residuals without smoothing.
     std::string descents;
-    /// The objective, and what smoothing makes of it, along each variable through the best of these points.
+    /// The objective and its smoothed versions along each variable, through the best of these points.
     std::string sections;
 };
 
-/// Explore problems, which are named by their ids. Throws base::Stopped.
+/// Explore the problems with these ids. Throws base::Stopped.
 Landscape explore_landscape(const std::vector<std::string>& problems, const LandscapeOptions& options);
 
 }  // namespace fretwork::optimization::study

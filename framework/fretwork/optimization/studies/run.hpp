@@ -21,7 +21,7 @@ struct RunKey {
 
 /// The conditions that all runs of a study share.
 struct RunConditions {
-    optimization::Budget budget{.cost = 40000};  ///< the published annealing ends before
+    optimization::Budget budget{.cost = 40000};  ///< the published annealing ends before this cost
     std::uint64_t seed = 1;                      ///< changes the seeds of all runs
     void validate() const;
 };
@@ -35,12 +35,13 @@ struct RunRecord {
     std::uint64_t seed = 0;
     long budget = 0;
     optimization::OptimizationReport report;
-    double last_value = 0.0;  ///< the objective where the method itself stopped; not charged
-    double distance = -1.0;  ///< from the known optimum, as the largest share of the box; negative: not known
-    double cpu_seconds = 0.0;  ///< of the thread
+    double last_value = 0.0;  ///< the objective at the point where the method itself ended; not charged
+    double distance = -1.0;   ///< largest component of the distance from the known optimum, as a share of the
+                              ///< box; negative: not known
+    double cpu_seconds = 0.0;  ///< processor time of the thread
 };
 
-/// The seed of a run: a hash of its key and the study's seed, so that no two runs share one.
+/// The seed of a run: a hash of its key and the study's seed.
 std::uint64_t run_seed(const RunKey& key, std::uint64_t study_seed);
 
 /// The subject of a run: a problem and, if its minimum is known to be at one point, that point (else empty).

@@ -13,23 +13,23 @@ namespace fretwork::optimization::study {
 /// The names of the table's columns, joined by commas.
 std::string run_table_header();
 
-/// A run as one line of CSV. The trace is thinned to points at which what the run still gains until its end
-/// is a fifth less, and the last.
+/// A run as one line of CSV. The trace is thinned: between two points that are kept, the distance to the
+/// final value falls by a fifth. The last point is always kept.
 std::string run_table_row(const RunRecord& record);
 
-/// The rows of a table, sorted by their keys; what is done need not be run again.
+/// The runs of a table, sorted by their keys. A run that is in the table need not be done again.
 class RunTable {
   public:
     RunTable() = default;
-    /// Throws InputError that names file and line if a line is no row of such a table, or was made under
-    /// another budget, seed or number of starts than these.
+    /// Throws InputError that names file and line if a line is not a row of such a table, or its budget, seed
+    /// or number of starts differs from the given ones.
     RunTable(std::string_view text, const std::string& source, const RunConditions& conditions,
              std::span<const Contender> contenders);
 
     [[nodiscard]] bool contains(const RunKey& key) const { return rows_.contains(key); }
     [[nodiscard]] std::size_t size() const { return rows_.size(); }
     void add(const RunRecord& record);
-    /// Take over the runs of another table that this one lacks.
+    /// Add the runs of another table that this table lacks.
     void merge(RunTable other) { rows_.merge(other.rows_); }
     [[nodiscard]] std::string csv() const;
 

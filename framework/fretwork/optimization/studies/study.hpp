@@ -12,32 +12,32 @@ namespace fretwork::optimization::study {
 
 /// The runs of a study: every contender on every problem, with this many repetitions.
 struct StudyPlan {
-    std::vector<std::string> problems;  ///< ids (see study_problem.hpp)
-    ProblemFamilies families;           ///< that they name
+    std::vector<std::string> problems;  ///< ids of problems (see study_problem.hpp)
+    ProblemFamilies families;           ///< the families of the ids
     std::vector<Contender> contenders;
-    RunConditions conditions;  ///< its budget's control is not used: that of the plan is
+    RunConditions conditions;  ///< its budget's control is ignored; the plan's control is used
     int repetitions = 15;
-    int threads = 0;          ///< 0: all there are
-    base::Control control{};  ///< receives every finished run
+    int threads = 0;          ///< 0: one for each processor
+    base::Control control{};  ///< progress counts finished runs
     /// Throws InputError if a value is invalid.
     void validate() const;
 };
 
 struct StudyReport {
-    std::size_t runs_before = 0;  ///< that were in the table when it began
+    std::size_t runs_before = 0;  ///< runs in the table at the start
     std::size_t runs_done = 0;
-    std::size_t runs_left_out = 0;  ///< since it was asked to stop
+    std::size_t runs_left_out = 0;  ///< runs not done because of a stop
 };
 
-/// The table of a study's folder.
+/// The path of the table in a study's folder.
 std::filesystem::path run_table_path(const std::filesystem::path& folder);
 
-/// Do the runs that the table in a folder lacks: all problems once, then all of them again.
+/// Do the runs that the table in a folder lacks: first one repetition on all problems, then the next.
 ///
-/// The table is replaced every few seconds, so that a study which is stopped goes on where it was; asked to
-/// stop, it stores what is done and returns. Several processes may work in one folder: each adds its runs to
-/// those that the others have stored, under a lock of the folder. But for the times, the table depends on the
-/// plan alone. The folder is made if it is missing, before the first run. Throws IoError if it cannot be;
+/// The table is replaced every few seconds, so an interrupted study can continue. After a request to stop,
+/// the function stores the finished runs and returns. Several processes may share one folder: each adds its
+/// runs to the stored ones under a lock of the folder. Except for times, the table depends on the plan alone.
+/// A missing folder is created before the first run. Throws IoError if the folder cannot be created,
 /// InputError if the table was made under other conditions.
 StudyReport run_study(const StudyPlan& plan, const std::filesystem::path& folder);
 
