@@ -9,36 +9,38 @@
 
 namespace fretwork::library {
 
-/// Which calibration fill() adds to each pattern, and how it works.
+/// Options of fill(): the calibration that it adds to each pattern, and how it runs.
 struct FillOptions {
     std::string model = "paper6";  ///< a row of `models`
     std::span<const reduction::TileModel> models = reduction::tile_models();
     reduction::CalibrationOptions calibration{};
-    int threads = 0;                      ///< 0: all there are
-    double seconds_between_stores = 1.0;  ///< 0: what is finished is stored at once
-    /// When stopped, fill() stores and reports what is done, and does not throw.
+    int threads = 0;                      ///< 0: one for each processor
+    double seconds_between_stores = 1.0;  ///< 0: each finished pattern is stored at once
+    /// After a stop, fill() stores and reports the finished patterns and does not throw.
     base::Control control{};
     /// Throws InputError if a value is invalid.
     void validate() const;
     [[nodiscard]] const reduction::TileModel& tile_model() const;
-    /// The key of the calibrations that these options give.
+    /// The key of the calibrations made with these options.
     [[nodiscard]] CalibrationKey key() const;
 };
 
 struct FillReport {
     std::size_t open = 0;         ///< patterns that lacked the calibration at the start
-    std::size_t done = 0;         ///< of them, calibrated now
-    std::size_t failed = 0;       ///< of them, recorded as failed now
-    std::size_t dead_starts = 0;  ///< of the searches that gave calibrations now: starts that went nowhere
+    std::size_t done = 0;         ///< patterns calibrated by this call
+    std::size_t failed = 0;       ///< patterns recorded as failed by this call
+    std::size_t dead_starts = 0;  ///< starts without a descent, in the searches of this call that gave
+                                  ///< calibrations
 };
 
-/// Compute what the library lacks of some of its patterns: responses, effective properties, and the
-/// calibration that the options ask for.
+/// Compute the missing data of some of a library's patterns: responses, effective properties, and the
+/// calibration of the options.
 ///
-/// Finished patterns are stored about every second in one transaction, so a killed process loses no more; a
-/// new run goes on there. The result does not depend on threads, interruptions and shards. A failed
-/// computation is recorded with its reason, and does not stop the rest. Memory does not grow with the number
-/// of patterns. Throws as Library::store; then all that was stored before is there.
+/// Finished patterns are stored about every second in one transaction, so a killed process loses about one
+/// second of computation, and a new call continues from there. The result does not depend on threads,
+/// interruptions and shards. A failed computation is recorded with its reason, and does not stop the rest.
+/// Memory does not grow with the number of patterns. Throws as Library::store; data that was stored before
+/// remains.
 FillReport fill(Library& library, std::span<const pattern::NamedPattern> patterns,
                 const FillOptions& options);
 

@@ -8,10 +8,10 @@
 
 namespace fretwork::library {
 
-/// Merge libraries of one layout and one setting into a new file. Rows that are in several must be equal, bit
-/// by bit: rounding beside a bifurcation, or in a search, has effects without a tolerance. The order of the
-/// inputs does not matter. Throws InputError (an output that exists, settings that differ, a row that
-/// differs, by name), IoError, or Stopped; then there is no output.
+/// Merge libraries of one layout and one setting into a new file. Rows in several inputs must be equal bit by
+/// bit, because no tolerance bounds the effect of rounding near a bifurcation or in a search. The order of
+/// the inputs does not matter. Throws InputError if the output exists, or if settings or a named row differ;
+/// IoError; or Stopped. Then no output is left.
 void merge(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs,
            const base::Control& control = {});
 
