@@ -12,12 +12,12 @@
 
 namespace fretwork::outlines {
 
-/// The colour as "#rrggbb" that CSS means: "red", "#f00", "rgb(255, 0, 0)". Throws InputError on anything
+/// Parse a CSS colour ("red", "#f00", "rgb(255, 0, 0)"). Returns "#rrggbb". Throws InputError on anything
 /// else.
 std::string parse_colour(std::string_view text);
 
-/// The filled areas of an SVG, by colour. Its places are those of an outline that is read from it: metres,
-/// from the lower left corner of the viewBox.
+/// The filled areas of an SVG, by colour. Coordinates are those of an outline read from the same file:
+/// metres, from the lower left corner of the viewBox.
 class ColouredDrawing {
   public:
     /// Throws InputError or GeometryError with file and place.
@@ -29,7 +29,7 @@ class ColouredDrawing {
     /// The colours in use, each once, in the order in which they are painted: "#rrggbb", and "" for
     /// gradients.
     [[nodiscard]] std::vector<std::string> colours() const;
-    /// The colour that is seen at a point; none where nothing is filled.
+    /// The visible colour at a point; none if nothing is filled there.
     [[nodiscard]] std::optional<std::string> colour_at(geometry::Point2 point) const;
 
   private:

@@ -10,16 +10,16 @@ namespace fretwork::outlines {
 /// The content of a mesh file.
 struct MeshFile {
     std::vector<std::array<double, 3>> points;
-    /// Indices into `points`: at least three, in range, each once.
+    /// The indices into `points` of each face: at least three, in range and distinct.
     std::vector<std::vector<int>> faces;
 };
 
-/// Read a mesh (OBJ, PLY, OFF) by the ending of its file; it may lie anywhere in space. Throws InputError
-/// with file and place, also if it has no face.
+/// Read a mesh in space from an OBJ, PLY or OFF file; the file's ending decides. Throws InputError with file
+/// and place, also if the mesh has no face.
 MeshFile read_space_mesh(const std::filesystem::path& path);
 
-/// The same, and check that it lies in a plane
-/// z = constant. Throws InputError or GeometryError with file and place.
+/// Read a mesh as read_space_mesh does, and check that it lies in a plane z = constant. Throws InputError or
+/// GeometryError with file and place.
 MeshFile read_flat_mesh(const std::filesystem::path& path);
 
 }  // namespace fretwork::outlines

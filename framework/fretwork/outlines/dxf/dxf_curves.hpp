@@ -8,28 +8,28 @@
 
 namespace fretwork::outlines::detail {
 
-/// An entity's curves, as polygons within the tolerance.
+/// A curve of an entity as a polygon within the tolerance.
 struct DxfCurve {
     geometry::Polygon points;  ///< metres
     enum class Ends { Open, Closed } ends = Ends::Open;
 };
 
-/// A curve, or why there is none: "" if the entity draws nothing, otherwise a kind for the list of what is
-/// left out.
+/// The result of drawing an entity: a curve, or the reason why there is none. `left_out` is empty if the
+/// entity draws nothing; otherwise it names the kind of entity in the list of those left out.
 struct DxfDrawn {
     std::optional<DxfCurve> curve;
     std::string left_out;
 };
 
-/// The entity that stands first; VERTEX entities that belong to it follow. INSERT is not for this function.
+/// Draw the first entity of `from`; its VERTEX entities follow it there. Pre: the entity is not an INSERT.
 DxfDrawn draw_dxf_entity(const DxfFile& file, std::span<const DxfEntity> from, const Flattening& how);
 
-/// From the coordinates of an entity to those of the drawing: mirrored, if the entity is seen from below.
-/// Nothing if it does not lie flat.
+/// The map from the coordinates of an entity to those of the drawing. It mirrors an entity that is seen from
+/// below. Nothing if the entity is not parallel to the drawing's plane.
 std::optional<Affine> dxf_orientation(const DxfFile& file, const DxfEntity& entity);
 
-/// A rational B-spline within the tolerance. Throws InputError with the line if its numbers do not fit
-/// together.
+/// A rational B-spline within the tolerance. Throws InputError with the line if its numbers contradict each
+/// other.
 geometry::Polygon draw_dxf_spline(const DxfFile& file, const DxfEntity& entity, const Flattening& how);
 
 }  // namespace fretwork::outlines::detail

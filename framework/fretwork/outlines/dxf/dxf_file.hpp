@@ -11,7 +11,7 @@
 
 namespace fretwork::outlines::detail {
 
-/// One pair of lines of an ASCII DXF file: a code that says what the value is.
+/// One pair of lines of an ASCII DXF file: a code and a value. The code states the meaning of the value.
 struct DxfGroup {
     int code = 0;
     std::string_view value;
@@ -25,7 +25,7 @@ struct DxfEntity {
     std::span<const DxfGroup> groups;
 };
 
-/// A file, cut into what is drawn. Each reader throws InputError that names file and line.
+/// The entities, blocks and layers of a file. Each reader throws InputError that names file and line.
 class DxfFile {
   public:
     DxfFile(std::string source, std::string text);
@@ -37,12 +37,12 @@ class DxfFile {
     };
     [[nodiscard]] const std::vector<DxfEntity>& entities() const { return entities_; }
     [[nodiscard]] const std::map<std::string, Block>& blocks() const { return blocks_; }
-    /// Null if no block has this name. Case is ignored.
+    /// The block with this name, or null. Case is ignored.
     [[nodiscard]] const Block* block(std::string_view name) const;
     enum class Layer { On, Off, Frozen };
-    /// On if no layer has this name. Case is ignored.
+    /// The state of the layer with this name; On if the file does not list it. Case is ignored.
     [[nodiscard]] Layer layer(std::string_view name) const;
-    /// The value of $INSUNITS and its line; nothing without it.
+    /// The value of $INSUNITS and its line; nothing if the file has none.
     [[nodiscard]] std::optional<DxfGroup> units() const { return units_; }
 
     [[nodiscard]] const DxfGroup* find(const DxfEntity& entity, int code) const;

@@ -11,33 +11,32 @@
 #include <string_view>
 #include <vector>
 
-/// Meshes as OBJ, PLY and OFF files hold them. We read these simple formats strictly by ourselves: a file is
-/// refused with line and value, no count is believed before the file has shown what it counts, and nothing is
-/// left out in silence.
+/// Readers of OBJ, PLY and OFF files. They are strict: an error names line and value, a stated count is not
+/// trusted until the file has shown its items, and nothing is skipped without notice.
 namespace fretwork::outlines::detail {
 
 MeshFile read_obj(const std::filesystem::path& path);
 MeshFile read_off(const std::filesystem::path& path);
-/// ASCII, or binary of either byte order.
+/// Reads ASCII, and binary in both byte orders.
 MeshFile read_ply(const std::filesystem::path& path);
 
-/// The words of a line of text, and its number, from 1.
+/// The words of a line of text, and the line's number, from 1.
 struct TextLine {
     std::size_t number = 0;
     std::vector<std::string_view> words;
 };
 
-/// A walk through a mesh file.
+/// A reader that goes through a mesh file line by line.
 class MeshText {
   public:
     /// Throws InputError if the file cannot be read.
     explicit MeshText(const std::filesystem::path& path);
 
-    /// The next line that has words; what stands behind # is left out.
+    /// The next line that has words. Text after # is skipped.
     std::optional<TextLine> next_line();
-    /// The next line; `wanted` says what the file lacks if it ends here.
+    /// The next line. If the file ends here, throws InputError that says that `wanted` is missing.
     TextLine need_line(const std::string& wanted);
-    /// All bytes behind the last line.
+    /// All bytes after the last line read.
     [[nodiscard]] std::string_view rest() const { return std::string_view(text_).substr(next_); }
     [[nodiscard]] std::size_t size() const { return text_.size(); }
 
@@ -47,10 +46,11 @@ class MeshText {
     /// A finite number.
     [[nodiscard]] double number(const TextLine& line, std::string_view word) const;
     [[nodiscard]] long long whole_number(const TextLine& line, std::string_view word) const;
-    /// How many of something the file says there are: not below zero, and no more than bytes in the file.
+    /// The number of `things` that the file states. Throws InputError if it is below zero or above the number
+    /// of bytes in the file.
     [[nodiscard]] std::size_t count(const TextLine& line, std::string_view word,
                                     const std::string& things) const;
-    /// The first three words from `first` on, as a place.
+    /// The point given by three words, starting with word `first`.
     [[nodiscard]] std::array<double, 3> point(const TextLine& line, std::size_t first) const;
 
     /// Check a face whose vertices are numbered from 0 and add it to the mesh.

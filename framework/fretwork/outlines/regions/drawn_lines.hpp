@@ -8,26 +8,27 @@ namespace fretwork::outlines::detail {
 /// The lines of a drawing, metres.
 struct DrawnLines {
     std::vector<geometry::Polygon> closed;
-    std::vector<geometry::Polygon> open;  ///< of two points or more
+    std::vector<geometry::Polygon> open;  ///< each has two points or more
 };
 
 /// The regions that lines enclose.
 struct Enclosed {
-    std::vector<geometry::Polygon> curves;  ///< each once, however often it is drawn
-    std::vector<std::size_t> open;  ///< the open lines that enclose nothing, by their place in the list
+    std::vector<geometry::Polygon> curves;  ///< each curve once, even if it is drawn several times
+    std::vector<std::size_t> open;          ///< the indices of the open lines that enclose nothing
 };
 
-/// Loose ends nearer than this to each other are joined, metres.
+/// The distance, m, up to which loose ends are joined.
 double widest_gap(double tolerance);
 
-/// Join the open lines to closed curves, and add the closed ones. The remarks say which gaps were closed and
-/// what was drawn twice. `tolerance` is that of flattening, metres.
+/// Join the open lines to closed curves, and add the closed lines. Remarks report closed gaps and lines drawn
+/// twice. `tolerance` is the tolerance of flattening, m.
 Enclosed enclosed_by(DrawnLines lines, double tolerance, Remarks& remarks);
 
-/// The longest of some lines: of those with the numbers `which`, at least one.
+/// The index of the longest of the lines `which`. Pre: `which` is not empty.
 std::size_t longest_of(const std::vector<geometry::Polygon>& lines, const std::vector<std::size_t>& which);
 
-/// Leave out the open lines with the numbers `which` (at least one); `place` says where the longest is.
+/// Add a remark that the open lines `which` are left out; `place` says where the longest lies. Pre: `which`
+/// is not empty.
 void leave_out_open(const std::vector<geometry::Polygon>& lines, const std::vector<std::size_t>& which,
                     const std::string& place, Remarks& remarks);
 

@@ -7,27 +7,28 @@
 
 namespace fretwork::outlines::detail {
 
-/// Lines whose ends were brought together.
+/// Lines after joining their ends.
 struct JoinedLines {
-    std::vector<geometry::Polygon> lines;  ///< those given, less the doubled ones, then those that close gaps
-    std::vector<std::size_t> given;  ///< for each line, which of the given ones it is (or is nearest to)
+    std::vector<geometry::Polygon> lines;  ///< the given lines without doubled ones, then the lines that
+                                           ///< close gaps
+    std::vector<std::size_t> given;  ///< for each line, the index of the given line that it is, or is nearest
+                                     ///< to
     int gaps = 0;
     double widest_gap = 0.0;  ///< metres
     int doubled = 0;
 };
 
-/// Distances in metres.
+/// The distances, in metres, at which lines are joined.
 struct JoiningTolerance {
-    double same;  ///< ends nearer than this to each other are one point, to a line a point of it; lines
-                  ///< nearer than this all along are one line
-    double gap;   ///< an end that hangs loose is joined with the next loose end up to this distance, the
-                  ///< nearest first
+    double same;  ///< ends nearer than this are one point; an end nearer than this to a line lies on it;
+                  ///< lines nearer than this along their whole length are one line
+    double gap;   ///< loose ends up to this distance apart are joined, the nearest pair first
 };
 
-/// Bring the ends of open polylines (two points or more) together.
+/// Join the ends of open polylines of two points or more.
 JoinedLines join_lines(const std::vector<geometry::Polygon>& lines, const JoiningTolerance& tolerance);
 
-/// Closed curves without those that are drawn twice.
+/// Closed curves without doubled ones.
 struct DistinctCurves {
     std::vector<geometry::Polygon> curves;
     int doubled = 0;

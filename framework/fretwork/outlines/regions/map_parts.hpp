@@ -8,14 +8,14 @@
 
 namespace fretwork::outlines::detail {
 
-/// The parts that the filled faces of a map make: faces that share a side belong together. Where a part
-/// touches itself at a point it is opened, so that every part is an outline.
+/// The parts that the filled faces of a map form: faces that share a side belong to one part. A part that
+/// touches itself at a point is opened there, so that every part is an outline.
 Region region_of_map(LineMap& lines, double tolerance);
 
-/// The points along a closed row of halfedges.
+/// The points along a closed chain of halfedges.
 geometry::Polygon polygon_around(PlanarMap::Ccb_halfedge_const_circulator first);
 
-/// The lower left and the upper right corner of polygons; no points: two origins.
+/// The lower left and the upper right corner of polygons; both are the origin if there are no points.
 std::array<geometry::Point2, 2> box_of(const std::vector<geometry::Polygon>& polygons);
 
 }  // namespace fretwork::outlines::detail

@@ -15,11 +15,11 @@
 /// The faces into which the sides of polygons cut the plane, with exact crossings (CGAL's arrangements).
 namespace fretwork::outlines::detail {
 
-/// A face's own mark; what it means is its user's business.
+/// The mark of a face, for the algorithms that use the map.
 struct FaceMark {
     bool is_filled = false;
     int part = -1;    ///< faces of one part are connected by sides
-    int number = -1;  ///< in the order of the map
+    int number = -1;  ///< index in the order of the map
 };
 
 struct AppendSides {
@@ -30,18 +30,18 @@ struct AppendSides {
 };
 
 using ExactKernel = CGAL::Exact_predicates_exact_constructions_kernel;
-/// Each edge knows the sides (by number) that run along it.
+/// Each edge stores the indices of the sides that run along it.
 using SideTraits =
     CGAL::Arr_curve_data_traits_2<CGAL::Arr_segment_traits_2<ExactKernel>, std::vector<int>, AppendSides>;
 using PlanarMap = CGAL::Arrangement_2<SideTraits, CGAL::Arr_face_extended_dcel<SideTraits, FaceMark>>;
 
-/// A polyline of a map: closed or not.
+/// A polyline of a map, open or closed.
 struct MapLine {
     const geometry::Polygon* points;
     enum class Ends { Open, Closed } ends = Ends::Closed;
 };
 
-/// A map of lines, and whose each side is.
+/// A map of lines, and the line to which each side belongs.
 struct LineMap {
     struct Side {
         int line = 0;
@@ -51,18 +51,19 @@ struct LineMap {
     std::vector<Side> sides;
 };
 
-/// Sides without length are left out. Throws GeometryError if far too many cross.
+/// Make the map of some lines. Sides of length zero are left out. Throws GeometryError if far too many sides
+/// cross.
 LineMap make_line_map(const std::vector<MapLine>& lines);
 
-/// How often each line winds around the faces, one face after the other: `look` is called once for each face,
-/// and `cross` before it for the lines whose winding number changes on the way to that face.
+/// Callbacks of visit_faces(), which goes from face to face. `look` is called once for each face. Before it,
+/// `cross` is called for each line whose winding number changes on the way to that face.
 struct WindingVisitor {
     std::function<void(int line, int change)> cross;
     std::function<void(PlanarMap::Face_handle)> look;
 };
 void visit_faces(LineMap& lines, const WindingVisitor& visitor);
 
-/// The halfedges around a face, its holes' included.
+/// The halfedges around a face and around its holes.
 std::vector<PlanarMap::Halfedge_handle> halfedges_of(PlanarMap::Face_handle face);
 
 inline geometry::Point2 place_of(PlanarMap::Vertex_const_handle vertex) {

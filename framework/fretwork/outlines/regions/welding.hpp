@@ -7,11 +7,11 @@
 
 namespace fretwork::outlines::detail {
 
-/// Make lines meet that nearly meet, so that the union of the loops has neither slits nor needles narrower
-/// than `width` (metres): corners that are so near to each other become one, a side is led through a corner
-/// so near to it, and corners of less than a quarter of a degree are cut off where their sides are twice as
-/// far apart. Points so near to the one before them are left out first, if there is anything to do. Returns
-/// how many such corners there were; the loops may touch and cross each other then.
+/// Join lines that nearly meet, so that the union of the loops has no slit and no needle narrower than
+/// `width` (m). Corners nearer than `width` become one corner. A side nearer than `width` to a corner is bent
+/// through it. A corner of less than a quarter of a degree is cut off where its sides are 2 `width` apart. If
+/// there is anything to do, points nearer than `width` to the point before them are removed first. Returns
+/// the number of corners changed; if it is not zero, loops may touch and cross each other.
 int weld(const std::vector<geometry::Polygon*>& loops, double width);
 
 }  // namespace fretwork::outlines::detail

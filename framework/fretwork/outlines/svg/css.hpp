@@ -9,28 +9,29 @@
 #include <unordered_map>
 #include <vector>
 
-/// Style sheets as far as they decide what a drawing fills (CSS 2.1 with the attribute selectors of level 3).
+/// Style sheets, as far as they affect the filled areas of a drawing (CSS 2.1 with the attribute selectors of
+/// level 3).
 namespace fretwork::outlines::detail {
 
-/// `fill: none !important`.
+/// A declaration, such as `fill: none !important`.
 struct CssDeclaration {
-    std::string name;   ///< in small letters
+    std::string name;   ///< in lower case
     std::string value;  ///< trimmed
     enum class Weight { Normal, Important } weight = Weight::Normal;
 };
 
-/// The inside of a `style` attribute or of a rule's braces. Unreadable declarations are ignored, as CSS
-/// requires.
+/// Parse the content of a `style` attribute or of the braces of a rule. Unreadable declarations are ignored,
+/// as CSS requires.
 std::vector<CssDeclaration> parse_css_declarations(std::string_view text);
 
-/// A part of a selector without space or sign in it, such as `path.rim#a[x="1"]`.
+/// A compound selector, which has no space or combinator, such as `path.rim#a[x="1"]`.
 struct CssCompound {
     struct Attribute {
         std::string name;
-        std::string sign;  ///< empty: it is there; otherwise =, ~=, |=, ^=, $=, *=
+        std::string sign;  ///< empty: the attribute exists; otherwise =, ~=, |=, ^=, $=, *=
         std::string value;
     };
-    char relation = ' ';                ///< to the compound before it: ' ', '>', '+', '~'
+    char relation = ' ';                ///< combinator with the previous compound: ' ', '>', '+', '~'
     std::string type;                   ///< empty: any
     std::vector<Attribute> attributes;  ///< classes and ids included
     enum class Place { Any, First, Last, Root } place = Place::Any;
@@ -48,7 +49,7 @@ class CssRules {
     void add(std::string_view text);
     /// The declarations that apply to an element, the strongest last. `!important` is not considered.
     [[nodiscard]] std::vector<const CssDeclaration*> of(pugi::xml_node node) const;
-    /// Selectors that are not understood, such as `:hover`; they apply to nothing.
+    /// The number of unsupported selectors, such as `:hover`; they match nothing.
     [[nodiscard]] int unknown_selectors() const { return unknown_selectors_; }
 
   private:
@@ -67,14 +68,15 @@ class CssRules {
     mutable long looks_ = 0;
 };
 
-/// One selector of a list, without the commas; nothing if it has something that is not understood.
+/// Parse one selector of a list, without the commas. Nothing if it contains something unsupported.
 std::optional<CssSelector> parse_css_selector(std::string_view text);
 
-/// Whether an element is chosen. Every compound that is looked at counts as one of `looks`. Throws InputError
-/// after ten million of them.
+/// True if the selector matches an element. Each compound that is tested adds one to `looks`. Throws
+/// InputError after ten million tests.
 bool matches(const CssSelector& selector, pugi::xml_node node, long& looks);
 
-/// A colour of CSS as "#rrggbb", without its opacity: hexadecimal, rgb() and names; nothing for others.
+/// A CSS colour as "#rrggbb", without its opacity. Hexadecimal colours, rgb() and names are supported;
+/// nothing for others.
 std::optional<std::string> css_colour(std::string_view text);
 
 }  // namespace fretwork::outlines::detail

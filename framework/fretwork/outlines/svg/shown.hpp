@@ -5,14 +5,14 @@
 
 namespace fretwork::outlines::detail {
 
-/// Whether a point lies in what a shape fills, clips aside.
+/// True if a shape fills the point; clips are ignored.
 bool is_filled_at(const FilledShape& shape, geometry::Point2 point);
 
-/// Whether a point lies in a clip of a picture, and in those around it.
+/// True if a point lies in a clip of a picture and in all outer clips.
 bool is_shown_at(const Picture& picture, std::optional<std::size_t> clip, geometry::Point2 point);
 
-/// Whether all of a line lies in a clip; on its edge, give or take `margin` (metres), is in it. No for a line
-/// across an edge between two shapes of a clip, too.
+/// True if a whole line lies in a clip. Points within `margin` (m) of the clip's edge count as inside. False
+/// also for a line that crosses an edge between two shapes of a clip.
 bool is_shown_whole(const Picture& picture, std::optional<std::size_t> clip, const geometry::Polygon& line,
                     double margin);
 

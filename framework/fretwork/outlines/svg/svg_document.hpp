@@ -16,7 +16,7 @@ namespace fretwork::outlines::detail {
 class SvgProperties {
   public:
     SvgProperties(pugi::xml_node node, const CssRules& rules);
-    /// The value that wins; empty if there is none.
+    /// The value of a property by the cascade; empty if it is not set.
     [[nodiscard]] std::string_view find(std::string_view name) const;
 
   private:
@@ -25,24 +25,23 @@ class SvgProperties {
     std::vector<const CssDeclaration*> ascending_;
 };
 
-/// A drawing as XML: its elements by id, its style sheets, and places for messages.
+/// A drawing as XML, with its elements by id, its style sheets, and the places of elements for messages.
 class SvgDocument {
   public:
-    /// Throws InputError if the text is no XML, or no SVG.
+    /// Throws InputError if the text is not XML, or not SVG.
     SvgDocument(std::string source, std::string text);
 
     [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
     [[nodiscard]] const CssRules& rules() const { return rules_; }
-    /// The name of an element of SVG without a prefix; empty for elements of others.
+    /// The name of an SVG element without its prefix; empty for elements of other namespaces.
     [[nodiscard]] std::string_view name_of(pugi::xml_node node) const;
-    /// The element that `#id` or `url(#id)` names; null if the document has no such element.
+    /// The element that `#id` or `url(#id)` refers to; null if the document has no such element.
     [[nodiscard]] pugi::xml_node referred(std::string_view reference) const;
 
-    /// "line 3, path 'rim'".
+    /// The place of an element in messages: "line 3, path 'rim'".
     [[nodiscard]] std::string place(pugi::xml_node node) const;
     [[noreturn]] void fail(pugi::xml_node node, const std::string& message) const;
-    /// Read the value of an attribute or property, and put file and place before what its reader complains
-    /// about.
+    /// Read the value of an attribute or property. An error of the reader gets file and place.
     template <class Reader>
     auto read(pugi::xml_node node, std::string_view name, std::string_view value, Reader reader) const {
         try {

@@ -16,25 +16,26 @@ struct SvgMeasure {
     double font_size = 16.0;
 };
 
-/// One element and how to read lengths in it.
+/// One element, with functions that read its lengths and curves.
 class SvgElement {
   public:
     SvgElement(pugi::xml_node node, const SvgProperties& properties, const SvgDocument& document)
         : node_(node), properties_(properties), document_(document) {}
 
     enum class Axis { X, Y, Both };
-    /// A length in pixels; `missing` if it is not given, or "auto".
+    /// A length in pixels; `missing` if the element has none, or "auto".
     [[nodiscard]] double length_or(std::string_view name, Axis axis, const SvgMeasure& measure,
                                    double missing) const;
-    /// The same for lengths that must not be below zero.
+    /// A length that must not be below zero, in pixels; `missing` as for length_or().
     [[nodiscard]] double size_or(std::string_view name, Axis axis, const SvgMeasure& measure,
                                  double missing) const;
-    /// The four numbers of `viewBox`, if it has one. Throws InputError unless its sizes are at least zero.
+    /// The four numbers of `viewBox`, if the element has one. Throws InputError unless its sizes are at least
+    /// zero.
     [[nodiscard]] std::optional<std::array<double, 4>> view_box() const;
-    /// The curves of a shape (path, polygon, polyline, rect, circle, ellipse, line); nothing if it has no
-    /// size.
+    /// The curves of a shape (path, polygon, polyline, rect, circle, ellipse, line); empty if its size is
+    /// zero.
     [[nodiscard]] std::vector<Subpath> subpaths(std::string_view shape, const SvgMeasure& measure) const;
-    /// `transform` and `transform-origin`.
+    /// The map that `transform` and `transform-origin` state.
     [[nodiscard]] Affine transform(const SvgMeasure& measure) const;
 
     [[nodiscard]] pugi::xml_node node() const { return node_; }
@@ -59,7 +60,7 @@ struct SvgBox {
     [[nodiscard]] Subpath outline() const;
 };
 
-/// From a viewBox to the box that shows it, by `preserveAspectRatio`.
+/// The map from a viewBox to the box that shows it, by `preserveAspectRatio`.
 Affine map_of_view_box(const std::array<double, 4>& view_box, const SvgBox& shown,
                        std::string_view preserve_aspect_ratio);
 

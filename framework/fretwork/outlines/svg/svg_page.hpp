@@ -6,17 +6,17 @@
 
 namespace fretwork::outlines::detail {
 
-/// How large a drawing is, and where.
+/// The size of a drawing, and the map to metres.
 struct SvgPage {
-    double width = 0.0;   ///< metres, of what the viewBox shows
-    double height = 0.0;  ///< metres
+    double width = 0.0;   ///< width of the viewBox as shown, m
+    double height = 0.0;  ///< height of the viewBox as shown, m
     Affine to_metres{};   ///< from user units, y down, to metres, y up, with the origin at the lower left of
                           ///< the drawing
     SvgMeasure measure{};
 };
 
-/// From `width`, `height` and `viewBox` of the root. Where width and height do not say a length, the viewBox
-/// counts in pixels (96 an inch), and a remark names the size.
+/// The page that `width`, `height` and `viewBox` of the root state. If width and height are not lengths, the
+/// unit of the viewBox is the pixel (96 to an inch), and a remark states the size.
 SvgPage page_of(pugi::xml_node root, const SvgDocument& document, Remarks& remarks);
 
 }  // namespace fretwork::outlines::detail

@@ -12,8 +12,8 @@
 
 namespace fretwork::outlines::detail {
 
-/// The areas that a browser would fill of an SVG drawing (SVG 2, chapters 5 to 14); if it fills nothing, the
-/// areas inside closed lines.
+/// Reads the areas of an SVG drawing that a browser would fill (SVG 2, chapters 5 to 14). If it fills none,
+/// the result is the areas inside closed lines.
 class SvgReader {
   public:
     explicit SvgReader(const std::filesystem::path& path);
@@ -30,22 +30,24 @@ class SvgReader {
         std::optional<std::size_t> clip{};
         int depth = 1;
     };
-    /// Shapes in a clip count whether they are painted or not; the box of a clipped element, too.
+    /// The purpose of reading an element. For Clip and Box, shapes count even if they are not painted.
     enum class Purpose { Paint, Clip, Box };
 
     void read();
-    /// Drawings for laser cutters have lines only: where the fills give no part, closed lines are outlines,
-    /// and what lies in one of them is a hole, as in DXF. Throws GeometryError if no line is closed.
+    /// The region of a drawing that has only lines, as for laser cutters. It is used if the fills give no
+    /// part. Closed lines are outlines, and a line inside another is a hole, as in DXF. Throws GeometryError
+    /// if no line is closed.
     Region stroked_region();
     [[nodiscard]] std::string nothing_filled() const;
-    /// In brackets, what was left out.
+    /// The list, in brackets, of the content that was left out.
     [[nodiscard]] std::string left_out_text() const;
     void read_children(pugi::xml_node parent, const Surroundings& around);
     void read_element(pugi::xml_node node, const Surroundings& outer);
     void read_kind(std::string_view name, const SvgElement& element, const Surroundings& around);
-    /// The first of the alternatives whose conditions hold.
+    /// Read the first alternative of a `switch` whose conditions hold.
     void read_switch(pugi::xml_node parent, const Surroundings& around);
-    /// An `svg` or `symbol` shows its viewBox in its own box; `sized` gives the size of that.
+    /// Read an `svg` or `symbol`, which shows its viewBox in its own box. `sized` is the element that states
+    /// the size of that box.
     void read_viewport(const SvgElement& element, const SvgElement& sized, Surroundings around);
     void read_use(const SvgElement& element, Surroundings around);
     void read_copied_viewport(pugi::xml_node copied, const SvgElement& use, Surroundings around);
@@ -57,14 +59,14 @@ class SvgReader {
     [[nodiscard]] std::vector<geometry::Polygon> loops_of(const std::vector<Subpath>& subpaths,
                                                           const Affine& map) const;
     void check_loops(const std::vector<geometry::Polygon>& loops, pugi::xml_node node);
-    /// Whether a point lies in the drawing, or not many times its size outside.
+    /// True if a point lies in the drawing or not too many of its sizes away.
     [[nodiscard]] bool is_near_page(geometry::Point2 point) const;
     void check_on_page(geometry::Point2 point, pugi::xml_node node) const;
     std::size_t add_clip(const std::vector<Subpath>& subpaths, const Surroundings& around);
-    /// The clip of an element, within that of those around it.
+    /// The clip of an element, inside the clip of its surroundings.
     std::optional<std::size_t> clip_of(const SvgElement& element, const Surroundings& around);
     std::size_t read_clip(pugi::xml_node clip, const SvgElement& clipped, Surroundings around);
-    /// From the unit square to the box of an element, in the element's own coordinates.
+    /// The map from the unit square to the box of an element, in the element's own coordinates.
     Affine unit_box_of(const SvgElement& element, const Surroundings& around);
 
     std::string source_;
@@ -73,17 +75,17 @@ class SvgReader {
     Flattening how_{.tolerance = kFlatteningTolerance};
     Picture picture_;
     std::vector<FilledShape>* shapes_ = &picture_.shapes;
-    std::vector<pugi::xml_node> places_;   // of the picture's shapes
-    std::vector<std::string> colours_;     // of the same
-    std::vector<pugi::xml_node> copying_;  // what is being copied or clips
+    std::vector<pugi::xml_node> places_;   // elements of the picture's shapes
+    std::vector<std::string> colours_;     // colours of the picture's shapes
+    std::vector<pugi::xml_node> copying_;  // elements being copied, or used as clips
     Purpose purpose_ = Purpose::Paint;
     Remarks remarks_;
     int elements_ = 0;
     int lines_ = 0;  // shapes that are stroked and not filled
-    /// All that is stroked. It is looked at only if the fills give no part.
+    /// All stroked elements. They are drawn only if the fills give no part.
     std::vector<std::pair<pugi::xml_node, Surroundings>> strokes_;
     DrawnLines lines_drawn_;
-    std::vector<pugi::xml_node> open_places_;  // of the open lines
+    std::vector<pugi::xml_node> open_places_;  // elements of the open lines
     std::size_t points_ = 0;
 };
 

@@ -21,7 +21,7 @@ struct SvgStyle {
     enum class Visibility { Visible, Hidden } visibility = Visibility::Visible;
     double font_size = 16.0;                 ///< pixels
     std::string fill_colour = "#000000";     ///< "#rrggbb"; empty: a gradient, or another kind of colour
-    std::string current_colour = "#000000";  ///< of the property `color`
+    std::string current_colour = "#000000";  ///< value of the property `color`
 
     [[nodiscard]] bool is_filled() const {
         return fill == Paint::Some && fill_opacity > 0 && visibility == Visibility::Visible;
@@ -32,13 +32,13 @@ struct SvgStyle {
     }
 };
 
-/// The style of an element in one of the style `outer`.
+/// The style of an element whose parent has the style `outer`.
 SvgStyle style_in(const SvgStyle& outer, const SvgProperties& properties, const SvgDocument& document);
 
-/// Whether an element and all that is in it is left out: `display: none`, `opacity: 0`.
+/// True if an element and its content are not shown: `display: none`, `opacity: 0`.
 bool is_switched_off(const SvgProperties& properties);
 
-/// Whether its conditions (language, extensions) hold, as for a reader of English in a browser.
+/// True if the conditions of an element (language, extensions) hold in a browser set to English.
 bool meets_conditions(pugi::xml_node node);
 
 }  // namespace fretwork::outlines::detail

@@ -7,22 +7,21 @@
 #include <string_view>
 #include <vector>
 
-/// The little languages inside SVG attributes (SVG 1.1, chapters 4, 7 and 8). Each reader throws InputError
-/// that quotes the text and says where in it (character, from 1) what was expected.
+/// Parsers of the texts inside SVG attributes (SVG 1.1, chapters 4, 7 and 8). Each throws InputError that
+/// quotes the text and states the character, from 1, and what was expected there.
 namespace fretwork::outlines::detail {
 
-/// A walk through the text of an attribute.
+/// A reader that goes through the text of an attribute.
 class SvgText {
   public:
     explicit SvgText(std::string_view text) : text_(text) {}
 
-    [[nodiscard]] bool at_end();     ///< after white space and commas
-    [[nodiscard]] bool at_number();  ///< after white space and commas
-    [[nodiscard]] double number();   ///< a finite number
-    [[nodiscard]] bool flag();       ///< 0 or 1, which need no space behind
-    [[nodiscard]] char letter();     ///< the next character, white space and commas skipped
-    [[nodiscard]] std::string_view
-    word();  ///< letters and %, possibly none, without skipping anything before
+    [[nodiscard]] bool at_end();            ///< after white space and commas
+    [[nodiscard]] bool at_number();         ///< after white space and commas
+    [[nodiscard]] double number();          ///< a finite number
+    [[nodiscard]] bool flag();              ///< 0 or 1; no separator needs to follow
+    [[nodiscard]] char letter();            ///< the next character, white space and commas skipped
+    [[nodiscard]] std::string_view word();  ///< letters and %, possibly none; does not skip separators
     void expect(char wanted);
     [[noreturn]] void fail(const std::string& message) const;
 
@@ -32,14 +31,14 @@ class SvgText {
     std::size_t next_ = 0;
 };
 
-/// The `d` of a path.
+/// Parse the attribute `d` of a path.
 std::vector<Subpath> parse_svg_path(std::string_view text);
-/// The `points` of a polygon or polyline.
+/// Parse the attribute `points` of a polygon or polyline.
 std::vector<geometry::Point2> parse_svg_points(std::string_view text);
-/// A `transform`, as an attribute or in a style sheet (with units).
+/// Parse a `transform`, from an attribute or from a style sheet (with units).
 Affine parse_svg_transform(std::string_view text);
-/// A length: in user units (a number with or without px, mm, cm, in, pt, pc, Q; 96 px an inch), or as a share
-/// of something else: of the viewport in percent, of the font's size in em, ex or rem.
+/// A length in user units (a number with or without px, mm, cm, in, pt, pc, Q; 96 px to an inch), or relative
+/// to the viewport (percent) or the font size (em, ex or rem).
 struct SvgLength {
     double value = 0.0;
     enum class Unit { Pixel, Percent, Em, Rem } unit = Unit::Pixel;

@@ -6,10 +6,10 @@
 
 namespace fretwork::outlines::detail {
 
-/// Replace the entities that a document declares itself (`<!DOCTYPE svg [ <!ENTITY st0 "fill:none"> ]>`, as
-/// some drawing programs write them) by their text; pugixml does not. Lines keep their numbers. Entities in
-/// other files are left as they are. Throws InputError if the text would grow beyond all measure, or an
-/// entity contains itself.
+/// Replace the entities that a document itself declares (`<!DOCTYPE svg [ <!ENTITY st0 "fill:none"> ]>`) by
+/// their text. Some drawing programs write such entities, and pugixml does not replace them. Lines keep their
+/// numbers. Entities in other files are left unchanged. Throws InputError if the text would become far too
+/// long, or an entity contains itself.
 std::string with_entities_replaced(std::string text);
 
 }  // namespace fretwork::outlines::detail
