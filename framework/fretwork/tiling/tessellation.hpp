@@ -14,31 +14,32 @@ namespace fretwork::tiling {
 
 using TileIndex = base::Index<struct TileTag>;
 using VertexIndex = base::Index<struct VertexTag>;
-/// An interface node of the tessellation: the same number in every model of it.
+/// An interface node of the tessellation. It has the same number in every model of the surface.
 using InterfaceIndex = base::Index<struct InterfaceTag>;
 
-/// A convex polygon of the tessellation. Its first vertex is vertex 0, and so the orientation of its pattern:
-/// the first side faces down (against y), as in geometry::regular_polygon, as nearly as a direction within 30
-/// degrees of that allows which the sides of most hexagons face; so neighbours in a regular region have the
-/// same orientation.
+/// A convex polygon of the tessellation. Its first vertex is vertex 0 and sets the orientation of its
+/// pattern. `tessellate` chooses it so that the first side faces down (against y) as nearly as possible, as
+/// in geometry::regular_polygon. "Down" is adjusted, by at most 30 degrees, to a direction that the sides of
+/// most hexagons face. So neighbours in a regular region have the same orientation.
 struct Tile {
-    std::vector<VertexIndex> vertices;  ///< counterclockwise
-    std::vector<InterfaceIndex>
-        interface_nodes;  ///< side by side, on each side from vertex t to t + 1, as in pattern::Fan
-    int pattern = -1;     ///< index into Tessellation::patterns; -1: not painted
+    std::vector<VertexIndex> vertices;            ///< counterclockwise
+    std::vector<InterfaceIndex> interface_nodes;  ///< one side after the other, on each side from vertex t to
+                                                  ///< t + 1, as in pattern::Fan
+    int pattern = -1;  ///< index into Tessellation::patterns; -1: not painted
 };
 
 /// A flat surface of polygons that share interface nodes, each painted with a pattern. `tessellate` numbers
-/// tiles from left to right by their centroids, and vertices and interface nodes as the tiles come to them.
+/// tiles from left to right by their centroids, and vertices and interface nodes in the order in which the
+/// tiles first use them.
 struct Tessellation {
-    std::string layout;  ///< name of the node layout whose interface nodes it has
+    std::string layout;  ///< name of the node layout that defines the interface nodes
     base::IndexVector<VertexIndex, geometry::Point2> vertices;  ///< metres
     base::IndexVector<TileIndex, Tile> tiles;
-    base::IndexVector<InterfaceIndex, geometry::Point2> interface_nodes;  ///< places, metres
+    base::IndexVector<InterfaceIndex, geometry::Point2> interface_nodes;  ///< positions, m
     std::vector<pattern::NamedPattern> patterns;                          ///< the palette in use
 };
 
-/// Turn a tile's pattern: its first vertex moves on by `vertices`, counterclockwise, back if below zero.
+/// Turn a tile's pattern: vertex 0 moves by `vertices` vertices counterclockwise, or clockwise if below zero.
 void turn(Tile& tile, int vertices);
 
 /// The pattern of a tile; null if it is not painted.
@@ -47,30 +48,34 @@ const pattern::NamedPattern* pattern_of(const Tessellation& tessellation, TileIn
 /// The polygon of a tile.
 geometry::Polygon tile_polygon(const Tessellation& tessellation, TileIndex tile);
 
-/// The places in Tessellation::patterns of those that a tile has, ascending.
+/// The indices of the patterns in Tessellation::patterns that some tile has, ascending.
 std::vector<std::size_t> used_patterns(const Tessellation& tessellation);
 
-/// The mean over the tiles of the mean length of a tile's sides, m.
+/// The mean, over all tiles, of the mean length of a tile's sides, m.
 double mean_tile_side(const Tessellation& tessellation);
 
-/// A side that only one tile has, in the direction of that tile's polygon: the surface lies on the left.
+/// A side that belongs to one tile only, in the direction of that tile's polygon: the surface lies on its
+/// left.
 struct RimSide {
     TileIndex tile;
     VertexIndex from;
     VertexIndex to;
-    std::vector<InterfaceIndex> nodes;  ///< between the two
+    std::vector<InterfaceIndex> nodes;  ///< the nodes on the side, in its direction
 };
-/// The closed lines of the rim, side after side: the outer boundary and each hole by itself.
+/// The closed lines of the rim, each as a list of sides: the outer boundary and each hole.
 std::vector<std::vector<RimSide>> rim_sides(const Tessellation& tessellation);
-/// The interface nodes along each of these lines.
+/// The interface nodes along each closed line of the rim.
 std::vector<std::vector<InterfaceIndex>> rim_loops(const Tessellation& tessellation);
 
-/// Check what every tessellation must obey, such as one that was read from a file: its layout's name, indices
-/// in range, finite places, tiles that are convex and counterclockwise (decided exactly), sides that two
-/// tiles at most share, in opposite directions, with the same interface nodes, interface nodes that lie on
-/// their side at the layout's places and on no other side, patterns that are there, once each, and are
-/// patterns of the layout, and nothing that no tile has (but patterns). Throws InputError or GeometryError
-/// that names the tile.
+/// Check that a tessellation, for example one from a file, is valid:
+/// - its layout has this name, indices are in range, and positions are finite;
+/// - tiles are convex and counterclockwise (decided exactly);
+/// - at most two tiles share a side, in opposite directions and with the same interface nodes;
+/// - interface nodes lie on their side at the layout's places, and on no other side;
+/// - each pattern of a tile exists, is listed once, and is a pattern of the layout;
+/// - each vertex and each interface node belongs to a tile.
+///
+/// Throws InputError or GeometryError that names the tile.
 void validate(const Tessellation& tessellation, const pattern::NodeLayout& layout);
 
 }  // namespace fretwork::tiling

@@ -12,11 +12,11 @@ namespace fretwork::tiling {
 /// A node of a TessellationFan, in the order of TessellationFan::nodes.
 using TessellationNodeIndex = base::Index<struct TessellationNodeTag>;
 
-/// The patterns of all tiles as one graph in the plane: what full models and drawings are made from.
+/// The patterns of all tiles as one graph in the plane. Full models and drawings are made from it.
 ///
-/// Nodes: first all interface nodes of the tessellation, with their own ids, used by a pattern or not; then
-/// the inner nodes, tile by tile, each tile's in the order of its fan. Edges run tile by tile, each tile's in
-/// the order of its fan.
+/// The first nodes are all interface nodes of the tessellation, with their own numbers, whether a pattern
+/// uses them or not. The inner nodes follow, tile by tile, in the order of each tile's fan. Edges are listed
+/// tile by tile, in the order of each tile's fan.
 struct TessellationFan {
     struct Edge {
         std::array<TessellationNodeIndex, 2> nodes;
@@ -26,9 +26,9 @@ struct TessellationFan {
     int interface_node_count = 0;
     base::IndexVector<TessellationNodeIndex, geometry::Point2> nodes;  ///< metres
     std::vector<Edge> edges;
-    /// For each tile its nodes here, in the order of its pattern::Fan::nodes.
+    /// For each tile, the graph's nodes of its fan, in the order of pattern::Fan::nodes.
     base::IndexVector<TileIndex, std::vector<TessellationNodeIndex>> tile_nodes;
-    /// For each tile its first edge, and behind the last tile the number of edges.
+    /// For each tile, the index of its first edge; one further entry holds the number of edges.
     base::IndexVector<TileIndex, int> first_edge;
 };
 

@@ -10,10 +10,10 @@
 
 namespace fretwork::tiling::detail {
 
-/// Where the sites come from: isotropic remeshing, or a triangular lattice at an angle (rad).
+/// The source of the sites: isotropic remeshing, or a triangular lattice at an angle (rad).
 struct Start {
     std::optional<double> lattice_angle{};
-    /// The distance of the sites over the wanted side, to try first.
+    /// The first value to try for the distance of the sites, as a multiple of the wanted side.
     double factor = 0.0;
     [[nodiscard]] std::string name() const;
 };
@@ -24,8 +24,10 @@ struct Task {
     const SizeField& field;
     const TessellationOptions& options;
     QualityLimits limits;
-    double refined_tiles = 0.0;  ///< about, where holes and narrow places want them small; else 0
-    /// From this number on each try takes seconds: starts that are known to be of no use are tried roughly.
+    double refined_tiles = 0.0;  ///< approximate number of tiles if holes and narrow places need small ones;
+                                 ///< else 0
+    /// True if each try takes seconds, because of the number of tiles. Starts that are known to be poor are
+    /// then only sketched.
     [[nodiscard]] bool has_many() const { return refined_tiles > 3000.0; }
 };
 
@@ -34,15 +36,15 @@ struct Candidate {
     Dual dual;
     TessellationReport report;
     std::vector<Defect> defects;
-    double side_error = 0.0;    ///< of the mean of sides over wanted sides, relative
-    double irregularity = 0.0;  ///< the smaller the better
-    /// The distance of its sites over the wanted side, where that was hard to find: another attempt with
-    /// nearly the same wanted sides begins there.
+    double side_error = 0.0;    ///< relative error of the mean ratio of sides to wanted sides
+    double irregularity = 0.0;  ///< see Measures; smaller is better
+    /// The distance of its sites as a multiple of the wanted side, if it was hard to find. Another attempt
+    /// with nearly the same wanted sides starts with this value.
     std::optional<double> factor{};
 };
 
-/// A first sketch of the tiling from a start: how irregular it will be (cheap, and good enough to leave the
-/// worst aside), and at which distance of the sites the sides will be right. Takes rough_steps() steps.
+/// A rough prediction of the tiling from a start: its irregularity, and the distance of the sites that gives
+/// the wanted sides. It is cheap, and good enough to discard the worst starts.
 struct Sketch {
     double irregularity = 0.0;
     double factor = 0.0;
@@ -51,8 +53,8 @@ struct Sketch {
 Sketch make_sketch(const Task& task, const Start& start, Work& work);
 std::size_t rough_steps(const TessellationOptions& options);
 
-/// The tiling that comes from a start, at the density that gives it the wanted sides. Takes
-/// candidate_steps() steps of the work.
+/// The tiling from a start, at the density of sites that gives the wanted sides. Reports candidate_steps()
+/// steps of progress.
 Candidate make_candidate(const Task& task, const Start& start, Work& work);
 std::size_t candidate_steps(const TessellationOptions& options);
 

@@ -17,14 +17,14 @@ struct CellSide {
     DualVertexIndex from;
     DualVertexIndex to;
     std::size_t cell = 0;
-    /// The smaller end and the larger one: the same for the cell on the other side.
+    /// The smaller and the larger end, which are the same for the cell on the other side.
     [[nodiscard]] std::pair<DualVertexIndex, DualVertexIndex> ends() const { return std::minmax(from, to); }
 };
 
-/// The sides of all cells, ascending by their ends; of equal ends in the order of the cells. Throws Stopped.
+/// The sides of all cells, sorted by their ends and then by cell. Throws Stopped.
 std::vector<CellSide> sides_of_cells(const Dual& dual, const base::Control& control);
 
-/// Call body for each pair of ends in turn, with the sides of the cells that have it. Throws Stopped.
+/// Call body for each pair of ends, with the sides of all cells that have these ends. Throws Stopped.
 template <class Body>
 void for_each_side(std::span<const CellSide> sides, const base::Control& control, const Body& body) {
     while (!sides.empty()) {
@@ -37,10 +37,11 @@ void for_each_side(std::span<const CellSide> sides, const base::Control& control
     }
 }
 
-/// Around a cell from the second end of its side to the first, and then around the cell on the other side.
+/// The union of two cells at a common side: the vertices of `first` from the second end of the side to its
+/// first end, and then those of `other`.
 Cell union_of(Cell first, Cell other, const CellSide& side);
 
-/// The mean length of the sides of the cells that have this side, metres.
+/// The mean length of all sides of the cells that share this side, m.
 double mean_side_beside(const Dual& dual, std::span<const CellSide> same);
 
 }  // namespace fretwork::tiling::detail

@@ -13,34 +13,35 @@ namespace fretwork::tiling::detail {
 /// The possible defects of a tiling.
 enum class DefectKind { TooNarrow, TooMany, Torn, NotConvex, Uncovered, ShortSide, SharpAngle };
 
-/// In words: "the tiles would not be connected as the outline is".
+/// The defect in words: "the tiles would not be connected as the outline is".
 std::string_view words_for(DefectKind kind);
 
 struct Defect {
     DefectKind kind = DefectKind::Torn;
     geometry::Point2 place;
-    std::vector<std::size_t> cells{};  ///< that have it, if it is one of a cell or a side
+    std::vector<std::size_t> cells{};  ///< the cells with the defect, if it belongs to a cell or a side
 };
 
 /// The requirements on a tiling.
 struct QualityLimits {
-    double side_share = 0.25;      ///< of the tiles' mean side there, or of the side wanted if that is less
+    double side_share = 0.25;      ///< shortest side, as a share of the mean side of the tiles there, or of
+                                   ///< the wanted side if that is less
     double smallest_side = 0.0;    ///< m
     double smallest_angle = 0.44;  ///< rad; 25 degrees
     double covered_share = 0.98;   ///< of the outline's area
 };
 
-/// How a tiling keeps the shape of its outline.
+/// The comparison of a tiling with its outline.
 struct Shape {
     std::vector<Defect> defects;
     double covered_share = 0.0;  ///< of the outline's area
-    double outside_share = 0.0;  ///< area of the tiles outside of the outline, over the outline's area
+    double outside_share = 0.0;  ///< area of the tiles outside the outline, over the outline's area
 };
 
-/// Compare the tiles with the outline. Decided exactly: tiles are convex, share whole sides, two tiles at
-/// most a side, and are connected by sides; their rim is one simple curve for the boundary and one for each
-/// hole, and none crosses another. So the tiles cover their rim's inside once, and have the outline's
-/// topology.
+/// Compare the tiles with the outline. The following is decided exactly: tiles are convex, share whole sides,
+/// at most two tiles to a side, and are connected by sides. Their rim is one simple curve for the boundary
+/// and one for each hole, and these curves do not cross. So the tiles cover the inside of their rim exactly
+/// once and have the outline's topology.
 Shape compare_with_outline(const Dual& dual, const Rim& rim, const SizeField& field,
                            const QualityLimits& limits, const base::Control& control);
 

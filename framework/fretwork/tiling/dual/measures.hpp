@@ -9,14 +9,14 @@ namespace fretwork::tiling::detail {
 
 /// Counts and lengths of a tiling.
 struct Measures {
-    TessellationReport report;  ///< known without the outline
-    double mean_ratio = 0.0;    ///< mean of sides over the sides wanted there
-    /// The share of tiles with another number of sides than they should have (six; at the rim also five), and
-    /// the relative spreads of sides and areas, both over what is wanted there.
+    TessellationReport report;  ///< all values that need no outline
+    double mean_ratio = 0.0;    ///< mean of the ratio of sides to wanted sides
+    /// A sum of three terms: the share of tiles with a wrong number of sides (right are six, at the rim also
+    /// five), and the relative spreads of sides and of areas, both relative to the wanted ones.
     double irregularity = 0.0;
 };
 
-/// Throws base::Stopped.
+/// Measure a tiling. Throws base::Stopped.
 Measures measure(const Dual& dual, const SizeField& field, const base::Control& control);
 
 }  // namespace fretwork::tiling::detail

@@ -8,9 +8,9 @@
 
 namespace fretwork::tiling::detail {
 
-/// Turn a dual into a tessellation, numbered as tessellation.hpp says: tiles from left to right, vertices and
-/// interface nodes as the tiles come to them, and vertex 0 of each tile by the direction of its first side.
-/// Throws base::Stopped.
+/// Turn a dual into a tessellation, numbered as tessellation.hpp defines: tiles from left to right, vertices
+/// and interface nodes in the order in which the tiles first use them, and vertex 0 of each tile by the
+/// direction of its first side. Throws base::Stopped.
 Tessellation number(const Dual& dual, const pattern::NodeLayout& layout, const base::Control& control);
 
 }  // namespace fretwork::tiling::detail

@@ -8,16 +8,16 @@
 
 namespace fretwork::tiling::detail {
 
-/// The sides that only one cell has, as closed lines of vertices.
+/// The sides that belong to one cell only, as closed lines of vertices.
 struct DualRim {
     std::vector<std::vector<DualVertexIndex>> lines;
-    /// Vertices at which the rim touches itself, and ends of sides that more cells have than can be.
+    /// Vertices at which the rim touches itself, and ends of sides that belong to more than two cells.
     std::vector<DualVertexIndex> knots;
 };
 
 DualRim rim_of(const Dual& dual, const base::Control& control);
 
-/// The lines of the rim (one at least) as polygons, the outer one first.
+/// The lines of the rim as polygons, the outer one first. Pre: there is at least one.
 std::vector<geometry::Polygon> loops_of(const Dual& dual, const DualRim& rim);
 
 /// The number of sets of cells that are connected by sides, and a cell of the smallest set.

@@ -11,20 +11,21 @@ struct StraightSide {
     geometry::Point2 to;
 };
 
-/// Where a vertex may be that divides the side of a convex cell, so that the cell stays convex (decided
-/// exactly): at the wanted place, or on the chord if that is on its left, inside the cell.
+/// The place for a vertex that divides the side of a convex cell, so that the cell stays convex (decided
+/// exactly). It is the wanted place or, if that lies to the left of the side and so inside the cell, the
+/// nearest point of the side.
 geometry::Point2 convex_place(geometry::Point2 wanted, const StraightSide& side);
 
 /// The wanted sides of tiles.
 struct WantedSides {
     const SizeField& field;
-    double smallest;  ///< allowed, metres
+    double smallest;  ///< smallest side allowed, m
 };
 
-/// Put a vertex on each side on the rim that is much longer than the sides usual there. Where an outline runs
-/// along a row of hexagons, it cuts sides of sqrt(3) sides of a hexagon out of it; across the rows, sides of
-/// 1 and 2. Their halves are nearer to the other sides. Cells have six sides at most afterwards, if they had
-/// before. Throws base::Stopped.
+/// Put a vertex on each rim side that is much longer than the usual sides there. An outline along a row of
+/// hexagons cuts them in sides of sqrt(3) times a hexagon's side; across the rows, in sides of 1 and 2 times
+/// it. Half of such a side is closer to the other sides. Cells with at most six sides still have at most six
+/// afterwards. Throws base::Stopped.
 void divide_long_rim_sides(Dual& dual, const Rim& rim, const WantedSides& wanted,
                            const base::Control& control);
 

@@ -9,14 +9,15 @@
 
 namespace fretwork::tiling {
 
-/// The values of an expression of `x` and `y` (m), and of `u` and `v` (the same from 0 to 1 across the box)
-/// at some points: "u", "sin(20*x)^2", "x > 0.1 ? 1 : 0". Its functions are those of muParser. Throws
-/// InputError that says where the expression cannot be read, or where its value is not finite.
+/// The values of an expression at some points: "u", "sin(20*x)^2", "x > 0.1 ? 1 : 0". Its variables are `x`
+/// and `y` (m), and `u` and `v`, which run from 0 to 1 across the box. Its functions are those of muParser.
+/// Throws InputError that names the character at which the expression is invalid, or a point at which its
+/// value is not finite.
 std::vector<double> expression_values(const std::string& expression, const geometry::Box& box,
                                       const std::vector<geometry::Point2>& points);
 
-/// How dark a PNG image is at some points, when it is stretched over the box: 0 white, 1 black; what is
-/// transparent counts as white. Throws InputError if it cannot be read.
+/// The darkness of a PNG image, stretched over the box, at some points: 0 is white, 1 is black, and
+/// transparent counts as white. Throws InputError if the image cannot be read.
 std::vector<double> image_values(const std::filesystem::path& image, const geometry::Box& box,
                                  const std::vector<geometry::Point2>& points);
 

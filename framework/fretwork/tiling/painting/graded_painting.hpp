@@ -8,20 +8,22 @@
 
 namespace fretwork::tiling {
 
-/// A pattern and a number that belongs to it, such as its mass.
+/// A pattern and its value of some quantity, such as its mass.
 struct GradedPattern {
     pattern::NamedPattern pattern;
     double value = 0.0;
 };
 
-/// Whether the value that a tile's pattern misses is handed to its neighbours that are not painted yet.
+/// The choice whether a tile passes its error, the wanted value minus the pattern's value, to its neighbours
+/// that are not painted yet.
 enum class Dithering { None, ErrorDiffusion };
 
-/// Paint some tiles with the patterns whose values are nearest to the wanted ones, in the order of the tiles.
+/// Paint some tiles, in order, with the patterns whose values are nearest to the wanted ones.
 ///
-/// Error diffusion [FloydSteinberg1976] on tiles: a tile's error is shared evenly by the later tiles beside
-/// it, or goes to the next tile if there are none. So the mean of the painting is that of the wanted values,
-/// as far as the patterns reach. Throws InputError if there are no patterns or not as many values as tiles.
+/// Error diffusion [FloydSteinberg1976] on tiles: the later tiles beside a tile share its error equally; if
+/// there are none, the next tile gets it. The mean of the painting is then the mean of the wanted values, as
+/// far as the range of the patterns allows. Throws InputError if there are no patterns or not as many values
+/// as tiles.
 Painting graded_painting(const Tessellation& tessellation, std::span<const TileIndex> tiles,
                          std::span<const GradedPattern> patterns, std::span<const double> wanted,
                          Dithering dithering);

@@ -13,14 +13,14 @@
 
 namespace fretwork::tiling {
 
-/// The patterns of these ids, in their order, as a painting may have them. Throws InputError that names the
-/// pattern and the rule if one crosses itself, misses an interface node, falls apart or has a part that bears
-/// nothing, or is named twice.
+/// The patterns with these ids, in order, checked for use in a painting. Throws InputError that names the
+/// pattern and the rule if a pattern crosses itself, misses an interface node, is not connected, has an edge
+/// that carries no force, or appears twice.
 std::vector<pattern::NamedPattern> make_palette(const pattern::NodeLayout& layout,
                                                 std::span<const std::string> ids);
 
-/// Paint every tile with one of the patterns, uniformly at random; the same seed gives the same painting on
-/// every machine. Throws InputError if there is no pattern to choose from.
+/// Paint every tile with one of the patterns, uniformly at random. The same seed gives the same painting on
+/// every machine. Throws InputError if there are no patterns.
 void paint_randomly(Tessellation& tessellation, std::span<const pattern::NamedPattern> patterns,
                     std::uint64_t seed);
 
@@ -42,31 +42,31 @@ struct Painting {
 /// `tiles` has one entry for each tile, in their order, and may be left out. Throws InputError with source
 /// and JSON pointer; the patterns are checked as by make_palette.
 ///
-/// @param source  what to call the text in messages
+/// @param source  the name of the text in messages
 Painting parse_painting(std::string_view text, const std::string& source, const pattern::NodeLayout& layout);
 /// The painting as JSON; parse_painting gives an equal painting.
 std::string painting_text(const Painting& painting, const pattern::NodeLayout& layout);
-/// Read a painting file, as parse_painting.
+/// Read a painting file. Throws as parse_painting.
 Painting read_painting(const std::filesystem::path& path, const pattern::NodeLayout& layout);
-/// Throws IoError; then the file is as it was.
+/// Write a painting file atomically. Throws IoError and then leaves the file as it was.
 void write_painting(const Painting& painting, const pattern::NodeLayout& layout,
                     const std::filesystem::path& path);
 
-/// Paint every tile as the painting says. Throws InputError if it is for another number of tiles.
+/// Paint every tile with its pattern of the painting. Throws InputError if the numbers of tiles differ.
 void paint(Tessellation& tessellation, const Painting& painting);
 
-/// A pattern and its weight against those of the others.
+/// A pattern and its weight in a random choice.
 struct WeightedPattern {
     pattern::NamedPattern pattern;
     double weight = 1.0;
 };
 
-/// A random painting of this many tiles; the same seed gives the same on every machine. Throws InputError
-/// unless there is a pattern, and all weights are above zero.
+/// A random painting of this number of tiles. The same seed gives the same painting on every machine. Throws
+/// InputError if there are no patterns or a weight is not above zero.
 Painting random_painting(std::size_t tiles, std::span<const WeightedPattern> patterns, std::uint64_t seed);
 
-/// Paint some tiles, in their order, as the painting says; the others keep theirs. Patterns that no tile has
-/// any more leave the palette. Throws InputError if the painting is for another number of tiles.
+/// Paint some tiles, in order, with the patterns of the painting; other tiles keep theirs. A pattern that no
+/// tile has any more is removed from the palette. Throws InputError if the numbers of tiles differ.
 void paint_tiles(Tessellation& tessellation, std::span<const TileIndex> tiles, const Painting& painting);
 
 }  // namespace fretwork::tiling

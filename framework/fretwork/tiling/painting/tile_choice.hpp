@@ -16,10 +16,10 @@ geometry::Box bounding_box(const Tessellation& tessellation);
 base::IndexVector<TileIndex, geometry::Point2> tile_centers(const Tessellation& tessellation);
 
 /// The tiles that a list of numbers and ranges names ("3,7-11"), each once, ascending. Throws InputError that
-/// names the numbers there are.
+/// states the range of valid numbers.
 std::vector<TileIndex> parse_tiles(std::string_view text, const Tessellation& tessellation);
 
-/// Whether a closed polygon winds around a point. The polygon may cross itself.
+/// True if a closed polygon winds around a point. The polygon may cross itself.
 bool is_inside(const geometry::Polygon& polygon, geometry::Point2 point);
 
 /// The tiles in a box, its border included; empty if there are none.

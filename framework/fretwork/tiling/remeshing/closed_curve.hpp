@@ -10,23 +10,24 @@
 
 namespace fretwork::tiling::detail {
 
-/// A closed polyline by its arc length: from 0 at its first point to length() at the same point again.
+/// A closed polyline, parametrized by arc length (m): a place is a number from 0 at the first point to
+/// length() at the same point again.
 class ClosedCurve {
   public:
     explicit ClosedCurve(geometry::Polygon points);
 
     [[nodiscard]] double length() const { return starts_.back(); }
-    /// The point at a place along the curve; any number, since the curve is closed.
+    /// The point at a place. Any number is a valid place, because the curve is closed.
     [[nodiscard]] geometry::Point2 at(double place) const;
-    /// How far it is forward from one place to another: from 0 to less than length().
+    /// The distance forward from one place to another, from 0 to less than length().
     [[nodiscard]] double way(double from, double to) const;
-    /// The place between two places (the second behind the first, or equal) whose point is nearest to
-    /// `point`.
+    /// The place between `from` and `to`, going forward, whose point is nearest to `point`.
     [[nodiscard]] double nearest_between(double from, double to, geometry::Point2 point) const;
-    /// The points of the curve between two places, with those at the places.
+    /// The points of the curve between two places, both ends included.
     [[nodiscard]] geometry::Polygon stretch(double from, double to) const;
-    /// The places of its corners, ascending: where the curve turns by more than `smallest_turn` (rad, either
-    /// way) within reach(point) (metres) to both sides; one corner in each stretch of that length.
+    /// The places of the corners, ascending. A corner is where the curve turns by more than `smallest_turn`
+    /// (rad, left or right) within the distance reach(point) (m) before and after it. Each stretch of that
+    /// length has at most one corner.
     [[nodiscard]] std::vector<double> corners(const std::function<double(geometry::Point2)>& reach,
                                               double smallest_turn) const;
 

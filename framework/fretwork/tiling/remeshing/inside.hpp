@@ -8,12 +8,13 @@
 
 namespace fretwork::tiling::detail {
 
-/// Tells whether a point is inside the polygons through a rim's points, at least a margin (metres) away from
-/// them. Looks only at the sides near the point: they are sorted into bands across the longer side of the
+/// Tests whether a point lies inside the polygons through a rim's points, at least a margin (m) away from
+/// them. It tests only the sides near the point, which are sorted into bands across the longer side of the
 /// rim's box.
 class InsideTest {
   public:
-    /// Refers to the rim. No margin that is asked for later may be larger. Throws base::Stopped.
+    /// Keeps a reference to the rim. `largest_margin` limits the margins of later tests. Throws
+    /// base::Stopped.
     InsideTest(const Rim& rim, double largest_margin, const base::Control& control = {});
     [[nodiscard]] bool operator()(geometry::Point2 point, double margin) const;
 
@@ -26,7 +27,7 @@ class InsideTest {
     bool is_wide_ = false;                         // the bands divide x, else y
     double low_ = 0.0;                             // where the first band begins
     double band_ = 1.0;                            // width of a band
-    std::vector<std::vector<std::size_t>> sides_;  // of each band, by their first points
+    std::vector<std::vector<std::size_t>> sides_;  // sides of each band, by their first points
 };
 
 }  // namespace fretwork::tiling::detail

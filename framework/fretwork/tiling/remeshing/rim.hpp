@@ -20,7 +20,7 @@ using PointIndex = base::Index<struct PointTag>;
 struct RimPoint {
     geometry::Point2 place;
     LoopIndex loop{0};
-    double along = 0.0;      ///< its place on the loop's curve
+    double along = 0.0;      ///< its arc length on the loop's curve, m
     bool is_corner = false;  ///< a corner of the outline: it stays where it is
 };
 
@@ -35,8 +35,8 @@ struct Rim {
 /// base::Stopped.
 Rim sample_rim(const outlines::Outline& outline, const Spacing& spacing, const base::Control& control);
 
-/// Where the polygons through the rim's points cross or touch each other: there the points are too far apart
-/// for the gap between two parts of the outline. Decided exactly. Throws base::Stopped.
+/// The places where the polygons through the rim's points cross or touch each other, decided exactly. There
+/// the points are too far apart for the gap between two stretches of the outline. Throws base::Stopped.
 std::vector<geometry::Point2> rim_crossings(const Rim& rim, const base::Control& control);
 
 }  // namespace fretwork::tiling::detail

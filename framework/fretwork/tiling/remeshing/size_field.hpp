@@ -9,19 +9,19 @@
 
 namespace fretwork::tiling::detail {
 
-/// The wanted side of the tiles at each place: the same everywhere but near the places that limit it. From
-/// these it grows with the distance, by kGrowth at most, so that neighbours differ little.
+/// The wanted side of the tiles at each place. It is uniform except near places with a limit. From a limit it
+/// grows by at most kGrowth times the distance, so that neighbouring tiles differ little.
 class SizeField {
   public:
     static constexpr double kGrowth = 0.4;
 
-    /// @param side  wanted far from all limits, metres
+    /// @param side  the wanted side far from all limits, m
     explicit SizeField(double side) : side_(side), smallest_(side) {}
 
     /// The wanted side at a place, metres.
     [[nodiscard]] double at(geometry::Point2 place) const;
-    /// Let the side at a place be `side` at most (metres). No limit is kept that changes the side by less
-    /// than a fifth. Returns whether it is kept.
+    /// Limit the side at a place to `side` (m). A limit that would change the side by less than a fifth is
+    /// dropped. Returns true if the limit is kept.
     bool limit(geometry::Point2 place, double side);
 
     [[nodiscard]] double largest() const { return side_; }
@@ -29,7 +29,7 @@ class SizeField {
     [[nodiscard]] double smallest() const { return smallest_; }
     [[nodiscard]] bool is_uniform() const { return cells_.empty(); }
 
-    /// A square in which some limit is felt.
+    /// A square in which some limit reduces the side.
     struct Square {
         geometry::Point2 middle;
         double half_width;
@@ -41,13 +41,13 @@ class SizeField {
         geometry::Point2 place;
         double side;
     };
-    using Cell = std::uint64_t;  // of a square grid: column and row
+    using Cell = std::uint64_t;  // column and row of a square grid
     [[nodiscard]] Cell cell(std::int32_t column, std::int32_t row) const;
     [[nodiscard]] std::int32_t index(double coordinate) const;
 
     double side_;
     double smallest_;
-    std::unordered_map<Cell, std::vector<Limit>> cells_;  // the limits that are felt in a cell
+    std::unordered_map<Cell, std::vector<Limit>> cells_;  // the limits that reduce the side in a cell
 };
 
 /// The wanted distance of neighbouring sites, as a multiple of the side of the tiles there.

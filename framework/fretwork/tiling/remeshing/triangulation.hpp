@@ -15,36 +15,37 @@ using TriangleIndex = base::Index<struct TriangleTag>;
 struct Triangulation {
     int rim_count = 0;
     base::IndexVector<PointIndex, geometry::Point2> points;
-    /// Counterclockwise, in an order that only the points decide.
+    /// Triangles, counterclockwise, in an order that depends on the points alone.
     base::IndexVector<TriangleIndex, std::array<PointIndex, 3>> triangles;
-    /// The triangle behind the side opposite to each corner; none: that side is on the rim.
+    /// The neighbour across the side opposite to each corner; invalid if that side is on the rim.
     base::IndexVector<TriangleIndex, std::array<TriangleIndex, 3>> neighbors;
     [[nodiscard]] bool is_rim(PointIndex point) const { return point < rim_count; }
 };
 
-/// Constrained Delaunay triangulation: the rim's sides are edges, and no triangle is outside. The sites must
-/// lie strictly inside, at different places.
+/// The constrained Delaunay triangulation: the rim's sides are edges, and no triangle lies outside. Pre: the
+/// sites lie strictly inside and are distinct.
 Triangulation triangulate(const Rim& rim, const std::vector<geometry::Point2>& sites, const Work& work);
 
-/// The middle of the circle through three points that turn left or right.
+/// The center of the circle through three points, which must not lie on a line.
 geometry::Point2 circumcenter(geometry::Point2 a, geometry::Point2 b, geometry::Point2 c);
 
-/// The corner of a triangle at which a point is.
+/// The corner (0, 1 or 2) of a triangle at which a point lies.
 inline int corner_at(const std::array<PointIndex, 3>& triangle, PointIndex point) {
     return triangle[0] == point ? 0 : triangle[1] == point ? 1 : 2;
 }
 
-/// Give the corners of the outline that triangles of three rim points cut off to the tiles behind them: the
-/// edge between is flipped where the two triangles make a convex quadrilateral. Throws base::Stopped.
+/// Flip ears. An ear is a triangle of three rim points, which cuts a corner of the outline off. Flipping the
+/// edge between it and its neighbour gives the corner to the tiles behind. An edge is flipped if its two
+/// triangles form a convex quadrilateral. Throws base::Stopped.
 void flip_ears(Triangulation& triangulation, const Work& work);
 
-/// The ends of an edge inside that joins two points of the rim.
+/// An inner edge that joins two points of the rim.
 struct Chord {
     PointIndex from;
     PointIndex to;
 };
-/// The remaining edges of this kind. Where one lies, the tiles on both sides of it share no side, or a part
-/// of the outline has no tile.
+/// All chords of a triangulation. At a chord, the tiles on its two sides share no side, or a stretch of the
+/// outline has no tile.
 std::vector<Chord> chords_of(const Triangulation& triangulation);
 
 }  // namespace fretwork::tiling::detail
