@@ -81,8 +81,7 @@ class IoError : public Error {
     using Error::Error;
 };
 
-/// The same error with an outer source added, for a catcher that knows the file: `throw within(file, "",
-/// error)`.
+/// An error with an outer source added, for a catcher that knows the file: `throw within(file, "", error)`.
 template <class SomeError>
 [[nodiscard]] SomeError within(const std::string& source, const std::string& place, const SomeError& error) {
     ErrorData data = error.data();
@@ -93,7 +92,7 @@ template <class SomeError>
 /// True if the error names this source as its place.
 [[nodiscard]] bool names_source(const Error& error, const std::string& source);
 
-/// The same error with `name` in place of `source`, for a file that has a temporary name while it is written.
+/// An error with `name` in place of `source`, for a file that has a temporary name while it is written.
 template <class SomeError>
 [[nodiscard]] SomeError renamed(const SomeError& error, const std::string& source, const std::string& name) {
     ErrorData data = error.data();

@@ -10,8 +10,8 @@ namespace fretwork::base {
 /// can be built, yet no product of a few values within them underflows or overflows. A value outside is a
 /// mistake in units or in a program. All readers and checks of inputs use the limits listed here.
 struct Limits {
-    double least;  ///< of a value that must be above zero
-    double most;   ///< of any value's magnitude
+    double least;  ///< smallest value of a quantity that must be above zero
+    double most;   ///< largest magnitude of any value
     std::string_view unit;
 };
 

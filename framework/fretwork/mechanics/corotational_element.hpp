@@ -67,8 +67,9 @@ std::optional<CorotationalMotion> corotational_motion(const CorotationalBody& bo
 /// at rest is the linear element of that stiffness. The theory is in
 /// framework/fretwork/mechanics/corotational.md.
 ///
-/// @param turn  the rotation at rest from the body's axes to the structure's axes Throws InputError if the
-/// body has another number of nodes.
+/// @param turn  the rotation at rest from the body's axes to the structure's axes
+///
+/// Throws InputError if the body has another number of nodes.
 std::unique_ptr<const Element> corotational_element(std::vector<NodeIndex> nodes,
                                                     std::shared_ptr<const CorotationalBody> body,
                                                     const Eigen::Matrix3d& turn);

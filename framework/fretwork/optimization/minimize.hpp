@@ -16,7 +16,7 @@ struct OptimizationReport {
     double value = 0.0;           ///< the objective there
     Eigen::VectorXd final_point;  ///< the point at which the method itself ended
     long cost = 0;                ///< in the problem's unit
-    long evaluations = 0;         ///< of any kind
+    long evaluations = 0;         ///< number of evaluations of any kind
     long derivative_evaluations = 0;
     int dead_starts = 0;      ///< starts that gave no descent; if all did, `ending` is Invalid
     long failures = 0;        ///< evaluations whose objective was not finite

@@ -26,7 +26,7 @@ struct Fan {
         friend bool operator==(const Node&, const Node&) = default;
     };
     int sides = 0;
-    int interface_node_count = 0;  ///< of all sides together
+    int interface_node_count = 0;  ///< the number on all sides together
     base::IndexVector<FanNodeIndex, Node> nodes{};
     std::vector<std::array<FanNodeIndex, 2>> edges{};  ///< each edge once, smaller node first; sorted
 };

@@ -25,7 +25,7 @@ enum class FilterParameter { None, Angle, Count, Length };
 /// A row of the catalogue: one reason to reject a pattern.
 struct FilterKind {
     std::string_view name;      ///< its name on the command line and its column in the census
-    std::string_view doc;       ///< one line: what it rejects
+    std::string_view doc;       ///< one line about the patterns that it rejects
     FilterParameter parameter;  ///< radians, a whole number, or metres
     bool is_of_the_paper;       ///< true for the six filters of the paper's Table 1, which are always on
     double default_value;

@@ -46,10 +46,10 @@ struct TessellationReport {
     double sd_side = 0.0;              ///< m
     double smallest_side = 0.0;        ///< m
     double smallest_angle = 0.0;       ///< rad; smallest angle of a tile
-    double hexagon_share = 0.0;        ///< of the tiles
+    double hexagon_share = 0.0;        ///< share of hexagons among the tiles
     double inner_hexagon_share = 0.0;  ///< share of hexagons among the tiles without a vertex on the outline;
                                        ///< 0 without such tiles
-    double covered_share = 0.0;        ///< of the outline's area
+    double covered_share = 0.0;        ///< share of the outline's area that tiles cover
     double outside_share = 0.0;        ///< area of the tiles outside the outline, over the outline's area
     double refined_share = 0.0;  ///< share of the tiles that are smaller because the outline is narrow nearby
     int tiles = 0;

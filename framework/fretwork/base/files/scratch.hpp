@@ -15,8 +15,9 @@ namespace fretwork::base {
 class Scratch {
   public:
     enum class Kind { File, Folder };
-    /// @param target  the file or folder to be made; its parent folder must exist Throws IoError that names
-    /// the target.
+    /// @param target  the file or folder to be made; its parent folder must exist
+    ///
+    /// Throws IoError that names the target.
     Scratch(const std::filesystem::path& target, Kind kind);
     Scratch(Scratch&& other) noexcept
         : path_(std::exchange(other.path_, {})), descriptor_(std::exchange(other.descriptor_, -1)) {}

@@ -67,8 +67,8 @@ class NonlinearSystem {
     [[nodiscard]] bool has_skew_part() const { return !skew_.empty(); }
     /// The product of the tangent's skew part and x.
     [[nodiscard]] Eigen::VectorXd skew_product(const Eigen::VectorXd& x) const;
-    /// False if external moments act: their direction stays fixed in space, so they have no potential. The
-    /// moments of gravity stand for forces, which have one.
+    /// False if external moments act: their direction stays fixed in space, so they have no potential.
+    /// Moments of gravity come from forces, which have a potential.
     [[nodiscard]] bool is_conservative() const { return skew_.empty() || !unknowns_.assembly().has_moments; }
     /// The kind of stability test that the tangent's pivots amount to.
     [[nodiscard]] StabilityTest stability_test() const {

@@ -49,7 +49,7 @@ std::vector<double> even_load_factors(int steps);
 /// in energy to a stable one. The path continues from there. Solution::stability_losses lists each such
 /// place.
 ///
-/// With Branch::Snapping, the path also goes on beyond limit loads: the load factor is raised by a
+/// With Branch::Snapping, the path also continues beyond limit loads: the load factor is raised by a
 /// thousandth, and the structure descends in energy from its last equilibrium to a stable one. Such a place
 /// is a stability loss at the limit load. It names the node and the component that move farthest, and is
 /// marked `pushed`. If several stable equilibria exist, a real motion with inertia may end in another one.

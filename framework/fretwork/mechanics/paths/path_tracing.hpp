@@ -14,8 +14,8 @@ struct PathTracingOptions {
     double largest_load_factor = 1.0;  ///< the path ends when its absolute load factor exceeds it
     double largest_arc = 0.5;   ///< largest arc length of one step, in rad and element lengths (root of the
                                 ///< sum of squares)
-    int steps = 200;            ///< the path ends after this many steps
-    int largest_cut_back = 10;  ///< a step is halved at most this many times
+    int steps = 200;            ///< the most steps, after which the path ends
+    int largest_cut_back = 10;  ///< how often a step may be halved
     EquilibriumOptions equilibrium{};  ///< only its relative_residual, threads and control are used
     /// Throws InputError if a value is invalid.
     void validate() const;

@@ -47,7 +47,7 @@ class BeamSection {
     Eigen::Matrix3d axes_;  ///< local axes at rest, as columns
     Section section_;
     Material material_;
-    Deformations stiffness_;  ///< of BeamEnergy, at rest
+    Deformations stiffness_;  ///< stiffness of BeamEnergy, at rest
 };
 
 }  // namespace fretwork::mechanics

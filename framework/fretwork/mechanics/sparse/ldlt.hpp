@@ -102,7 +102,7 @@ class Ldlt {
     LargeArray factor_;   ///< the panels, one after the other
     LargeArray storage_;  ///< the rests that wait for their parents
     std::vector<double> diagonal_;
-    std::vector<Pivots> pivots_;  ///< of each supernode
+    std::vector<Pivots> pivots_;  ///< pivots of each supernode
 };
 
 /// y += A x for the symmetric matrix of a layout.

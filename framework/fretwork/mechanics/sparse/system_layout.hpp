@@ -15,7 +15,9 @@ namespace fretwork::mechanics::sparse {
 class SystemLayout {
   public:
     /// @param free   the components of each node that are unknowns; each gives an equation
-    /// @param order  the nodes that have unknowns, in their order of elimination Throws Stopped.
+    /// @param order  the nodes that have unknowns, in their order of elimination
+    ///
+    /// Throws Stopped.
     SystemLayout(const NodeGraph& graph, std::span<const Components> free, std::span<const int> order,
                  const base::Control& control = {});
 

@@ -16,10 +16,10 @@ class Subsystem {
   public:
     /// Equations to which no stiffness has been added yet.
     Subsystem(sparse::SystemLayout layout, int threads, const base::Control& control);
-    /// The same equations without stiffness: layout and symbolic analysis are shared.
+    /// A copy of the equations without stiffness. It shares layout and symbolic analysis.
     [[nodiscard]] Subsystem cleared() const;
 
-    /// The same equations and factors without a correction.
+    /// A copy of the equations and factors without the correction.
     [[nodiscard]] Subsystem as_factorized() const;
 
     [[nodiscard]] const sparse::SystemLayout& layout() const { return *layout_; }

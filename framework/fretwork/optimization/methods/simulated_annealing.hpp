@@ -24,7 +24,7 @@ enum class AnnealingVariables {
 /// [Curtin2021].
 struct SimulatedAnnealingOptions {
     OptimizerOptions common{};       ///< `starts` runs, one after the other
-    long largest_moves = 1'000'000;  ///< of one run, after the initial moves
+    long largest_moves = 1'000'000;  ///< the most moves of one run after the initial ones
     double initial_temperature = 1e4;
     long initial_moves = 1000;  ///< at the initial temperature
     double cooling = 1e-3;      ///< T becomes (1 - cooling) T after each later move

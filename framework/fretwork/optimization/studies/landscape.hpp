@@ -11,7 +11,8 @@ namespace fretwork::optimization::study {
 
 struct LandscapeOptions {
     ProblemFamilies families{};  ///< the families of the ids
-    int descents = 300;          ///< of each kind on each problem, from uniform random points
+    int descents = 300;          ///< number of descents of each kind on each problem, from uniform random
+                                 ///< points
     int threads = 0;             ///< 0: one for each processor
     base::Control control{};     ///< progress counts finished problems
     /// Throws InputError if a value is invalid.

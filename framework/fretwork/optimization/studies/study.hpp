@@ -10,7 +10,7 @@
 
 namespace fretwork::optimization::study {
 
-/// The runs of a study: every contender on every problem, with this many repetitions.
+/// The runs of a study: every contender on every problem, repeated.
 struct StudyPlan {
     std::vector<std::string> problems;  ///< ids of problems (see study_problem.hpp)
     ProblemFamilies families;           ///< the families of the ids

@@ -15,7 +15,7 @@ namespace fretwork::outlines::detail {
 struct DxfGroup {
     int code = 0;
     std::string_view value;
-    int line = 0;  ///< of the code
+    int line = 0;  ///< line of the code, from 1
 };
 
 /// An entity (or a vertex of one): its name and groups.

@@ -8,7 +8,7 @@
 
 namespace fretwork::outlines::detail {
 
-/// The inherited properties that decide what is filled or stroked.
+/// The inherited properties that decide about fill and stroke.
 struct SvgStyle {
     enum class Paint { None, Some };
     Paint fill = Paint::Some;

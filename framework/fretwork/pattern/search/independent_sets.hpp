@@ -24,7 +24,9 @@ template <class Word>
 class IndependentSets {
   public:
     /// @param conflicts  the edges in conflict with each edge; symmetric
-    /// @param most_parts  the most parts that are stored before counting gives up Throws Stopped.
+    /// @param most_parts  the most parts that are stored before counting gives up
+    ///
+    /// Throws Stopped.
     IndependentSets(std::vector<Word> conflicts, Word edges, std::size_t most_parts,
                     const base::Control& control = {});
 

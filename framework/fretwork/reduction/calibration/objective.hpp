@@ -102,7 +102,8 @@ class Objective {
 
     ErrorMetric metric_;
     std::vector<Sample> samples_;
-    std::vector<std::size_t> first_samples_;  ///< of each scenario, followed by the number of samples
+    std::vector<std::size_t> first_samples_;  ///< first sample of each scenario, followed by the number of
+                                              ///< samples
 };
 
 }  // namespace fretwork::reduction

@@ -22,7 +22,7 @@ struct TileInput {
     base::Borrowed<pattern::Fan> fan;  ///< the tile's pattern around a polygon with as many sides as the tile
     base::Borrowed<Setting> setting;
     base::Borrowed<geometry::Polygon> polygon;  ///< convex, counterclockwise, metres
-    std::span<const double> parameters;         ///< of the tile model, in the order of its row
+    std::span<const double> parameters;         ///< parameters of the tile model, in the order of its row
 };
 
 /// One parameter of a tile model.

@@ -18,7 +18,7 @@ namespace fretwork::reduction {
 /// The components of a surface: its beams, and elements of other kinds between the same nodes.
 struct StructureParts {
     mechanics::Frame beams;        ///< holds all nodes of the surface
-    mechanics::Elements elements;  ///< of tiles that do not consist of beams
+    mechanics::Elements elements;  ///< elements of tiles that do not consist of beams
 };
 
 /// The place of a tile in a surface: its orientation and its nodes.
@@ -37,7 +37,7 @@ struct TileMotion {
     /// The rotation about z from the axes in which the tile was built to those of the surface, in which the
     /// rows are given.
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-    Displacements displacements = Displacements::Small;  ///< of the solution
+    Displacements displacements = Displacements::Small;  ///< size of the displacements in the solution
 };
 
 /// The motion of the beams of a tile's pattern: a row for each of their nodes, interface nodes first.

@@ -28,13 +28,13 @@ struct QualityLimits {
                                    ///< the wanted side if that is less
     double smallest_side = 0.0;    ///< m
     double smallest_angle = 0.44;  ///< rad; 25 degrees
-    double covered_share = 0.98;   ///< of the outline's area
+    double covered_share = 0.98;   ///< smallest share of the outline's area to be covered
 };
 
 /// The comparison of a tiling with its outline.
 struct Shape {
     std::vector<Defect> defects;
-    double covered_share = 0.0;  ///< of the outline's area
+    double covered_share = 0.0;  ///< share of the outline's area that tiles cover
     double outside_share = 0.0;  ///< area of the tiles outside the outline, over the outline's area
 };
 
