@@ -8,12 +8,12 @@
 
 namespace fretwork::simulation {
 
-/// The model `mixed:SHARE`: corotational tiles, of which that share (rounded up) has all of its beams. These
-/// are the tiles in which the corotational solution is worst: those of the largest products of energy and
-/// largest rotation of a node against the tile's frame.
+// The model `mixed:SHARE` has corotational tiles, but the given share of the tiles (rounded up) has all of
+// its beams. These are the tiles in which the corotational solution is worst, judged by the product of the
+// tile's energy and the largest rotation of a node relative to the tile's corotating axes.
 
-/// The tiles of the largest products of energy and rotation, worst first: `share` of them all, rounded up,
-/// but none with a product of zero.
+/// The tiles with the largest products of energy and rotation, worst first. Their number is `share` of all
+/// tiles, rounded up; a tile with a product of zero is left out.
 std::vector<tiling::TileIndex> worst_tiles(std::span<const TileDeformation> tiles, double share);
 
 }  // namespace fretwork::simulation

@@ -9,9 +9,9 @@
 
 namespace fretwork::simulation {
 
-/// Which tile model each tile of a surface has.
+/// The choice of the tile model of each tile of a surface.
 struct ModelChoice {
-    std::string name = "full";  ///< of the tiles for which the surface names none
+    std::string name = "full";  ///< model of the tiles for which the surface names none
     std::span<const reduction::TileModel> models = reduction::tile_models();
 };
 
@@ -19,17 +19,17 @@ struct ModelChoice {
 const reduction::TileModel& tile_model(const Surface& surface, const ModelChoice& choice,
                                        tiling::TileIndex tile);
 
-/// Whether any tile of the surface has a model that is made for large displacements.
+/// Large if any tile of the surface has a model for large displacements, else Small.
 reduction::Displacements displacements(const Surface& surface, const ModelChoice& choice);
 
-/// The calibrated parameters of a tile's pattern for a tile model, in the order of its row; none for a model
-/// to which nothing is fitted. Throws InputError that names a tile without a pattern, or a pattern without a
+/// The calibrated parameters of a tile's pattern for a tile model, in the order of its row; empty for a model
+/// without parameters. Throws InputError that names a tile without a pattern, or a pattern without a
 /// calibration.
 std::vector<double> tile_parameters(const Surface& surface, tiling::TileIndex tile,
                                     const reduction::TileModel& model);
 
-/// One line where tiles are half as large again as those for which their models are calibrated, or smaller
-/// than two thirds of them; "" else.
+/// A warning, in one line, if tiles are more than half as large again as those for which their models are
+/// calibrated, or smaller than two thirds of them; else "".
 std::string foreign_size_text(const Surface& surface, const ModelChoice& choice);
 
 }  // namespace fretwork::simulation

@@ -16,16 +16,16 @@
 
 namespace fretwork::simulation {
 
-/// The changes in one stage. Everything else stays as the stage before has left it.
+/// The changes in one load stage. Everything else stays as the previous load stage left it.
 struct Stage {
     std::string name;
-    std::vector<LoadCase::Share> loads{};  ///< load cases whose loads come to this factor; 0 takes them off
-    std::vector<LoadCase::PrescribedDisplacement> prescribed{};  ///< these components come to these values
-    std::vector<LoadCase::Support> keep{};                       ///< these stay where they are
-    std::vector<LoadCase::Support> free{};  ///< released, if they were prescribed or kept
+    std::vector<LoadCase::Share> loads{};  ///< load cases whose loads change to this factor; 0 removes them
+    std::vector<LoadCase::PrescribedDisplacement> prescribed{};  ///< components that change to these values
+    std::vector<LoadCase::Support> keep{};                       ///< components held where they are
+    std::vector<LoadCase::Support> free{};  ///< components released, if they were prescribed or kept
 };
 
-/// Parse stages:
+/// Parse load stages:
 ///
 ///     { "format": "fretwork/stages/1", "stages": [
 ///         { "name": "press",  "loads": [{ "load_case": "tip", "factor": 2 }] },
@@ -34,26 +34,26 @@ struct Stage {
 ///         { "name": "push",   "prescribed": [{ "nearest": [[0.1, 0.2]], "uz": -0.01 }] },
 ///         { "name": "let go", "free": [{ "side": "right", "fixed": ["uz"] }] } ] }
 ///
-/// Places are picked as in load cases. Throws InputError with source and place.
+/// Nodes are selected as in load cases. Throws InputError with source and place.
 std::vector<Stage> parse_stages(std::string_view text, const std::string& source);
-/// The text of a stages file.
+/// The text of a file of load stages.
 std::string stages_text(std::span<const Stage> stages);
-/// Throws as parse_stages.
+/// Read a file of load stages. Throws as parse_stages.
 std::vector<Stage> read_stages(const std::filesystem::path& path);
 
-/// Stages, and what they are made of.
+/// Load stages with the load cases that they need.
 struct StagePlan {
-    base::Borrowed<LoadCase>
-        supports;                     ///< its supports hold the surface; its loads act where a stage names it
-    std::span<const LoadCase> cases;  ///< those that stages may name
+    base::Borrowed<LoadCase> supports;  ///< its supports hold the surface; its loads act only if a load stage
+                                        ///< names it
+    std::span<const LoadCase> cases;    ///< the load cases that load stages may name
     std::span<const Stage> stages;
 };
 
-/// Simulate stage after stage, each from the equilibrium that the one before has led to
-/// (mechanics::StagedPath), with a model for large displacements. With Branch::Snapping a stage goes on
-/// beyond limit loads; with the others it ends there. Result::load_steps has one solution for each stage that
-/// was begun; its subject names the stages and the load cases that they name. Throws InputError for other
-/// models, for no stage, for a place that no node lies at, and for a load case that is not there.
+/// Simulate load stages, each from the equilibrium at the end of the previous one (mechanics::StagedPath),
+/// with a model for large displacements. With Branch::Snapping a load stage continues beyond limit loads;
+/// with other branches it ends there. Result::load_steps has one solution for each load stage that was begun.
+/// The result's subject has the load stages and their load cases. Throws InputError if the model is for small
+/// displacements, if there is no load stage, if a selection has no node, or if a load case is missing.
 SurfaceResult simulate_stages(const Surface& surface, const StagePlan& plan, const SimulationOptions& options,
                               const base::Control& control = {});
 

@@ -13,28 +13,27 @@
 
 namespace fretwork::simulation {
 
-/// A painted tessellation with its setting and calibrations: what its tiles are built from.
+/// A painted tessellation with the setting and calibrations from which its tiles are built.
 struct Surface {
     pattern::NodeLayout layout;
     tiling::Tessellation tessellation;
     reduction::Setting setting;  ///< material and section of the beams
-    /// For each of Tessellation::patterns its best calibration of each tile model, as far as a library has
-    /// them.
+    /// For each of Tessellation::patterns, its best calibration of each tile model that the library has.
     std::vector<std::vector<reduction::Calibration>> calibrations;
-    /// The tile model of each tile; "" for a tile that takes the simulation's model. If the vector is empty,
-    /// all tiles take it.
+    /// The tile model of each tile; "" for a tile with the simulation's model. If the vector is empty, all
+    /// tiles have that model.
     base::IndexVector<tiling::TileIndex, std::string> tile_models{};
 };
 
-/// Gather a project's surface. `library` may be null; then there are no calibrations. The setting is the
-/// project's, else the library's, else the paper's. Throws InputError if the library is one of another layout
-/// or setting.
+/// Make the surface of a project. `library` may be null; then there are no calibrations. The setting is the
+/// project's, else the library's, else the paper's. Throws InputError if the library has another layout or
+/// setting.
 Surface make_surface(const Project& project, const library::Library* library);
 
-/// All beams of all tiles. Throws InputError that names a tile that is not painted.
+/// All beams of all tiles as one graph. Throws InputError that names an unpainted tile.
 tiling::TessellationFan surface_fan(const Surface& surface);
 
-/// The mass of every tile's beams, kg: what gravity is applied to.
+/// The mass of every tile's beams, kg, on which gravity acts.
 base::IndexVector<tiling::TileIndex, double> tile_masses(const Surface& surface);
 
 }  // namespace fretwork::simulation

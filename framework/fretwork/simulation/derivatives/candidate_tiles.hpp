@@ -15,7 +15,7 @@ namespace fretwork::simulation {
 class CandidateTiles {
   public:
     struct Options {
-        int threads = 0;  ///< 0: all there are. They change no bit.
+        int threads = 0;  ///< 0: one for each processor. The number does not change a bit of the result.
         base::Control control{};
     };
     /// Condenses each pattern in each class. Throws InputError if a pattern does not connect a tile; Stopped.

@@ -10,15 +10,15 @@
 
 namespace fretwork::simulation {
 
-/// A tile at an equilibrium: its strains, and their derivatives by motions of its nodes. A tile with n
-/// interface nodes has 6n strains e, in axes that turn with it; its energy is e . K e / 2, where K is its
-/// condensed stiffness.
+/// A tile at an equilibrium: its strains, and their derivatives with respect to motions of its nodes. A tile
+/// with n interface nodes has 6n strains e, in axes that turn with it; its energy is e . K e / 2, where K is
+/// its condensed stiffness.
 struct TileLinearization {
     std::vector<tiling::InterfaceIndex> nodes;
     Eigen::VectorXd strains;      ///< e (m, rad); empty for tile models that have none
     Eigen::MatrixXd slopes;       ///< B = de/dx along motions of its nodes, 6n x 6n
-    Eigen::MatrixXd flexibility;  ///< G = B T^-1 B^T, symmetric part; only where it was asked for
-    double mass = 0.0;            ///< kg; zero where gravity does not act
+    Eigen::MatrixXd flexibility;  ///< G = B T^-1 B^T, symmetric part; only if asked for
+    double mass = 0.0;            ///< kg; zero if gravity does not act
     Eigen::VectorXd forces;       ///< B^T K e, on its nodes in the surface's axes (N, N m)
 };
 

@@ -8,7 +8,7 @@
 
 namespace fretwork::simulation {
 
-/// The derivatives of a function J of a surface's displacements by properties of one tile.
+/// The derivatives of a function J of a surface's displacements with respect to properties of one tile.
 struct TileSensitivity {
     Eigen::VectorXd strains;          ///< e
     Eigen::VectorXd adjoint_strains;  ///< a = B l:  dJ = -a . dK e. Both are empty for other tile models
@@ -17,8 +17,8 @@ struct TileSensitivity {
     double own_mass = 0.0;   ///< kg, where gravity acts
 };
 
-/// The derivatives of a function J of a surface's displacements at a nonlinear equilibrium, by loads, held
-/// values and tiles. The adjoint method gives all of them with one back-substitution.
+/// The derivatives of a function J of a surface's displacements at a nonlinear equilibrium, with respect to
+/// loads, held values and tiles. The adjoint method gives all of them with one back-substitution.
 struct Sensitivity {
     mechanics::NodeValues loads;  ///< dJ by forces and true moments on each node: the adjoint motions l
     /// dJ by the values of held components (prescribed or zero), one row for each node; zero for free ones.
@@ -27,8 +27,8 @@ struct Sensitivity {
     base::IndexVector<tiling::TileIndex, TileSensitivity> tiles;
 };
 
-/// The sensitivity of a function J with this gradient. Throws InputError if the gradient has another number
-/// of rows; Stopped.
+/// The sensitivity of a function J with this gradient. Throws InputError if the number of rows of the
+/// gradient is wrong; Stopped.
 /// @param gradient  dJ by displacements and rotation vectors, a row for each node of the surface's results
 Sensitivity sensitivity(const Linearization& linearization, const mechanics::NodeValues& gradient,
                         const base::Control& control = {});

@@ -7,12 +7,13 @@
 
 namespace fretwork::simulation {
 
-/// The load case of a name. Throws InputError that names the nearest, or all.
+/// The load case with this name. Throws InputError that suggests the nearest name, or lists all.
 const LoadCase& load_case_of(const std::string& name, std::span<const LoadCase> cases);
 
-/// A load case with what it combines: loads, area loads, prescribed displacements and gravity of the other
-/// cases times their factors, and the supports of all of them. One that combines nothing stays as it is.
-/// Throws InputError if it names a case that is not among `cases`, itself, or one that is a combination, too.
+/// A load case merged with the load cases that it combines: their loads, area loads, prescribed displacements
+/// and gravity times their factors, and all their supports. A load case that combines nothing is returned
+/// unchanged. Throws InputError if it combines a load case that is not among `cases`, that is itself, or that
+/// is also a combination.
 LoadCase combined(const LoadCase& load_case, std::span<const LoadCase> cases);
 
 }  // namespace fretwork::simulation

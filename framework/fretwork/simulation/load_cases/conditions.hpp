@@ -10,49 +10,53 @@
 
 namespace fretwork::simulation {
 
-/// A load case on a surface: which interface nodes are held, and what acts on each; the same for every model.
+/// A load case on a surface: the supports and loads of each interface node. They are the same for every
+/// model.
 struct Conditions {
     std::vector<mechanics::Support> supports;
     std::vector<mechanics::PrescribedDisplacement> prescribed;
-    std::vector<mechanics::NodalLoad> loads;  ///< of the load case, then the shares of the tiles' weight
+    std::vector<mechanics::NodalLoad> loads;  ///< loads of the load case, then the shares of the tiles'
+                                              ///< weight
 };
 
-/// Throws InputError that names the entry of the load case that picks no node, and for gravity on beams that
-/// have no density.
+/// Apply a load case to the nodes of a surface. Throws InputError that names an entry of the load case that
+/// selects no node, or if gravity acts on beams without density.
 Conditions resolve(const LoadCase& load_case, const Surface& surface);
-/// The same with the masses of all tiles known already, kg. Empty where needs_masses() says no.
+/// Apply a load case to the nodes of a surface, given the masses of all tiles, kg. They may be empty if
+/// needs_masses() is false.
 Conditions resolve(const LoadCase& load_case, const Surface& surface, std::span<const double> tile_masses);
-/// Whether there is gravity in the load case, and mass for it to act on.
+/// True if the load case has gravity and the surface has mass.
 bool needs_masses(const LoadCase& load_case, const Surface& surface);
 
-/// The loads as one row for each of `nodes` nodes, of which the first are the interface nodes.
+/// The loads as one row for each of `nodes` nodes, the first of which are the interface nodes.
 mechanics::NodeValues load_rows(const Conditions& conditions, std::size_t nodes);
 
-/// Hold and load an assembly whose first nodes are the interface nodes: supports are added, prescribed
-/// displacements and loads take the place of those that it had.
+/// Apply conditions to an assembly whose first nodes are the interface nodes: add the supports, and replace
+/// prescribed displacements and loads.
 void apply(const Conditions& conditions, mechanics::Assembly& assembly);
 
-/// The nodes that the entries of a load case pick, and their loads, each list in the order of its entries in
-/// a file.
+/// The nodes that the entries of a load case select, and their loads. Each list is in the order of the
+/// entries in a file.
 struct EntryMarks {
-    /// The nodes of a load, and how much of its vectors each of them bears.
+    /// The nodes of a load, and each node's share of its vectors.
     struct Load {
         std::vector<tiling::InterfaceIndex> nodes;  ///< ascending
-        std::vector<double> shares;                 ///< of `force` and `moment`; 1 where each node bears all
+        std::vector<double> shares;                 ///< shares of `force` and `moment`; 1 if each node bears
+                                                    ///< the whole load
         Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< N
         Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< N m
-        double extent = 0.0;  ///< m2 of a load per area, m of one per length; 0 of others
+        double extent = 0.0;  ///< area (m2) of a load per area, length (m) of a load per length; else 0
     };
     std::vector<std::vector<tiling::InterfaceIndex>> supports;
-    std::vector<Load> loads;  ///< those on areas are the last
+    std::vector<Load> loads;  ///< loads on areas come last
     std::vector<std::vector<tiling::InterfaceIndex>> prescribed;
 };
 
-/// The entries of one load case, without gravity and without the load cases that it combines. Throws
+/// The marks of one load case's entries, without gravity and without the load cases that it combines. Throws
 /// InputError as check_selections does.
 EntryMarks entry_marks(const LoadCase& load_case, const tiling::Tessellation& tessellation);
 
-/// Check that every entry of a load case picks interface nodes of a tessellation, painted or not. Throws
+/// Check that every entry of a load case selects interface nodes of a tessellation, painted or not. Throws
 /// InputError that names the load case and the entry.
 void check_selections(const LoadCase& load_case, const tiling::Tessellation& tessellation);
 

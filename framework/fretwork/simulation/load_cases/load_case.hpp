@@ -12,17 +12,18 @@
 
 namespace fretwork::simulation {
 
-/// Supports and loads of a tessellation, all of them on interface nodes, which every tile model has; or what
-/// is to be combined of other load cases; or both.
+/// Supports and loads of a surface, and the other load cases to combine. All supports and loads are on
+/// interface nodes, because every tile model has these.
 struct LoadCase {
     struct Support {
         Selection where;
         mechanics::DofSet fixed;
         friend bool operator==(const Support&, const Support&) = default;
     };
-    /// Whether each picked node gets the load, or all of them together. Or it is a line load along the rim,
-    /// N/m: along a side of the box (NodesAtSide), or the shorter way between the places nearest to two
-    /// points (NodesNearest); each node stands for an equal part of its side, as long as it is at rest.
+    /// The meaning of a load's vectors. Each: every selected node gets them. Total: all selected nodes share
+    /// them. PerLength: they are a line load along the rim, N/m, either along a side of the bounding box
+    /// (NodesAtSide) or along the shorter way between the places nearest to two points (NodesNearest). Each
+    /// node of a tile's side represents an equal length of it, measured at rest.
     enum class Amount { Each, Total, PerLength };
     struct Load {
         Selection where;
@@ -37,18 +38,18 @@ struct LoadCase {
         double value = 0.0;  ///< m or rad
         friend bool operator==(const PrescribedDisplacement&, const PrescribedDisplacement&) = default;
     };
-    /// Spread over interface nodes: each stands for an equal part of each of its tiles. It keeps its
-    /// direction, and acts on the area at rest.
+    /// A load per area. Each interface node represents an equal share of the area of each of its tiles. The
+    /// load keeps its direction and acts on the area at rest.
     struct AreaLoad {
         struct Tiles {
             std::vector<int> numbers;
             friend bool operator==(const Tiles&, const Tiles&) = default;
         };
-        std::variant<Selection, Tiles> where;  ///< nodes with all that they stand for; or some tiles
+        std::variant<Selection, Tiles> where;  ///< nodes with the area that they represent, or tiles
         Eigen::Vector3d per_area = Eigen::Vector3d::Zero();  ///< N/m2
         friend bool operator==(const AreaLoad&, const AreaLoad&) = default;
     };
-    /// Another load case of the same project, and how much of it acts (combination.hpp).
+    /// Another load case of the same project, and the factor on it (combination.hpp).
     struct Share {
         std::string load_case;  ///< its name
         double factor = 1.0;
@@ -61,7 +62,7 @@ struct LoadCase {
     std::vector<PrescribedDisplacement> prescribed;
     std::vector<AreaLoad> area_loads{};
     std::vector<Share> combines{};
-    /// m/s^2. The weight of a tile's beams is shared evenly by its interface nodes, in every model: paper,
+    /// m/s^2. In every model, the interface nodes of a tile share the weight of its beams equally: paper,
     /// Section 7.3.
     Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
     friend bool operator==(const LoadCase&, const LoadCase&) = default;

@@ -9,16 +9,16 @@
 
 namespace fretwork::simulation {
 
-/// The newest form of the file, which says all that a load case can.
+/// The newest format of the file, which can express every load case.
 inline constexpr std::string_view kLoadCaseFormat = "fretwork/load-case/3";
 
-/// Throws InputError with source and JSON pointer.
+/// Parse a load case. Throws InputError with source and JSON pointer.
 LoadCase parse_load_case(std::string_view text, const std::string& source);
-/// parse_load_case gives an equal load case.
+/// The load case as JSON text, from which parse_load_case makes an equal load case.
 std::string load_case_text(const LoadCase& load_case);
-/// Throws InputError with file and JSON pointer.
+/// Read a load case file. Throws InputError with file and JSON pointer.
 LoadCase read_load_case(const std::filesystem::path& path);
-/// Throws IoError; then the file is as it was.
+/// Write a load case file atomically. Throws IoError and then leaves the file as it was.
 void write_load_case(const LoadCase& load_case, const std::filesystem::path& path);
 
 }  // namespace fretwork::simulation

@@ -9,13 +9,13 @@
 
 namespace fretwork::simulation {
 
-/// One line for each entry of a load case, for people: what it does, and how many nodes it picked:
-/// "support  left: 9 nodes  ux uy uz". Throws InputError as check_selections.
+/// One line for people for each entry of a load case, with its effect and its number of nodes: "support left:
+/// 9 nodes ux uy uz". Throws InputError as check_selections.
 std::vector<std::string> entry_texts(const LoadCase& load_case, const tiling::Tessellation& tessellation);
 
-/// Values that look like errors of units, one line each: points that lie away from the surface, displacements
-/// larger than it, rotations of more than a turn, loads of more than three hundred times its weight, a
-/// gravity of more than ten times the earth's.
+/// Warnings about values that look like errors of units, one line each: points away from the surface,
+/// displacements larger than the surface, rotations of more than a turn, loads of more than three hundred
+/// times its weight, and gravity of more than ten times the earth's.
 std::vector<std::string> doubts_about(const LoadCase& load_case, const Surface& surface);
 
 }  // namespace fretwork::simulation

@@ -17,26 +17,26 @@ struct NodesById {
     std::vector<int> ids;
     friend bool operator==(const NodesById&, const NodesById&) = default;
 };
-/// All interface nodes in a box, its rim included: xmin ymin xmax ymax in metres.
+/// All interface nodes in a box, its edge included: xmin ymin xmax ymax in metres.
 struct NodesInBox {
     std::array<double, 4> box{};
     friend bool operator==(const NodesInBox&, const NodesInBox&) = default;
 };
-/// The interface node nearest to each of some points.
+/// The interface nodes nearest to the given points, one for each.
 struct NodesNearest {
     std::vector<geometry::Point2> points;
     friend bool operator==(const NodesNearest&, const NodesNearest&) = default;
 };
-/// The rim nodes along one side: those in a strip of one mean tile side along that side of the bounding box.
+/// The rim nodes along one side: those within one mean tile side of that side of the bounding box.
 struct NodesAtSide {
     Side side = Side::Left;
     friend bool operator==(const NodesAtSide&, const NodesAtSide&) = default;
 };
-/// Which interface nodes a support or a load is on.
+/// A selection of interface nodes for a support or a load.
 using Selection = std::variant<NodesById, NodesInBox, NodesNearest, NodesAtSide>;
 
-/// The interface nodes of a selection, ascending, each once. Throws InputError if there is none, or an id is
-/// out of range.
+/// The interface nodes of a selection, ascending, each once. Throws InputError if the selection is empty, or
+/// an id is out of range.
 std::vector<tiling::InterfaceIndex> select_nodes(const Selection& selection,
                                                  const tiling::Tessellation& tessellation);
 

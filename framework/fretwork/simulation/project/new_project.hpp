@@ -13,41 +13,41 @@
 
 namespace fretwork::simulation {
 
-/// Where the tiles of a new project come from.
+/// The source of the tiles of a new project.
 enum class TilesFrom {
-    Outline,  ///< the outline is covered with new ones
-    Mesh,     ///< the faces of the flat mesh that is named as the outline
+    Outline,  ///< new tiles that cover the outline
+    Mesh,     ///< the faces of the outline file, which is a flat mesh
 };
 
-/// How an outline becomes a project.
+/// Options of make_project().
 struct NewProjectOptions {
     /// The outline's file; if not empty, messages about the outline begin with it.
     std::string outline_name{};
     std::optional<double> edge_length{};  ///< m, wanted mean side of the tiles; none: the setting's tile
                                           ///< side
     TilesFrom tiles = TilesFrom::Outline;
-    tiling::Narrow narrow = tiling::Narrow::Refine;  ///< what to do where the outline is narrower than a tile
+    tiling::Narrow narrow = tiling::Narrow::Refine;  ///< treatment of an outline that is narrower than a tile
     std::string layout{};                            ///< a name or a file; empty: the library's, or paper7
-    /// Material, section and joints; none: the library's, or reduction::made_setting().
+    /// Material, section and joints. None: the library's setting, or reduction::made_setting().
     std::optional<reduction::Setting> setting{};
     PaintingChoice painting{};
     base::Control control{};
 };
 
-/// A project without load cases, and how its tiling came out.
+/// A project without load cases, and the report about its tiling.
 struct NewProject {
     Project project;
     tiling::TessellationReport report;
-    double edge_length = 0.0;  ///< m, that was wanted; of a mesh, the mean side of its faces
+    double edge_length = 0.0;  ///< m, the wanted side; for a mesh, the mean side of its faces
 };
 
-/// Tile an outline and paint it. No side of a tile is shorter than the setting's bars are wide in the plane,
-/// or than a quarter of the wanted side if that is less. `library` may be null; the project has its setting,
-/// but is not linked with it. Throws as tiling::tessellate, with the outline's name, and paint; InputError if
-/// the library is one of another layout or setting.
+/// Tile an outline and paint it. No side of a tile is shorter than the width of the setting's bars in the
+/// plane, or than a quarter of the wanted side if that is less. `library` may be null; the project takes its
+/// setting but no link to it. Throws as tiling::tessellate, with the outline's name, and as paint; InputError
+/// if the library has another layout or setting.
 NewProject make_project(const outlines::Outline& outline, const NewProjectOptions& options,
                         const library::Library* library);
-/// The same for outlines that lie apart: one tessellation, part after part.
+/// Tile several separate outlines, part after part, as one tessellation, and paint it.
 NewProject make_project(const std::vector<outlines::Outline>& parts, const NewProjectOptions& options,
                         const library::Library* library);
 

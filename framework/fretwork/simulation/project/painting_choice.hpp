@@ -19,57 +19,61 @@
 
 namespace fretwork::simulation {
 
-/// The patterns that a painting chooses from: those that are named, or those of a painting file, or the
-/// calibrated ones of the library.
+/// The patterns that a painting chooses from: the listed ones, or those of a painting file, or the calibrated
+/// patterns of the library.
 struct PaletteChoice {
     std::vector<std::string> ids{};
-    std::filesystem::path file{};  ///< a painting file; taken where no ids are given
+    std::filesystem::path file{};  ///< a painting file, used if `ids` is empty
 };
 
-/// All tiles have one pattern.
+/// Paint all tiles with one pattern.
 struct PaintOnePattern {
     std::string id;
 };
 
-/// As a painting file says.
+/// Paint as in a painting file.
 struct PaintFromFile {
     std::filesystem::path file;
 };
 
-/// By chance.
+/// Paint at random.
 struct PaintAtRandom {
     std::uint64_t seed = 1;
     PaletteChoice palette{};
-    std::vector<double> weights{};  ///< of the palette's ids, above zero; empty: all are equally likely
+    std::vector<double> weights{};  ///< weights of the palette's ids, above zero; empty: all are equally
+                                    ///< likely
 };
 
-/// A number over the surface: an expression of x and y (m), and of u and v (0 to 1 across the surface).
+/// A field over the surface: an expression of x and y (m), and of u and v (0 to 1 across the surface).
 struct FieldExpression {
     std::string text;
 };
-/// A number over the surface: how dark a PNG image is that is stretched over it (white 0, black 1).
+/// A field over the surface: the darkness of a PNG image stretched over it (white 0, black 1).
 struct FieldImage {
     std::filesystem::path file;
 };
 
-/// Along a palette, by a field that goes from 0 to 1.
+/// Paint by a field with values from 0 to 1, which selects patterns along a palette.
 struct PaintByField {
     std::variant<FieldExpression, FieldImage> field;
     PaletteChoice palette{};
-    /// The property of patterns (`bending_stiffness`) whose values decide; empty: the palette's order does.
+    /// The property of patterns (`bending_stiffness`) that orders the palette; empty: the palette's own order
+    /// counts.
     std::string property{};
-    /// The property's values, SI, where the field is 0 and 1; none: the palette's least and largest.
+    /// The property's values, SI, for field values 0 and 1. None: the palette's smallest and largest.
     std::optional<std::pair<double, double>> range{};
     tiling::Dithering dithering = tiling::Dithering::None;
 };
 
-/// By the colour that a drawing has where a tile lies. Tiles on other colours keep their patterns.
+/// Paint each tile by the colour of a drawing at the tile's place. Tiles on other colours keep their
+/// patterns.
 struct PaintByColours {
     std::filesystem::path drawing;                             ///< SVG
-    std::vector<std::pair<std::string, std::string>> palette;  ///< colours "#rrggbb", each with an id
+    std::vector<std::pair<std::string, std::string>> palette;  ///< pairs of a colour "#rrggbb" and a pattern
+                                                               ///< id
 };
 
-/// How tiles are painted; monostate: not at all.
+/// The way in which tiles are painted; monostate: they are not painted.
 using PaintingChoice =
     std::variant<std::monostate, PaintOnePattern, PaintFromFile, PaintAtRandom, PaintByField, PaintByColours>;
 
@@ -80,12 +84,12 @@ struct PaintingGround {
     const library::Library* library = nullptr;
 };
 
-/// Paint all tiles as it is chosen. Throws InputError whose source is a file, or what is wrong of the choice:
+/// Paint all tiles by a choice. Throws InputError whose source is a file, or the invalid entry of the choice:
 /// "patterns", "palette", "property", "range" or "library".
 void paint(tiling::Tessellation& tessellation, const PaintingChoice& choice, const PaintingGround& ground);
-/// The same for some tiles; the others keep theirs. Random paintings and fields paint the tiles in this
-/// order. A painting file gives each tile the pattern that it has for that tile. With colours, tiles on none
-/// of the palette's colours keep theirs. Returns the tiles that were painted.
+/// Paint some tiles by a choice; other tiles keep their patterns. Random paintings and fields paint the tiles
+/// in the order of `tiles`. From a painting file, each tile takes its own pattern. With colours, tiles on
+/// other colours than the palette's keep their patterns. Returns the painted tiles.
 std::vector<tiling::TileIndex> paint(tiling::Tessellation& tessellation,
                                      std::span<const tiling::TileIndex> tiles, const PaintingChoice& choice,
                                      const PaintingGround& ground);

@@ -13,16 +13,17 @@
 
 namespace fretwork::simulation {
 
-/// The one document that the command line and the studio share.
+/// A project: the document that the command line and the studio share.
 struct Project {
-    pattern::NodeLayout layout = pattern::paper_layout();  ///< of the tessellation's patterns
+    pattern::NodeLayout layout = pattern::paper_layout();  ///< layout of the tessellation's patterns
     outlines::Outline outline;
-    std::vector<outlines::Outline> further_outlines{};  ///< of a surface of several parts, the others
+    std::vector<outlines::Outline> further_outlines{};  ///< the outlines of the further parts of a surface
+                                                        ///< with several parts
     tiling::Tessellation tessellation;                  ///< with its painting
     std::vector<LoadCase> load_cases;
-    /// The setting of the patterns' library when the project was made, or that it was made with: so the
-    /// project means the same without a library. None, as in older files: that of the library as it is, or
-    /// the paper's.
+    /// The setting at the time when the project was made, from its library or chosen for it. With it, the
+    /// project means the same without the library. None, as in older files: the present setting of the
+    /// library, or the paper's.
     std::optional<reduction::Setting> setting{};
     /// Tiles with their own tile model.
     struct TileModelChoice {
@@ -30,12 +31,12 @@ struct Project {
         std::vector<tiling::TileIndex> tiles;
     };
     std::vector<TileModelChoice> tile_models{};
-    std::string library_path;  ///< relative to the project file; empty: none
+    std::string library_path;  ///< path relative to the project file; empty: no library
     std::string library_hash;  ///< content hash of the library when the project was made
 };
 
-/// The load case of a name, with what it combines; "" is the only one there is. Throws InputError that lists
-/// what there is, and as combined().
+/// The load case with this name, merged with those that it combines. "" means the project's only load case.
+/// Throws InputError that lists the names, and as combined().
 LoadCase find_load_case(const Project& project, const std::string& name);
 
 /// The tile model of each tile, "" for tiles without their own; empty if no tile has one.

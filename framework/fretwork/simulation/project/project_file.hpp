@@ -9,13 +9,13 @@
 
 namespace fretwork::simulation {
 
-/// Throws InputError with source and JSON pointer.
+/// Parse a project. Throws InputError with source and JSON pointer.
 Project parse_project(std::string_view text, const std::string& source);
-/// parse_project gives an equal project.
+/// The project as JSON text, from which parse_project makes an equal project.
 std::string project_text(const Project& project);
-/// Throws InputError with file and JSON pointer.
+/// Read a project file. Throws InputError with file and JSON pointer.
 Project read_project(const std::filesystem::path& path);
-/// Throws IoError; then the file is as it was.
+/// Write a project file atomically. Throws IoError and then leaves the file as it was.
 void write_project(const Project& project, const std::filesystem::path& path);
 
 }  // namespace fretwork::simulation

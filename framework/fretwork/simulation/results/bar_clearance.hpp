@@ -11,16 +11,16 @@
 
 namespace fretwork::simulation {
 
-/// Two bars that are too close to each other.
+/// A pair of bars that are too close to each other.
 struct CloseBars {
     std::array<std::size_t, 2> bars;         ///< in the order of SurfaceBeams
     std::array<tiling::TileIndex, 2> tiles;  ///< the tile of each bar
     double gap = 0.0;                        ///< m between their edges, below zero if they overlap
 };
 
-/// The pairs of bars of a surface whose gap is smaller than `clearance` (m; 0: those that overlap), with the
-/// width of the bars in the plane. Bars that meet at a node always overlap there: their gap is that between
-/// the far end of one bar and the other bar. Tiles that are not painted have no bars. Throws Stopped.
+/// All pairs of bars of a surface whose gap is smaller than `clearance` (m; 0: pairs that overlap). The bars
+/// have their width in the plane. Two bars that meet at a node always overlap there, so their gap is measured
+/// between the far end of one bar and the other bar. Unpainted tiles have no bars. Throws Stopped.
 std::vector<CloseBars> close_bars(const Surface& surface, double clearance,
                                   const base::Control& control = {});
 

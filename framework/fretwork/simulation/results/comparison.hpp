@@ -10,8 +10,8 @@ namespace fretwork::simulation {
 /// The distances of a reduced model's interface nodes from the full model's: a row of the paper's Table 3.
 ///
 /// Means are taken over the interface nodes; sd is the population standard deviation of the errors. The sd
-/// columns of the paper do not fit the errors that it prints, so they cannot be compared with these. A
-/// rotation error is the angle between the two rotated frames.
+/// columns of the paper are inconsistent with the errors that it prints, so they cannot be compared with
+/// these. A rotation error is the angle of the rotation between the two orientations of a node.
 struct Comparison {
     double width = 0.0;                   ///< m, of the interface nodes' bounding box at rest
     double height = 0.0;                  ///< m
@@ -23,26 +23,26 @@ struct Comparison {
     double max_rotation_error = 0.0;      ///< rad
     double mean_rotation_error = 0.0;     ///< rad
     double sd_rotation_error = 0.0;       ///< rad
-    double relative_l2_error = 0.0;       ///< of all translations: |full - reduced| / |full|
+    double relative_l2_error = 0.0;       ///< |full - reduced| / |full| over all translations
     double full_seconds = 0.0;
     double reduced_seconds = 0.0;
-    bool full_is_unstable = false;  ///< the errors are against a state that no specimen would stay in
+    bool full_is_unstable = false;  ///< the reference is a state in which no specimen would stay
 };
 
 /// The largest displacement (m) and rotation (rad, length of the rotation vector) of the interface nodes.
-/// Every model of a surface has these nodes, so the program takes no largest value over others.
+/// Every model of a surface has these nodes, so largest values are taken over them alone.
 double largest_displacement(const SurfaceResult& result, const mechanics::Solution& solution);
 double largest_rotation(const SurfaceResult& result, const mechanics::Solution& solution);
 
 /// Compare two results of one surface; nodes are matched by id. Throws InputError if a result did not
 /// converge; if an interface node of one is missing in the other or lies elsewhere; if the subjects differ in
-/// tessellation, painting, setting or load case; or if they have the same model, or only the second is the
-/// full one. The subjects are compared only if both results have one.
+/// tessellation, painting, setting or load case; or if both have the same model, or only the second has the
+/// full model. Subjects are compared only if both results have one.
 Comparison compare(const SurfaceResult& full, const SurfaceResult& reduced);
 
 /// The comparison in a few lines for people.
 std::string comparison_text(const Comparison& comparison);
-/// The header of the table, and a row of it.
+/// The header and a row of a table of comparisons.
 std::string comparison_header();
 std::string comparison_row(const std::string& example, const Comparison& comparison);
 

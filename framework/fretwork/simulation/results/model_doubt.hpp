@@ -8,26 +8,28 @@
 
 namespace fretwork::simulation {
 
-/// Above one of these three limits the error is estimated: rad, and a share of the largest displacement. No
-/// result of experiments/error_warnings whose worst node is off by 5 % is below all of them.
+/// The first two of three limits of ModelDoubt: rad, and a share of the largest displacement. Above one of
+/// the three, the error is estimated. In experiments/error_warnings, every result with an error of 5 % at its
+/// worst node is above one of them.
 inline constexpr double kDoubtfulRotation = 0.09;
 inline constexpr double kDoubtfulChange = 0.03;
-/// Linear solves from rest. A path with more of them has passed places where small differences decide.
+/// The third limit: the number of linear solves from rest. A path with more solves has passed places where
+/// small differences decide.
 inline constexpr int kDoubtfulIterations = 40;
-/// An estimated error above this gives a warning: at the worst node, as a share of the largest displacement.
-/// It is less than 5 %, since an estimate may be too small by a third.
+/// The estimated error at the worst node, as a share of the largest displacement, above which a warning is
+/// given. It is less than 5 %, because an estimate may be too small by a third.
 inline constexpr double kWarnedError = 0.03;
 
-/// The doubt about the last solution of a session, if it is a nonlinear one.
+/// The indicators of the last solution of a session, which must be nonlinear.
 ModelDoubt model_doubt(const Session& session, const SurfaceResult& result);
-/// The doubt about a solution with these deformations of its tiles.
+/// The indicators of a solution with these deformations of its tiles.
 ModelDoubt model_doubt(std::span<const TileDeformation> tiles);
 
-/// Whether the doubt of a result is above one of the limits, so that its error has to be estimated.
+/// True if an indicator of a result is above its limit, so that the error has to be estimated.
 bool is_doubtful(const SurfaceResult& result);
 
-/// The warning about a converged result: its estimated error is large, or its error may be large and is not
-/// known. Empty if there is no reason to warn.
+/// The warning about a converged result whose estimated error is large, or whose error is not known and may
+/// be large. Empty if there is no reason to warn.
 std::string model_warning(const SurfaceResult& result);
 
 }  // namespace fretwork::simulation

@@ -19,11 +19,11 @@ namespace fretwork::simulation {
 ResultSubject result_subject(const Surface& surface, const LoadCase& load_case,
                              const SimulationOptions& options);
 
-/// The model of the tiles that have no model of their own, as `simulate --model` takes it.
+/// The model of the tiles without their own model, in the form of `simulate --model`.
 std::string main_model(const ResultSubject& subject);
 
-/// Check a subject that was read from a file: its models are in the catalogue, it is a reference only if its
-/// models are, and its load case is valid. Throws InputError that names `source` and the place.
+/// Check a subject from a file: its models are in the catalogue, it is a reference only if all its models
+/// are, and its load case is valid. Throws InputError that names `source` and the place.
 void check_subject(const ResultSubject& subject, const std::string& source,
                    std::span<const reduction::TileModel> models = reduction::tile_models());
 
@@ -31,7 +31,8 @@ void check_subject(const ResultSubject& subject, const std::string& source,
 /// and descriptions of load cases are not compared.
 std::string subject_difference(const ResultSubject& left, const ResultSubject& right);
 
-/// The part of the subject that all results of a surface share. Computing the hashes takes time: do it once.
+/// The data that the subjects of all results of a surface share. Compute it only once, because hashes take
+/// time.
 struct SurfaceIdentity {
     std::string tessellation_hash;
     std::string painting_hash;

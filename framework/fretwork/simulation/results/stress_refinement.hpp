@@ -8,13 +8,14 @@
 
 namespace fretwork::simulation {
 
-/// A solution in which all beams around the largest stress are computed.
+/// A solution in which all tiles around the largest stress have all of their beams.
 struct RefinedStress {
     SurfaceResult result;
     BeamTable table;
     std::vector<tiling::TileIndex> full_tiles;  ///< tiles with all of their beams, ascending
-    int solutions = 0;                          ///< number of solutions that it took
-    /// Whether the tiles around the most stressed beam are in full. If not, an equilibrium was not found.
+    int solutions = 0;                          ///< number of solutions needed
+    /// True if the tiles around the most stressed beam are in full. False if an equilibrium was not found on
+    /// the way.
     bool is_settled = false;
 };
 
@@ -22,16 +23,16 @@ struct RefinedStress {
 std::vector<tiling::TileIndex> tiles_around(const Surface& surface, const BeamRow& beam);
 
 /// Solve a session of reduced tiles repeatedly. After each solution, the tiles around the most stressed beam
-/// get all of their beams, until these tiles have them already: reduced tiles smooth stresses, which peak at
-/// few places. The session keeps these tile models.
+/// get all of their beams; the refinement ends if they have them already. It is needed because stresses peak
+/// at few places, and reduced tiles smooth the peaks. The session keeps these tile models.
 ///
 /// @param full_tiles  the tiles in full at the beginning
 RefinedStress refine_stress(Session& session, std::vector<tiling::TileIndex> full_tiles,
                             const base::Control& control = {});
 
-/// The same for a nonlinear result of corotational or mixed tiles that was read from a file. It solves from
-/// rest, along the primary path, and begins with the result's own tiles in full. Throws InputError if the
-/// result is of another model, linear, or one of load stages.
+/// Refine the stress of a nonlinear result of corotational or mixed tiles from a file. It solves from rest
+/// along the primary path and begins with the result's own tiles in full. Throws InputError if the result has
+/// another model, is linear, or is a result of load stages.
 RefinedStress refine_stress(const Surface& surface, const SurfaceResult& result,
                             const base::Control& control = {});
 

@@ -20,7 +20,7 @@ inline constexpr double kLinearRange = 0.05;
 /// The range in words, for people.
 std::string linear_range_text(const mechanics::LinearRange& range);
 
-/// Whether a linear result is out of its range: by the error of its displacements, or by this error together
+/// True if a linear result is out of its range: by the error of its displacements, or by this error together
 /// with the fit error of its tiles.
 bool is_out_of_range(const SurfaceResult& result);
 /// The reason in words, for people, with `SurfaceResult::fit_error`.
@@ -30,7 +30,7 @@ std::string linear_doubt_text(const SurfaceResult& result);
 void add_linear_range(const Surface& surface, const LoadCase& load_case, const SimulationOptions& options,
                       const base::Control& control, SurfaceResult& result);
 
-/// The estimated error of a linear solution of the surface against large displacements. The estimate uses
+/// The estimated error of a linear solution of the surface relative to large displacements. The estimate uses
 /// corotational tiles, whatever model the solution has. Throws as simulate().
 mechanics::LinearRange surface_linear_range(const Surface& surface, const LoadCase& load_case,
                                             int threads = 0, const base::Control& control = {});

@@ -13,8 +13,8 @@ namespace fretwork::simulation {
 enum class ModeKind { Vibration, Buckling };
 
 /// The lowest modes of a surface with all of its beams, under the supports and (for buckling) the loads of a
-/// load case; rows are the nodes of surface_beams(). Throws as mechanics::vibration_modes, and InputError as
-/// surface_frame.
+/// load case. Rows of the modes are the nodes of surface_beams(). Throws as mechanics::vibration_modes, and
+/// InputError as surface_frame.
 std::vector<mechanics::Mode> surface_modes(const Surface& surface, const LoadCase& load_case, ModeKind kind,
                                            int count, const mechanics::ModeOptions& options = {});
 

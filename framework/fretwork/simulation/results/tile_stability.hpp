@@ -11,11 +11,12 @@
 namespace fretwork::simulation {
 
 /// The tiles, ascending, whose beams buckle between their interface nodes. Each tile is solved alone, with
-/// all of its beams, while its interface nodes move to their places in a solution of the surface: a buckled
-/// tile has no stable equilibrium on the way. A reduced tile cannot show this. Tiles whose equilibrium is not
-/// found are included.
+/// all of its beams, while its interface nodes move to their places in a solution of the surface. A tile
+/// buckles if it has no stable equilibrium on the way. A reduced tile cannot show this. Tiles whose
+/// equilibrium is not found are included.
 ///
-/// @param solution  its first rows are the interface nodes
+/// @param solution  a solution whose first rows are the interface nodes
+///
 /// Throws as TileBuilder does, and Stopped.
 std::vector<tiling::TileIndex> buckled_tiles(const Surface& surface, const mechanics::Solution& solution,
                                              const SimulationOptions& options,
