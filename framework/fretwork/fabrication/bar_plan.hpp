@@ -14,7 +14,7 @@ namespace fretwork::fabrication {
 using tiling::TessellationNodeIndex;
 using tiling::TileIndex;
 
-/// A beam as it is made: with its width.
+/// A beam with its width, as it is made.
 struct Bar {
     std::array<TessellationNodeIndex, 2> nodes;
     double width = 0.0;  ///< m
@@ -23,14 +23,14 @@ struct Bar {
 
 /// The bars of a surface, and where they meet. No two bars cross or lie over each other.
 struct BarPlan {
-    /// m; those of the tessellation's fan, then those of a frame
+    /// m; the nodes of the tessellation's fan, then those of the border
     base::IndexVector<TessellationNodeIndex, geometry::Point2> nodes;
     std::vector<Bar> bars{};
-    double width = 0.0;               ///< m, of the surface's beams
+    double width = 0.0;               ///< m, width of the surface's beams
     double height = 0.0;              ///< m, thickness of the sheet or print
-    std::size_t interface_nodes = 0;  ///< the first nodes
-    /// Nodes that lie where another one does, such as corners where three tiles meet: bars end at that other
-    /// one. The beams of a model are not joined there; what is made is one piece.
+    std::size_t interface_nodes = 0;  ///< number of interface nodes, which come first
+    /// A node at the same place as another node, such as a corner where three tiles meet. Bars end at the
+    /// other node (`taken`). The model's beams are not joined there, but the material is one piece.
     struct Coincidence {
         TessellationNodeIndex node;
         TessellationNodeIndex taken;
@@ -38,18 +38,18 @@ struct BarPlan {
     std::vector<Coincidence> coincidences{};
 };
 
-/// Width and height of the rectangle that has a section's area and second moments, m.
+/// The width and height of the rectangle with a section's area and second moments, m.
 struct Rectangle {
     double width = 0.0;
     double height = 0.0;
 };
-/// Throws InputError if the section has no width or no height.
+/// The equivalent rectangle of a section. Throws InputError if its width or height is not above zero.
 Rectangle equivalent_rectangle(const mechanics::Section& section);
 
-/// The bars of a surface; with a frame of the given width (m) along its rim if that is not zero.
+/// The bars of a surface. If `frame_width` (m) is not zero, bars of this width along the rim form a border.
 ///
-/// Throws InputError or GeometryError that names the tile: tiles that are not painted or do not close, beams
-/// without width, longer than nothing, that cross or lie over each other, and frames that a bar lies along.
+/// Throws InputError or GeometryError that names the tile if a tile is not painted or not closed, if a beam's
+/// width or length is zero, if beams cross or lie over each other, or if a bar lies along the border.
 BarPlan bar_plan(const simulation::Surface& surface, double frame_width = 0.0);
 
 }  // namespace fretwork::fabrication

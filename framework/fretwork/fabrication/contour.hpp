@@ -9,15 +9,15 @@
 
 namespace fretwork::fabrication {
 
-/// A corner of a contour, and how the contour goes on to the next one.
+/// A corner of a contour, and the shape of the contour to the next corner.
 struct ContourPoint {
     geometry::Point2 place;  ///< m
-    /// Tangent of a quarter of the angle of the arc to the next point, counterclockwise positive; 0: a
-    /// straight line. DXF has the same.
+    /// The tangent of a quarter of the angle of the arc to the next point, counterclockwise positive; 0: a
+    /// straight line. DXF has the same definition.
     double bulge = 0.0;
 };
 
-/// A closed curve of straight lines and circular arcs; the last point goes on to the first.
+/// A closed curve of straight lines and circular arcs. The last point is joined to the first.
 using Contour = std::vector<ContourPoint>;
 
 /// The circle of an arc.
@@ -31,7 +31,7 @@ Arc arc_between(const ContourPoint& from, const geometry::Point2& to);
 
 /// The area inside, m2; negative for a clockwise contour. Exact, arcs included.
 double signed_area(const Contour& contour);
-/// m. Exact, arcs included.
+/// The length of a contour, m. Exact, arcs included.
 double length(const Contour& contour);
 
 /// The contour with arcs as chords that are off by at most `tolerance` (m).
@@ -39,9 +39,9 @@ geometry::Polygon flattened(const Contour& contour, double tolerance);
 
 /// A full circle, counterclockwise, as two arcs.
 Contour circle(const geometry::Point2& center, double radius);
-/// The same curve in the other direction.
+/// A contour in the opposite direction.
 Contour reversed(const Contour& contour);
-/// Straight lines between points.
+/// A polygon as a contour of straight lines.
 Contour straight(const geometry::Polygon& polygon);
 
 /// The smallest box around a contour, arcs included.

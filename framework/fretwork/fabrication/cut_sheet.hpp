@@ -9,7 +9,7 @@
 
 namespace fretwork::fabrication {
 
-/// One line of text, in the middle of a place.
+/// One line of text, centred at a place.
 struct Label {
     geometry::Point2 place;  ///< m
     std::string text;
@@ -19,18 +19,18 @@ struct Label {
 /// The input of a cutter: one sheet of material.
 struct CutSheet {
     std::string title;
-    std::vector<Piece> pieces;      ///< cut, by contours
+    std::vector<Piece> pieces;      ///< pieces to be cut along their contours
     std::vector<Label> engraved;    ///< marks on the material
-    std::vector<Label> labels;      ///< for people; not for the machine
+    std::vector<Label> labels;      ///< text for people, not for the machine
     std::vector<Contour> guides{};  ///< for people: the edge of the material
 };
 
 /// The whole surface in one sheet, with the numbers of its tiles as labels.
 CutSheet whole_sheet(const simulation::Surface& surface, const ShapeOptions& options);
-/// The same of the surface's shape.
+/// The sheet of a shape that has been made from the surface.
 CutSheet sheet_of_shape(const simulation::Surface& surface, const Shape& shape);
 
-/// The numbers of tiles, in their middles.
+/// The numbers of the tiles as labels at their centers.
 std::vector<Label> tile_labels(const tiling::Tessellation& tessellation);
 
 geometry::Box box_of(const CutSheet& sheet);

@@ -7,26 +7,25 @@
 
 namespace fretwork::fabrication {
 
-/// Where two sides of what is cut come near each other.
+/// A place where two sides of a contour come near each other.
 struct NarrowPlace {
     enum class Kind {
-        Gap,      ///< a throat: material faces material over a gap that widens on both sides
-        Opening,  ///< an opening of which this is the largest circle that fits into it: a sliver falls out
+        Gap,      ///< a gap between material and material that widens in both directions
+        Opening,  ///< a narrow opening, whose cut-out is a sliver; the place is its largest inner circle
     };
     Kind kind = Kind::Gap;
     geometry::Point2 place;      ///< the middle of the gap or of the circle, m
     double width = 0.0;          ///< m
-    TileIndex tile;              ///< of the nearest bar
-    TessellationNodeIndex node;  ///< the nearest one
+    TileIndex tile;              ///< tile of the nearest bar
+    TessellationNodeIndex node;  ///< the nearest node
 };
 
-/// All places narrower than `clearance` (m), the narrowest first. Openings between bars end in corners; those
-/// are no gaps, fillets round them.
-/// Throws Stopped.
+/// All places narrower than `clearance` (m), the narrowest first. The corners of openings between bars do not
+/// count as gaps, because fillets round them. Throws Stopped.
 std::vector<NarrowPlace> narrow_places(const Shape& shape, const BarPlan& plan, double clearance,
                                        const base::Control& control = {});
 
-/// The largest circle inside of an opening; off by at most a hundredth of it.
+/// The largest circle inside an opening, with a radius accurate to one per cent.
 struct InnerCircle {
     geometry::Point2 center;
     double radius = 0.0;  ///< m

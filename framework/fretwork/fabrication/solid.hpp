@@ -16,25 +16,25 @@ struct Solid {
 };
 
 struct SolidOptions {
-    double chord_tolerance = 5e-6;  ///< m, by which chords may be off arcs
+    double chord_tolerance = 5e-6;  ///< m, largest distance between an arc and its chords
     base::Control control{};
-    /// Throws InputError.
+    /// Throws InputError that names an invalid option.
     void validate() const;
 };
 
 /// A shape extruded from z = 0 to its height. Vertices lie on a grid of a tenth of a micrometre (coarser for
 /// shapes of more than a metre: 2^-22 of the size), so that they stay apart as 32 bit numbers in millimetres.
 ///
-/// Law: every edge has two triangles, in opposite directions. Throws GeometryError that names the place where
-/// the shape touches itself, where no such solid exists; Stopped.
+/// Every edge of the solid belongs to two triangles, in opposite directions. Throws GeometryError that names
+/// a place where the shape touches itself, because no such solid exists then; Stopped.
 Solid make_solid(const Shape& shape, const SolidOptions& options = {});
 
-/// m3
+/// The volume of a solid, m3.
 double volume(const Solid& solid);
 
-/// The closed sides of a solid.
+/// The result of checking that a solid is closed.
 struct SolidCheck {
-    std::size_t open_edges = 0;  ///< directed edges without exactly one triangle that has the opposite one
+    std::size_t open_edges = 0;  ///< number of directed edges without exactly one opposite edge
     long euler_number = 0;       ///< vertices - edges + triangles: 2 for each piece less 2 for each opening
 };
 SolidCheck check(const Solid& solid);
