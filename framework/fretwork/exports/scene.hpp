@@ -21,27 +21,27 @@ struct PixelSize {
     int width = 1600;
     int height = 1000;
     [[nodiscard]] std::size_t count() const { return at(0, height); }
-    /// The number of a pixel: they are counted row by row from the upper left.
+    /// The index of a pixel, counted row by row from the upper left.
     [[nodiscard]] std::size_t at(int column, int row) const {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
                static_cast<std::size_t>(column);
     }
 };
 
-/// How bars in 3D are shown.
+/// Options of pictures of bars in 3D.
 struct PictureOptions {
-    PixelSize size{};                     ///< of pictures made of pixels
+    PixelSize size{};                     ///< size of PNG pictures
     std::string colour = "displacement";  ///< one of bar_field_names() (bar_scene.hpp), or "plain"
 };
 
-/// How a surface is made.
+/// The options for making a surface.
 struct Making {
     fabrication::ShapeOptions shape{};
-    std::optional<fabrication::Bed> bed{};  ///< what is cut is cut into sheets of it
+    std::optional<fabrication::Bed> bed{};  ///< the surface is cut in parts on sheets of this size
     fabrication::FactsOptions facts{};
 };
 
-/// Everything that a surface can be written from: the surface, a load case to draw on it, and results.
+/// The input of all writers: the surface, a load case to draw on it, and results.
 struct Scene {
     struct LabelledResult {
         std::string label;
@@ -50,16 +50,17 @@ struct Scene {
     simulation::Surface surface;
     std::optional<simulation::Conditions> conditions{};
     std::vector<LabelledResult> results{};  ///< the first is the main one
-    double displacement_scale = 1.0;        ///< in drawings of deformed states
-    std::optional<ViewOptions> view{};      ///< from where these are seen; none: from where most is seen
+    double displacement_scale = 1.0;        ///< factor on displacements in drawings of deformed states
+    std::optional<ViewOptions> view{};      ///< direction of the viewer of deformed states; none: the one
+                                            ///< that shows most
     PictureOptions picture{};
     std::optional<double> strength{};  ///< Pa, the reference of utilizations; none: the material's
-    DrawnLabels labels{};              ///< of drawings from above
-    Making making{};                   ///< of what is cut or printed
-    std::optional<simulation::LoadCase> load_case{};  ///< that of `conditions`; facts use it
-    std::span<const reduction::TileModel> models = reduction::tile_models();  ///< of the results
-    base::Control control{};  ///< asked by writers of large files; who stops throws Stopped
-    /// Pa: the given one, or the material's; none: no utilizations.
+    DrawnLabels labels{};              ///< numbers on drawings from above
+    Making making{};                   ///< options for files to cut or print
+    std::optional<simulation::LoadCase> load_case{};  ///< the load case of `conditions`; facts use it
+    std::span<const reduction::TileModel> models = reduction::tile_models();  ///< tile models of the results
+    base::Control control{};  ///< checked by writers of large files, which throw Stopped
+    /// The given strength or else the material's, Pa. None: utilizations are not known.
     [[nodiscard]] std::optional<double> known_strength() const {
         return strength ? strength : surface.setting.strength;
     }

@@ -15,17 +15,17 @@ namespace fretwork::exports {
 /// The kind of content of a file.
 enum class Content {
     Drawing,      ///< for people
-    Centrelines,  ///< the beams as lines, with what is known of them
+    Centrelines,  ///< the beams as lines, with their fields
     Cut,          ///< the true outline, for machines that cut
     Solid,        ///< the extruded outline, for machines that print
-    Facts,        ///< what a maker asks: masses, lengths, narrow places, stresses
+    Facts,        ///< the facts for a maker: masses, lengths, narrow places, stresses
 };
-/// As the command line calls it: "cut".
+/// The name of a content on the command line: "cut".
 std::string_view content_name(Content content);
-/// Throws InputError that lists what there is.
+/// The content with this name. Throws InputError that lists the names.
 Content parse_content(const std::string& name);
 
-/// A file's content, and what is to be said of it, one line each: options for making that could not be had.
+/// The text of a file, and remarks, one line each, about options for making that could not be met.
 struct Written {
     std::string text;
     std::vector<std::string> remarks{};
@@ -33,7 +33,7 @@ struct Written {
 
 /// A kind of file.
 struct WriterRow {
-    std::string_view ending;  ///< with its dot
+    std::string_view ending;  ///< file name ending, with its dot
     Content content;
     std::string_view description;
     Written (*write)(const Scene&);
@@ -41,20 +41,21 @@ struct WriterRow {
     enum class Kind { Data, Drawing, Picture, Made } kind = Kind::Data;
     [[nodiscard]] bool is_drawing() const {
         return kind == Kind::Drawing || is_picture();
-    }                                                                        ///< conditions, scale and view
-    [[nodiscard]] bool is_picture() const { return kind == Kind::Picture; }  ///< Scene::picture, too
-    [[nodiscard]] bool is_made() const { return kind == Kind::Made; }        ///< Scene::making
+    }                                                                        ///< reads conditions, scale and
+                                                                             ///< view
+    [[nodiscard]] bool is_picture() const { return kind == Kind::Picture; }  ///< also reads Scene::picture
+    [[nodiscard]] bool is_made() const { return kind == Kind::Made; }        ///< reads Scene::making
 };
 
 /// The unit of lengths in a file.
 std::string_view unit_of(const WriterRow& writer);
 
-/// All kinds of files: a new one is a file and a row.
+/// All kinds of files. A new kind needs a source file and a row.
 std::span<const WriterRow> writer_catalogue();
-/// The writer for a file, by its ending; of several the first, or that of the wanted content. Throws
-/// InputError that lists what there is.
+/// The writer for a file, by its ending. If several writers have this ending, the one with the wanted content
+/// or, without one, the first. Throws InputError that lists the valid endings or contents.
 const WriterRow& find_writer(const std::filesystem::path& path, std::optional<Content> content = {});
-/// Whether this is what its ending means where no content is named.
+/// True if this writer is the first one with its ending, which is used if no content is given.
 bool is_default(const WriterRow& writer);
 
 }  // namespace fretwork::exports

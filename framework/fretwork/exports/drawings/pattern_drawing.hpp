@@ -23,29 +23,29 @@ struct PatternDrawingOptions {
 std::string pattern_sheet_svg(const pattern::NodeLayout& layout, std::span<const pattern::Pattern> patterns,
                               const PatternDrawingOptions& options = {});
 
-/// Rejected graphs as a sheet of fans, the guilty beams in red and the reason below, one row for each filter:
-/// as in the paper's Fig. 7.
+/// Rejected graphs as a sheet of fans, as in the paper's Fig. 7: one row for each filter, the guilty beams in
+/// red, and the reason below.
 std::string rejection_sheet_svg(const pattern::NodeLayout& layout,
                                 std::span<const pattern::Rejection> rejections,
                                 const PatternDrawingOptions& options = {});
 
-/// A pattern and a reduced model of beams that was fitted to it, if there is one.
+/// A pattern and, if there is one, the reduced model of beams fitted to it.
 struct ReducedPattern {
     pattern::Pattern pattern;
     std::optional<reduction::Calibration> calibration{};
 };
 
-/// Patterns with their reduced models beside them in the setting's polygon, at true scale, with ids, the
-/// twist theta and the objective: as in the paper's Fig. 8.
+/// Patterns with their reduced models beside them, as in the paper's Fig. 8: in the setting's polygon, at
+/// true scale, with ids, the twist theta and the objective.
 std::string reduced_sheet_svg(const pattern::NodeLayout& layout, std::span<const ReducedPattern> patterns,
                               const reduction::Setting& setting,
                               std::span<const reduction::TileModel> models = reduction::tile_models());
 
 /// The setting's scenarios on one tile, side by side as in the paper's Fig. 10, in parallel projection at
-/// true scale: the tile at rest with its supports and loads (signs as in surface_svg), the pattern's full
-/// model under the largest magnitude (grey) and the reduced model, if there is one (blue). Where the full
-/// model finds no equilibrium at the largest magnitude, the last one before is drawn, and the caption says at
-/// which.
+/// true scale: the tile at rest with its supports and loads (symbols as in surface_svg), the pattern's full
+/// model under the largest magnitude (grey), and the reduced model, if there is one (blue). If the full model
+/// has no equilibrium at the largest magnitude, its last equilibrium before is drawn, and the caption states
+/// the magnitude.
 std::string scenario_sheet_svg(const pattern::NodeLayout& layout, const ReducedPattern& pattern,
                                const reduction::Setting& setting,
                                std::span<const reduction::TileModel> models = reduction::tile_models());

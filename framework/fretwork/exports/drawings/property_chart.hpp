@@ -18,17 +18,17 @@ struct PatternProperties {
     std::map<std::string, double> values{};
 };
 
-/// Axes of a chart, and its drawings.
+/// The layout and setting of a chart's patterns, for its axes and its drawings.
 struct ChartSubject {
     base::Borrowed<pattern::NodeLayout> layout;
     base::Borrowed<reduction::Setting> setting;
 };
 
-/// A property chart as SVG, after [Ashby2011]: in-plane stiffness against mass per area, and bending against
-/// in-plane stiffness, all on logarithmic axes; a point is a pattern, its colour the in-plane Poisson's
-/// ratio. Each point names its pattern and properties where a pointer rests on it; the extreme patterns carry
-/// letters and are drawn below. Throws InputError if there are no patterns or one lacks a property that is
-/// drawn; NumericalError if a stiffness or mass is not above zero.
+/// A property chart as SVG, after [Ashby2011]: in-plane stiffness over mass per area, and bending stiffness
+/// over in-plane stiffness, all on logarithmic axes. Each point is a pattern, and its colour is the in-plane
+/// Poisson's ratio. A point shows its pattern and properties when the mouse pointer rests on it. The extreme
+/// patterns have letters and are drawn below. Throws InputError if there are no patterns or a pattern lacks a
+/// property, NumericalError if a stiffness or mass is not above zero.
 std::string property_chart_svg(const ChartSubject& subject, std::span<const PatternProperties> patterns);
 
 }  // namespace fretwork::exports

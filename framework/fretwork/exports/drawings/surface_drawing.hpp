@@ -10,27 +10,27 @@
 
 namespace fretwork::exports {
 
-/// Where the viewer of a parallel projection stands.
+/// The direction of the viewer in a parallel projection.
 struct ViewOptions {
     double azimuth = -0.6;   ///< rad, about z
     double elevation = 0.6;  ///< rad above the plane
 };
 
-/// Numbers on a drawing.
+/// The numbers shown on a drawing.
 struct DrawnLabels {
     enum class Shown { No, Yes };
     Shown tiles = Shown::No;
     Shown interface_nodes = Shown::No;
 };
 
-/// A surface seen from above at true scale: tiles coloured by pattern, beams of true width, and, where
-/// `conditions` are given, supports (red: all dofs, green: translations only, orange: others) and loads
-/// (arrows; forces out of the plane as rings). With a legend and a scale bar. Tiles without a pattern are
-/// empty. As in the paper's Figs. 12 to 14.
+/// A surface seen from above at true scale, as in the paper's Figs. 12 to 14: tiles coloured by pattern,
+/// beams of true width, a legend and a scale bar. Tiles without a pattern are empty. Given `conditions`, it
+/// also shows supports (red: all dofs, green: translations only, orange: others) and loads (arrows; forces
+/// out of the plane as rings).
 std::string surface_svg(const simulation::Surface& surface,
                         const simulation::Conditions* conditions = nullptr, const DrawnLabels& labels = {});
 
-/// One of the deformed states that are drawn over each other.
+/// One of several deformed states drawn over each other.
 struct DeformedLayer {
     std::string label;   ///< for the legend
     std::string colour;  ///< "#rrggbb"
@@ -38,11 +38,13 @@ struct DeformedLayer {
 };
 
 struct DeformedViewOptions {
-    double scale = 1.0;                                        ///< of the displacements; the drawing says it
-    reduction::Joints joints = reduction::Joints::Centreline;  ///< of the surface; the drawing says it
+    double scale = 1.0;                                        ///< factor on the displacements; the drawing
+                                                               ///< states it
+    reduction::Joints joints = reduction::Joints::Centreline;  ///< joints of the surface; the drawing states
+                                                               ///< them
     ViewOptions view{};
-    LineSet rest{};        ///< drawn dashed below everything, such as rim_lines()
-    DrawnLabels labels{};  ///< on the surface from above
+    LineSet rest{};        ///< lines drawn dashed below everything, such as rim_lines()
+    DrawnLabels labels{};  ///< numbers on the surface from above
 };
 
 /// The rim of a surface at rest.
@@ -51,12 +53,12 @@ LineSet rim_lines(const simulation::Surface& surface);
 /// Deformed states in parallel projection, over each other, with a legend and a scale bar.
 std::string deformed_svg(std::span<const DeformedLayer> layers, const DeformedViewOptions& options = {});
 
-/// The displacements' size on the deformed state of one layer, as colours with a legend. Lines that are
-/// nearer to the viewer are drawn over those behind them, with white edges.
+/// One deformed state, with the size of the displacements as colours and a legend. Lines nearer to the viewer
+/// are drawn over lines behind them, with white edges.
 std::string displacement_svg(const DeformedLayer& layer, const DeformedViewOptions& options = {});
 
-/// All of it below each other on one sheet, as the paper's Figs. 12 to 14: from above, the setup, the
-/// deformed states.
+/// A sheet with three drawings below each other, as in the paper's Figs. 12 to 14: the surface from above,
+/// the setup, and the deformed states.
 std::string figure_svg(const simulation::Surface& surface, const simulation::Conditions& conditions,
                        std::span<const DeformedLayer> layers, const DeformedViewOptions& options = {});
 

@@ -10,12 +10,13 @@
 
 namespace fretwork::exports {
 
-/// A sheet for a laser, a mill or a plotter, in millimetres at true scale, with the layers `cut`, `engrave`,
-/// `labels` and `guides`.
+/// A sheet for a laser, a mill or a plotter as DXF (R2000), in millimetres at true scale, with the layers
+/// `cut`, `engrave`, `labels` and `guides`.
 ///
-/// DXF (R2000): each contour is a closed LWPOLYLINE with bulges in model space; $INSUNITS says millimetres.
+/// Each contour is a closed LWPOLYLINE with bulges in model space; $INSUNITS is millimetres.
 std::string cut_dxf(const fabrication::CutSheet& sheet);
-/// SVG: each piece is a path with true arcs, and layers are marked for Inkscape. y points up as in the DXF.
+/// The same sheet as SVG: each piece is a path with true arcs, and layers are marked for Inkscape. y points
+/// up as in the DXF.
 std::string cut_svg(const fabrication::CutSheet& sheet);
 
 /// Binary STL in millimetres, the unit that slicers assume; the header names it.
@@ -30,16 +31,17 @@ std::string solid_3mf(const fabrication::Solid& solid);
 /// 3MF with a beam lattice (extension 1.1): each bar is round and has the section's area.
 std::string lattice_3mf(const fabrication::BarPlan& plan);
 
-/// A table for people, in millimetres, grams and megapascals; then one line for each warning.
+/// The facts as a table for people, in millimetres, grams and megapascals, followed by one line for each
+/// warning.
 std::string facts_text(const fabrication::Facts& facts);
-/// "fretwork/facts/2", SI.
+/// The facts as JSON, "fretwork/facts/2", SI.
 std::string facts_json(const fabrication::Facts& facts);
-/// Facts, and the outline that pictures show.
+/// The facts of a surface, and the outline for the picture.
 struct FactsOfScene {
     fabrication::Facts facts;
     fabrication::CutSheet sheet;
 };
-/// A page that needs no other file: the table, and a picture in which the warnings are marked.
+/// The facts as a page that needs no other file, with the table and a picture that marks the warnings.
 std::string facts_html(const FactsOfScene& scene);
 
 }  // namespace fretwork::exports

@@ -21,16 +21,17 @@ enum class MeshKind { Obj, Ply };
 
 struct MeshOptions {
     MeshKind kind = MeshKind::Obj;
-    std::span<const reduction::TileModel> models = reduction::tile_models();  ///< of the calibrations
+    std::span<const reduction::TileModel> models = reduction::tile_models();  ///< tile models of the
+                                                                              ///< calibrations
     base::Control control{};
 };
 
-/// Write patterns of a library, each as an edge mesh in the setting's polygon (`<id>.obj`), and, where it is
-/// calibrated, the geometry of its best reduced model of the paper (`<id>.paper6.obj`). The folder is made if
-/// it is missing. Returns the number of files. Throws IoError.
+/// Write each of these patterns of a library as an edge mesh in the setting's polygon (`<id>.obj`). For a
+/// calibrated pattern, also write the geometry of its best reduced model of the paper (`<id>.paper6.obj`). A
+/// missing folder is created. Returns the number of files. Throws IoError.
 std::size_t export_meshes(const library::Library& library, std::span<const pattern::NamedPattern> patterns,
                           const std::filesystem::path& folder, const MeshOptions& options = {});
-/// The same as part of a batch, which its caller commits.
+/// Add the same files to a batch, which the caller commits.
 std::size_t add_meshes(const library::Library& library, std::span<const pattern::NamedPattern> patterns,
                        const MeshOptions& options, base::FolderBatch& batch);
 

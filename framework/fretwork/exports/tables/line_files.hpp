@@ -7,8 +7,8 @@
 
 namespace fretwork::exports {
 
-/// VTK's XML format for ParaView: rest positions; point data `displacement` and `rotation` (Warp By Vector
-/// shows the deformed state), cell data `tile` and `pattern`. ASCII with every digit.
+/// VTK's XML format for ParaView, in ASCII with all digits: rest positions, point data `displacement` and
+/// `rotation`, and cell data `tile` and `pattern`. ParaView's filter Warp By Vector shows the deformed state.
 std::string vtu_text(const LineSet& lines);
 
 /// Wavefront OBJ with line elements, at the displaced positions.

@@ -11,17 +11,17 @@
 
 namespace fretwork::exports {
 
-/// One of several files that belong together, in one folder.
+/// One of several files for one folder.
 struct NamedFile {
     std::string name;
     std::string text;
 };
 
-/// A result's load steps as a series in time for ParaView: `stem`.pvd names them, and `stem`-1.vtu,
+/// A result's load steps as a series in time for ParaView: `stem`.pvd lists the steps, and `stem`-1.vtu,
 /// `stem`-2.vtu, .. hold the fields of each step (beam_lines). The time is the load factor, or the step's
-/// number if load factors do not ascend (stages). A result without steps is a series of one. Each step is a
-/// file because VTK's reader of .vtu files repeats all cells at every change of a time within one file.
-/// Throws as beam_lines.
+/// number if load factors do not ascend (stages). A result without load steps is a series of one step. Each
+/// step is its own file, because VTK's reader of .vtu files repeats all cells at every change of time within
+/// one file. Throws as beam_lines.
 std::vector<NamedFile> series_files(const simulation::Surface& surface,
                                     const simulation::SurfaceResult& result, const std::string& stem,
                                     std::optional<double> strength = {},
