@@ -25,23 +25,24 @@ struct DesignProgress {
 };
 
 struct DesignOptions {
-    std::string load_case;  ///< a name of the project: the load case of goals that name none
+    std::string load_case;  ///< the project's load case for goals that name none
     std::vector<pattern::NamedPattern> palette;
     std::size_t max_patterns =
         0;  ///< most different patterns of the surface, kept tiles included; 0: any number
     std::vector<tiling::TileIndex> keep;  ///< their patterns stay
     Symmetry symmetry;
-    double max_mass = 0.0;         ///< kg, of all beams; 0: any
-    double max_utilization = 0.0;  ///< of the setting's strength, checked with all beams; 0: any
-    bool free_factor = false;      ///< the factor on each load case's loads is searched, too
-    bool free_prescribed = false;  ///< so are the values of its prescribed displacements
-    double seconds = 0.0;          ///< wall time, checks included; 0: any
-    int most_solutions = 60;       ///< most nonlinear solutions of the search; checks take further ones
-    std::size_t uniform_paintings =
-        24;                      ///< the search begins with this number of them, of very different stiffness
-    std::size_t shortlist = 64;  ///< number of patterns that one step of the search chooses from
+    double max_mass = 0.0;               ///< kg, of all beams; 0: any
+    double max_utilization = 0.0;        ///< largest share of the setting's strength, checked with all beams;
+                                         ///< 0: any
+    bool free_factor = false;            ///< the factor on each load case's loads is searched, too
+    bool free_prescribed = false;        ///< the values of its prescribed displacements are searched, too
+    double seconds = 0.0;                ///< wall time, checks included; 0: any
+    int most_solutions = 60;             ///< most nonlinear solutions of the search; checks take further ones
+    std::size_t uniform_paintings = 24;  ///< number of uniform paintings, of very different stiffness, with
+                                         ///< which the search begins
+    std::size_t shortlist = 64;          ///< number of patterns that one step of the search chooses from
     std::uint64_t seed = 1;
-    int threads = 0;  ///< 0: all there are. They change no bit.
+    int threads = 0;  ///< 0: one for each processor. The number does not change a bit of the result.
     base::Control control{};
     std::function<void(const DesignProgress&)> on_better{};  ///< called on the calling thread; may be empty
     /// Throws InputError if a value is invalid, or does not fit the project.
@@ -56,26 +57,26 @@ struct TargetError {
     bool is_stable = true;
 };
 
-/// How the search ended.
+/// The reason for which the search ended.
 enum class DesignEnd {
-    NoSwapImproves,  ///< no single swap is predicted to improve the painting, or none of the predicted did
+    NoSwapImproves,  ///< no single swap is predicted to improve the painting, or no predicted one did
     SolutionsSpent,
     TimeSpent,
     Stopped  ///< by the caller
 };
 std::string_view design_end_name(DesignEnd end);
 
-/// A gain below this share is rounding, or chance.
+/// A relative gain below this counts as rounding or chance.
 inline constexpr double kLeastDesignGain = 0.01;
 
 struct DesignReport {
     simulation::Project project;       ///< painted; with free unknowns, its load cases have their values
     std::optional<TargetError> error;  ///< none if the search was stopped before the check
-    std::optional<TargetError> best_uniform;  ///< of the best single pattern of those tried
+    std::optional<TargetError> best_uniform;  ///< error of the best single pattern among those tried
     std::string best_uniform_pattern;
     std::size_t uniform_tried = 0;
-    std::vector<std::string> patterns;  ///< of the painting
-    std::vector<double> factors;        ///< on the loads of each load case, in the order of load_cases
+    std::vector<std::string> patterns;  ///< patterns of the painting
+    std::vector<double> factors;        ///< factor on the loads of each load case, in the order of load_cases
     std::vector<std::string> load_cases;
     std::optional<double> largest_utilization;  ///< with all beams; none without a strength
     /// The largest displacement wanted, as a multiple of the largest one of the softest and of the stiffest
@@ -92,18 +93,17 @@ struct DesignReport {
     int solutions = 0;       ///< nonlinear solutions of the search
     int full_solutions = 0;  ///< nonlinear solutions with all beams, of the checks
     std::uint64_t seed = 0;
-    /// Whether the painting is nearer to the target than the best single pattern by a share of
-    /// kLeastDesignGain, and no farther than the largest displacement wanted, which standing still is; false
-    /// where this is not known.
+    /// True if the painting's mean error is below that of the best single pattern by a share of at least
+    /// kLeastDesignGain, and below the largest displacement wanted. False if this is not known.
     [[nodiscard]] bool is_better() const {
         return error && best_uniform && error->mean < (1.0 - kLeastDesignGain) * best_uniform->mean &&
                error->mean < 1.0;
     }
 };
 
-/// Paint the tiles of a project so that its surface takes the target's shape (the method: README.md). A stop
-/// ends the search, and the report has the best painting so far; before there is a painting, it throws
-/// base::Stopped. Throws InputError that names the target, palette, load case or kept tile that does not fit.
+/// Paint the tiles of a project so that its surface takes the target's shape (the method: README.md). After a
+/// stop, the report has the best painting so far; a stop before the first painting throws base::Stopped.
+/// Throws InputError that names an unsuitable target, palette, load case or kept tile.
 DesignReport design(const simulation::Project& project, const library::Library* library, const Target& target,
                     const DesignOptions& options);
 

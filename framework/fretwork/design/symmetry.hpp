@@ -18,7 +18,7 @@ struct Symmetry {
     friend bool operator==(const Symmetry&, const Symmetry&) = default;
 };
 
-/// The text that people type for it: "mirror:x", "mirror:y" or "turn:N"; or "none".
+/// The text that people type for a symmetry: "mirror:x", "mirror:y", "turn:N" or "none".
 std::string symmetry_text(const Symmetry& symmetry);
 
 }  // namespace fretwork::design

@@ -19,12 +19,12 @@ namespace fretwork::design::detail {
 struct Observation {
     Eigen::Index node = 0;
     Eigen::Matrix<double, 6, 1> direction = Eigen::Matrix<double, 6, 1>::Zero();
-    double residual = 0.0;  ///< m: its value less the wanted one
-    double weight = 1.0;    ///< of the residual's square
+    double residual = 0.0;  ///< m: its value minus the wanted value
+    double weight = 1.0;    ///< weight of the squared residual
 };
 
-/// The goals of a target under one load case, for the nodes of a tessellation. A turn counts as the
-/// displacement that it makes at a distance of one mean tile side.
+/// The goals of a target under one load case, for the nodes of a tessellation. A rotation counts as the
+/// displacement that it causes at a distance of one mean tile side.
 class CaseGoals {
   public:
     /// Throws InputError that names the goal ("/goals/3") and its error.
@@ -41,7 +41,7 @@ class CaseGoals {
     /// The largest wanted displacement, m.
     [[nodiscard]] double largest() const { return largest_; }
     [[nodiscard]] std::size_t node_count() const { return goals_.size(); }
-    /// Whether nodes may slide along a surface.
+    /// True if nodes may slide along a surface.
     [[nodiscard]] bool slides() const;
 
   private:
@@ -61,7 +61,7 @@ class CaseGoals {
                  std::vector<Observation>& list) const;
 
     std::vector<NodeWish> goals_;
-    double length_ = 0.0;  ///< m, the distance at which turns count
+    double length_ = 0.0;  ///< m, the distance at which rotations count
     double largest_ = 0.0;
 };
 

@@ -13,23 +13,24 @@
 
 namespace fretwork::design::detail {
 
-/// The goals of one load case, linearized at an equilibrium. Swaps of patterns reach only a part of the
-/// observations: an orthonormal basis of the answers to random swaps spans it, and k coefficients describe
-/// it.
+/// The goals of one load case, linearized at an equilibrium. Swaps of patterns reach only a subspace of the
+/// observations. Its orthonormal basis comes from the responses to random swaps, and k coefficients describe
+/// a vector in it.
 struct CaseModel {
     Eigen::VectorXd
         residual;  ///< k coefficients, dimensionless: the sum of their squares is a mean of squared shares
-    double unreached = 0.0;  ///< squared norm of the part of the residual outside of the basis
+    double unreached = 0.0;  ///< squared norm of the residual outside the subspace
     /// One tile, in the strains of TileStrains.
     struct Tile {
         Eigen::VectorXd strains;
         Eigen::MatrixXd flexibility;
         Eigen::MatrixXd reach;      ///< from stresses on the tile to residuals, k rows
-        Eigen::VectorXd of_weight;  ///< derivative of the residuals by the tile's mass, 1/kg
+        Eigen::VectorXd of_weight;  ///< derivative of the residuals with respect to the tile's mass, 1/kg
     };
     base::IndexVector<tiling::TileIndex, Tile> tiles;
-    Eigen::MatrixXd by_loads;       ///< derivative of the residuals by the factor on the loads, k x 1
-    Eigen::MatrixXd by_prescribed;  ///< the same by the value of each prescribed entry, k rows
+    Eigen::MatrixXd by_loads;       ///< derivative of the residuals with respect to the factor on the loads,
+                                    ///< k x 1
+    Eigen::MatrixXd by_prescribed;  ///< derivative with respect to the value of each prescribed entry, k rows
     double energy = 0.0;            ///< J, elastic
 };
 

@@ -8,10 +8,10 @@
 
 namespace fretwork::design::detail {
 
-/// A surface of triangles in space that finds its point nearest to a given one.
+/// A surface of triangles in space, with a search for its point nearest to a given point.
 class SpaceMesh {
   public:
-    /// Throws InputError if the file is no mesh.
+    /// Throws InputError if the file is not a mesh.
     explicit SpaceMesh(const std::filesystem::path& path);
     ~SpaceMesh();
     SpaceMesh(const SpaceMesh&) = delete;

@@ -9,16 +9,17 @@
 
 namespace fretwork::design::detail {
 
-/// The answer of the full model to a point, on the stable path from flat.
+/// The solution of the full model at a point, on the stable path from flat.
 struct FullCheck {
     bool is_found = false;
     TargetError error;
-    std::vector<mechanics::NodeValues> displacements{};  ///< of the interface nodes, of each load case
+    std::vector<mechanics::NodeValues> displacements{};  ///< displacements of the interface nodes, for each
+                                                         ///< load case
     std::optional<double> largest_utilization{};
     int solutions = 0;
 };
 
-/// Whether the largest utilization of the beams is computed.
+/// The choice whether to compute the largest utilization of the beams.
 enum class BeamDemand { None, Utilization };
 
 /// Solve all load cases with all beams. Throws Stopped.

@@ -13,11 +13,10 @@ namespace fretwork::design::detail {
 struct Preparation {
     TrialParts parts;
     std::vector<std::string> load_cases;  ///< their names
-    std::vector<std::size_t> palette;     ///< candidates that groups may have, the most different ones first
+    std::vector<std::size_t> palette;     ///< candidates for groups, the most different ones first
 };
 
-/// Condense as many candidates as the time allows. Throws InputError that names the value that does not fit;
-/// Stopped.
+/// Condense as many candidates as the time allows. Throws InputError that names an unsuitable value; Stopped.
 Preparation prepare(const simulation::Project& project, const library::Library* library, const Target& target,
                     const DesignOptions& options);
 

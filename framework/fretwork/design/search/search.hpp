@@ -11,14 +11,14 @@
 
 namespace fretwork::design::detail {
 
-/// A clock that a search looks at.
+/// A clock with a time limit for the search.
 class Stopwatch {
   public:
     explicit Stopwatch(double limit) : limit_(limit) {}
     [[nodiscard]] double seconds() const {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
     }
-    /// Whether `needed` s of the limit are left; without a limit always.
+    /// True if at least `needed` seconds of the limit are left, or there is no limit.
     [[nodiscard]] bool has_left(double needed) const { return limit_ <= 0.0 || seconds() + needed < limit_; }
 
   private:
@@ -38,8 +38,8 @@ class Search {
     Search(Trials& trials, const DesignOptions& options, const Stopwatch& watch, DesignReport& report)
         : trials_(trials), options_(options), watch_(watch), report_(report) {}
 
-    /// Uniform paintings of these candidates, the best first; those without a stable equilibrium are left
-    /// out.
+    /// Solve the uniform painting of each of these candidates. Returns them with the best first, without
+    /// those that have no stable equilibrium.
     std::vector<Solved> try_uniform(const std::vector<std::size_t>& patterns);
     /// Improve a painting until no swap improves it, or only `reserve` s are left. Returns the best point
     /// found.
@@ -82,7 +82,7 @@ class Search {
     double best_ = -1.0;  ///< objective; below zero: none
     std::optional<Point> best_point_;
     DesignEnd end_ = DesignEnd::NoSwapImproves;
-    double step_seconds_ = 0.0;  ///< of the longest step so far: the next may take as long
+    double step_seconds_ = 0.0;  ///< time of the longest step so far; the next may take as long
 };
 
 }  // namespace fretwork::design::detail

@@ -14,14 +14,14 @@ namespace fretwork::design::detail {
 /// *group* are painted together. A *choice* is one column of the table for each group.
 struct SwapTable {
     Eigen::VectorXd residual;  ///< rho, k coefficients
-    double unreached = 0.0;    ///< the part of the sum of squares that no choice changes
+    double unreached = 0.0;    ///< the contribution to the sum of squares that no choice changes
     std::vector<Eigen::MatrixXd>
         responses;                  ///< for each group k rows and a column for each pattern of the table
     Eigen::MatrixXd energies;       ///< f . G f, columns x groups, J
     Eigen::MatrixXd masses;         ///< kg, columns x groups
     Eigen::MatrixXd by_factors;     ///< k rows; a column for each continuous unknown
-    Eigen::VectorXd largest_steps;  ///< of the unknowns
-    double energy = 0.0;            ///< of the surface, J
+    Eigen::VectorXd largest_steps;  ///< largest step of each continuous unknown
+    double energy = 0.0;            ///< elastic energy of the surface, J
 
     [[nodiscard]] std::size_t groups() const { return responses.size(); }
     [[nodiscard]] std::size_t columns() const { return static_cast<std::size_t>(energies.rows()); }
@@ -32,7 +32,7 @@ struct Choice {
     std::vector<std::size_t> columns;
     Eigen::VectorXd steps;
     double objective = 0.0;  ///< the predicted sum of squares
-    double energy = 0.0;     ///< of the change, J
+    double energy = 0.0;     ///< elastic energy of the change, J
 };
 
 struct SweepOptions {

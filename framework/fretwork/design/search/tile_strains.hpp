@@ -34,7 +34,7 @@ class TileStrains {
   private:
     struct Class {
         Eigen::MatrixXd basis;          ///< U, 6n x (6n - 6)
-        std::vector<Blocks> stiffness;  ///< of each pattern
+        std::vector<Blocks> stiffness;  ///< stiffness of each pattern
     };
     std::vector<Class> classes_;
 };

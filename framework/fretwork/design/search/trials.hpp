@@ -28,10 +28,10 @@ struct Point {
 
 /// The solution of a point.
 struct Trial {
-    bool is_found = false;  ///< all equilibria were found, and are stable
+    bool is_found = false;  ///< true if all equilibria were found and are stable
     double objective =
         0.0;  ///< the weighted mean of squared distances, in shares of the largest displacement wanted
-    std::vector<mechanics::NodeValues> displacements{};  ///< of each load case
+    std::vector<mechanics::NodeValues> displacements{};  ///< rows of the interface nodes, for each load case
 };
 
 /// The unknowns besides the painting that are free.
@@ -51,7 +51,8 @@ struct TrialParts {
     int threads = 0;
 };
 
-/// Solves one point after the other, each from the last equilibrium, and predicts the effect of swaps there.
+/// Solves points one after the other, each from the last equilibrium, and predicts the effects of swaps
+/// there.
 class Trials {
   public:
     /// Throws Stopped.
@@ -80,7 +81,7 @@ class Trials {
     [[nodiscard]] double mass_of(const Point& point) const;
     /// The mass of the lightest painting, kg.
     [[nodiscard]] double least_mass(const std::vector<std::size_t>& palette) const;
-    /// The factor on the loads of a load case; only where it is free.
+    /// The factor on the loads of a load case. Pre: the factor is free.
     [[nodiscard]] double factor_at(const Point& point, std::size_t which) const;
     /// The mean and largest distance of the goals' nodes, in shares of the largest displacement wanted.
     struct Distances {

@@ -28,7 +28,7 @@ struct NodesGoal {
 struct FormulaGoal {
     simulation::Selection where;
     std::array<std::optional<std::string>, 3>
-        displacement;  ///< m; free if there is none. A number is an expression, too
+        displacement;  ///< m; a component without an expression is free; a number is an expression, too
     friend bool operator==(const FormulaGoal&, const FormulaGoal&) = default;
 };
 
@@ -48,8 +48,8 @@ struct RotationGoal {
 
 struct Goal {
     std::variant<NodesGoal, FormulaGoal, MeshGoal, RotationGoal> what;
-    double weight = 1.0;      ///< of the squared distance of each of its nodes
-    std::string load_case{};  ///< the load case under which it is wanted; "": that of the design
+    double weight = 1.0;      ///< weight of the squared distance of each of its nodes
+    std::string load_case{};  ///< the load case under which the goal applies; "": the design's load case
     friend bool operator==(const Goal&, const Goal&) = default;
 };
 

@@ -9,11 +9,11 @@ namespace fretwork::design {
 
 /// Read a target ("fretwork/target/1", README.md). Throws InputError with source and JSON pointer.
 Target parse_target(std::string_view text, const std::string& source);
-/// The text of a target. Paths of meshes are written as they are.
+/// The text of a target. Paths of meshes are written unchanged.
 std::string target_text(const Target& target);
 /// Read a target file. Relative paths of meshes start at its folder.
 Target read_target(const std::filesystem::path& path);
-/// Replace the file as a whole. Throws IoError, and then the file is as it was.
+/// Write a target file atomically. Throws IoError and then leaves the file as it was.
 void write_target(const Target& target, const std::filesystem::path& path);
 
 }  // namespace fretwork::design
