@@ -29,8 +29,7 @@ CLI::Validator clearance_check() {
 
 void add_clearance_option(CLI::App& verb, std::string& clearance) {
     verb.add_option("--clearance", clearance,
-                    "Tell where bars come nearer to each other than this, such as 0.5mm (default: where they "
-                    "overlap)")
+                    "Warn of bars with a gap smaller than this, such as 0.5mm (default: bars that overlap)")
         ->check(clearance_check());
 }
 

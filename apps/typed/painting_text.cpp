@@ -79,7 +79,7 @@ class PaintingReader {
             refuse("palette",
                    "is what " + patterns + " random:SEED, field:, image: and colours: choose from");
         if (text_.palette.empty() && after(kColours))
-            refuse("palette", "has to say which pattern each colour stands for (red=ID,#00f=ID)");
+            refuse("palette", "has to give a pattern for each colour (red=ID,#00f=ID)");
         if (!text_.property.empty() && !by_field)
             refuse("property", "is for " + patterns + " field: and image:");
         if (!text_.range.empty() && text_.property.empty())

@@ -47,7 +47,7 @@ std::vector<NamedPattern> sample_of(const PaletteText& palette, const NodeLayout
     const std::size_t wanted = is_number && number.size() <= 6 ? std::stoul(number) : 0;
     if (wanted < 1 || wanted > kMostPatterns)
         refuse(palette.text,
-               "is no sample: expected sample:N with N from 1 to " + std::to_string(kMostPatterns));
+               "is not a sample: expected sample:N with N from 1 to " + std::to_string(kMostPatterns));
     pattern::PatternSampler sampler(layout, valid_patterns(layout, palette.control), palette.seed);
     std::set<std::string> known;
     std::vector<NamedPattern> result;

@@ -14,7 +14,7 @@ Symmetry read_symmetry(const std::string& text) {
         if (text == "turn:" + std::to_string(folds)) return {Symmetry::Kind::Turn, folds};
     }
     throw base::InputError("'" + text +
-                           "' is no symmetry: expected mirror:x, mirror:y, or turn:N with N from 2 to 12");
+                           "' is not a symmetry: expected mirror:x, mirror:y, or turn:N with N from 2 to 12");
 }
 
 }  // namespace fretwork::typed

@@ -72,7 +72,7 @@ TEST_F(Calibrate, TellsAnObjectiveFarAboveItsLike) {
         "WHERE pattern_id = (SELECT min(pattern_id) FROM calibration)'");
     const auto odd = run(command + " --json");
     EXPECT_EQ(odd.exit_code, 0);
-    EXPECT_THAT(odd.err, testing::AllOf(HasSubstr("1 calibration is far above the like of it"),
+    EXPECT_THAT(odd.err, testing::AllOf(HasSubstr("1 calibration is far above others like it"),
                                         HasSubstr("E = 1e+30 of 0-1+"), HasSubstr("--seed")));
     EXPECT_THAT(odd.out, HasSubstr("\"objective\": 1e+30"));
 }

@@ -144,7 +144,7 @@ TEST(TileCommand, SaysThatNodesPickedByNumberLieElsewhere) {
     ASSERT_EQ(run_command("fretwork case add p.json corner.json", folder.path()).exit_code, 0);
     EXPECT_THAT(run_command(tile_20, folder.path()).err, Not(HasSubstr("by number")));
     EXPECT_THAT(run_command(std::string(kTile) + " --edge-length 15mm", folder.path()).err,
-                HasSubstr("1 of the load cases kept pick interface nodes by number"));
+                HasSubstr("1 of the load cases kept select interface nodes by number"));
 }
 
 TEST(TileCommand, RefusesAPaletteThatNothingChoosesFrom) {

@@ -140,8 +140,9 @@ TEST_F(Fill, GivesEachPatternResponsesPropertiesAndACalibration) {
 }
 
 TEST_F(Fill, ASearchAllOfWhoseStartsDiedIsAFailureAndNoCalibration) {
-    for (const auto& [value, reason] : {std::pair(4170.0, "all 3 starts of slsqp died"),
-                                        std::pair(HUGE_VAL, "of model dead is finite nowhere")}) {
+    for (const auto& [value, reason] :
+         {std::pair(4170.0, "all 3 starts of slsqp died"),
+          std::pair(HUGE_VAL, "of model dead is not finite at any point that was tried")}) {
         std::filesystem::remove(path());
         Library library = make_library(path(), {"0-1+1-6", "1-3+1-6"});
         FillOptions options = quick();

@@ -186,7 +186,7 @@ TEST(SvgFill, CopiesAreDrawnWhereTheyAreUsed) {
                        "<use href='#s' width='50' height='50'/>"),
                 2500, kExact);
     EXPECT_THAT(read("<rect width='1' height='1'/><use href='#none'/><use href='other.svg#a'/>").remarks,
-                ElementsAre("2 use of what is not there left out"));
+                ElementsAre("2 use of a missing element left out"));
 }
 
 TEST(SvgFill, CopiesThatCopyThemselvesAreRefused) {

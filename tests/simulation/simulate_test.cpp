@@ -174,7 +174,7 @@ TEST(SurfaceFrame, SolvedOnItsOwnGivesTheSameDisplacements) {
 TEST(SurfaceFrame, RefusesTilesThatAreNotMadeOfBeams) {
     const Surface surface = make_surface(honeycomb(2, 1, kPatterns), nullptr);
     EXPECT_THAT(complaint_of([&] { (void)surface_frame(surface, {"condensed"}, {}); }),
-                HasSubstr("tiles that are no beams"));
+                HasSubstr("tiles that do not consist of beams"));
 }
 
 TEST(Compare, OfAResultWithItselfIsZero) {

@@ -13,15 +13,17 @@ void add_making_options(CLI::App& verb, typed::MakingChoice& texts) {
     };
     add("--fillet", texts.fillet, "Radius of inner corners between bars (default: sharp)");
     add("--kerf", texts.kerf,
-        "Width that the cutter takes away; lines run half of it outside (solids have the true width)");
-    add("--frame", texts.frame, "Width of a frame along the rim");
+        "Width that the cutter removes; lines run half of it outside the material (solids have the true "
+        "width)");
+    add("--frame", texts.frame, "Width of a border along the rim");
     add("--bolts", texts.bolts, "Diameter of holes at the supports of --case");
-    add("--eye", texts.eye, "Diameter of the discs around these holes (default: twice theirs)");
+    add("--eye", texts.eye, "Diameter of the discs around these holes (default: twice the holes' diameter)");
     add("--bed", texts.bed,
-        "Cut into parts with joints that fit sheets of WIDTHxHEIGHT millimetres, and nest these")
+        "Cut into parts with connectors that fit sheets of WIDTHxHEIGHT millimetres, and nest the parts")
         ->type_name("WxH");
-    add("--fit", texts.fit, "Gap that is left in the joints of parts (default: 0.05mm)");
-    add("--clearance", texts.clearance, "Facts warn of gaps and openings that are narrower (default: 0.5mm)");
+    add("--fit", texts.fit, "Gap that is left in the connectors of parts (default: 0.05mm)");
+    add("--clearance", texts.clearance,
+        "Facts warn of gaps and openings narrower than this (default: 0.5mm)");
     add("--layer", texts.layer, "Height of a print's layers, for facts (default: 0.2mm)");
 }
 

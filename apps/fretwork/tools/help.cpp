@@ -37,7 +37,7 @@ std::string help_of(const CLI::App& program, const std::vector<std::string>& wor
 void add_help(CLI::App& app, ExitCode&) {
     CLI::App* verb = app.add_subcommand("help", "Print the help of a verb");
     const auto words = std::make_shared<std::vector<std::string>>();
-    verb->add_option("verb", *words, "A verb, and a verb of that one if it has some (default: all verbs)")
+    verb->add_option("verb", *words, "A verb, and one of its own verbs if it has any (default: all verbs)")
         ->type_name("VERB");
     verb->footer("Examples:\n  fretwork help simulate\n  fretwork help case add");
     verb->callback([&app, words] { std::fputs(help_of(app, *words).c_str(), stdout); });

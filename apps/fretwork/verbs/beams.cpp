@@ -125,21 +125,19 @@ ExitCode run(const BeamsOptions& options) {
 
 void add_beams(CLI::App& app, ExitCode& exit_code) {
     CLI::App* verb = app.add_subcommand(
-        "beams", "Section forces, stress and utilization of every beam in a result, the worst first");
+        "beams", "List section forces, stress and utilization of every beam in a result, the worst first");
     const auto options = std::make_shared<BeamsOptions>();
     verb->add_option("project", options->project, "Project file")->required();
     verb->add_option("result", options->result, "Result file of this project")->required();
     verb->add_option("--top", options->top, "Number of beams to print")
         ->check(CLI::Range(0, 1'000'000'000))
         ->capture_default_str();
-    verb->add_option(
-            "--strength", options->strength,
-            "Stress that the material bears, such as 40MPa (default: that of the setting's material)")
+    verb->add_option("--strength", options->strength,
+                     "Strength of the material, such as 40MPa (default: that of the setting's material)")
         ->type_name("STRESS");
-    verb->add_flag(
-        "--refine", options->refine,
-        "Solve again with the tiles around the most stressed beam in full, until the worst one lies among "
-        "them (nonlinear results of corotational and mixed tiles)");
+    verb->add_flag("--refine", options->refine,
+                   "Solve again with the tiles around the most stressed beam in full, until the most "
+                   "stressed beam lies in such a tile (nonlinear results of corotational and mixed tiles)");
     verb->add_option("--library", options->library, "Library with the setting (default: the project's)");
     verb->add_option("--out", options->out, "Table of all beams to write: .csv or .json");
     verb->add_flag("--json", options->json, "Print JSON");
@@ -148,7 +146,7 @@ void add_beams(CLI::App& app, ExitCode& exit_code) {
     verb->footer(
         "Stresses are the largest over the section at each end: normal, and von Mises with shear and "
         "torsion.\n"
-        "A section given by its numbers is taken as the rectangle of its area and second moments. SI in "
+        "A section without a shape counts as the rectangle of its area and second moments. SI in "
         "files.\n"
         "Example: fretwork beams project.json full.json --strength 40MPa --out beams.csv");
     verb->callback([options, &exit_code] { exit_code = run(*options); });

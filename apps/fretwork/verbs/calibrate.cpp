@@ -32,7 +32,7 @@ using library::FillReport;
 using library::Library;
 
 constexpr const char* kCalibrateExample = R"(
-Stopped at any moment, it goes on where it was when it is started again.
+If it is stopped at any moment, the next start continues from there.
 
 Examples:
   fretwork enumerate --library lib.db && fretwork calibrate --library lib.db
@@ -229,7 +229,7 @@ void warn_of_odd_searches(const Result& result) {
     if (far.empty()) return;
     const auto worst = std::ranges::max_element(far, {}, &library::FarAbove::objective);
     std::fprintf(stderr,
-                 "fretwork: %zu calibration%s far above the like of %s (E over %s, where the median is %s), "
+                 "fretwork: %zu calibration%s far above others like %s (E over %s, where the median is %s), "
                  "such as E = %s of %s: the search may have failed; try another --seed or more --starts\n",
                  far.size(), far.size() == 1 ? " is" : "s are", far.size() == 1 ? "it" : "them",
                  base::format_number(result.statistics.far_above_limit).c_str(),
@@ -279,12 +279,13 @@ void add_method_options(CLI::App& verb, library::FillOptions& fill) {
         ->capture_default_str();
     verb.add_option("--starts", fill.calibration.starts, "Descents from different points")
         ->capture_default_str();
-    verb.add_option("--budget", fill.calibration.budget, "Evaluations of the objective at most")
+    verb.add_option("--budget", fill.calibration.budget, "Most evaluations of the objective")
         ->capture_default_str();
-    verb.add_option("--seed", fill.calibration.seed, "What random numbers begin with")
+    verb.add_option("--seed", fill.calibration.seed, "Seed of the random numbers")
         ->check(seed_check())
         ->capture_default_str();
-    verb.add_option("--threads", fill.threads, "Threads to use; 0: all there are")->check(thread_check());
+    verb.add_option("--threads", fill.threads, "Threads to use; 0: one for each processor")
+        ->check(thread_check());
 }
 
 }  // namespace
@@ -299,16 +300,17 @@ void add_calibrate(CLI::App& app, ExitCode& exit_code) {
                      "yet: paper, made (the paper's with stiff joints), or a setting file (default: the "
                      "library's, which begins as paper)");
     verb->add_option("--policy", options->policy,
-                     "What becomes of samples past the first loss of stability, for a library that has no "
-                     "results yet:\npaper: they are fitted, too\nstable: they are left out\n(default: as the "
-                     "setting says, which is paper where it says nothing)")
+                     "Treatment of samples past the first loss of stability, for a library that has no "
+                     "results yet:\npaper: they are fitted, too\nstable: they are left out\n(default: as in "
+                     "the setting, else paper)")
         ->check(CLI::IsMember({"paper", "stable"}));
     verb->add_option("--patterns", options->patterns,
                      "all, ids joined by commas, or sample:N for N spread over the numbers of edges")
         ->capture_default_str();
     add_method_options(*verb, options->fill);
-    verb->add_option("--shard", options->shard, "Only the I-th of N parts, as I/N: for several machines");
-    verb->add_flag("--retry", options->retry, "Try patterns again whose failure is recorded");
+    verb->add_option("--shard", options->shard,
+                     "Compute only the I-th of N parts, as I/N, to share the load among several machines");
+    verb->add_flag("--retry", options->retry, "Try patterns with a recorded failure again");
     verb->add_flag("--json", options->json, "Print for programs");
     declare_files(*verb, {update("--library", kLibraryFile), input("--setting")});
     verb->footer(kCalibrateExample);

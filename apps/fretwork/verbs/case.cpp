@@ -139,14 +139,14 @@ void list(const CaseOptions& options) {
 
 void add_case(CLI::App& app, ExitCode&) {
     CLI::App* verb =
-        app.add_subcommand("case", "Add load cases to a project, list, show, remove and rename them");
+        app.add_subcommand("case", "Add load cases to a project; list, show, remove and rename them");
     verb->require_subcommand(1);
     const auto options = std::make_shared<CaseOptions>();
 
     CLI::App* add = verb->add_subcommand("add", "Add a load case from its file");
     add->add_option("project", options->project, "Project file")->required();
     add->add_option("file", options->file, "Load case file (JSON)")->required();
-    add->add_flag("--replace", options->replace, "Take the place of a load case of the same name");
+    add->add_flag("--replace", options->replace, "Replace a load case of the same name");
     declare_files(*add, {update("project", kProjectFile), input("file")});
     add->footer("Example: fretwork case add project.json experiments/cases/cantilever.json");
     add->callback([options] { add_to_project(*options); });
@@ -158,8 +158,8 @@ void add_case(CLI::App& app, ExitCode&) {
     listing->footer("Example: fretwork case list project.json");
     listing->callback([options] { list(*options); });
 
-    CLI::App* showing =
-        verb->add_subcommand("show", "Show a load case, and how many nodes each entry of it picks");
+    CLI::App* showing = verb->add_subcommand(
+        "show", "Show a load case, and the number of nodes that each of its entries selects");
     showing->add_option("project", options->project, "Project file")->required();
     showing->add_option("name", options->name, "Load case of the project")->required();
     showing->add_flag("--json", options->json, "Print the load case file");
@@ -175,7 +175,7 @@ void add_case(CLI::App& app, ExitCode&) {
     removal->callback([options] { remove_from_project(*options); });
 
     CLI::App* renaming =
-        verb->add_subcommand("rename", "Rename a load case; combinations of it go on naming it");
+        verb->add_subcommand("rename", "Rename a load case, also in combinations that name it");
     renaming->add_option("project", options->project, "Project file")->required();
     renaming->add_option("name", options->name, "Load case of the project")->required();
     renaming->add_option("new_name", options->new_name, "Its new name")->required();

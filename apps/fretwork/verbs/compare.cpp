@@ -82,11 +82,10 @@ ExitCode run(const CompareOptions& options) {
                     simulation::comparison_row(base::printable(name), comparison).c_str());
     }
     if (comparison.full_is_unstable)
-        std::fprintf(
-            stderr,
-            "fretwork: %s is an unstable equilibrium, which no specimen keeps: errors are from there; "
-            "simulate --branch stable finds where it goes\n",
-            base::printable(options.full).c_str());
+        std::fprintf(stderr,
+                     "fretwork: %s is an unstable equilibrium, in which no specimen stays, and the errors "
+                     "are relative to it; simulate --branch stable finds the stable one\n",
+                     base::printable(options.full).c_str());
     if (options.tolerance && !(comparison.relative_l2_error <= *options.tolerance)) {
         std::fprintf(stderr, "fretwork: the relative error %.4g is above the tolerance %.4g\n",
                      comparison.relative_l2_error, *options.tolerance);
@@ -103,10 +102,9 @@ void add_compare(CLI::App& app, ExitCode& exit_code) {
     verb->add_option("full", options->full, "Result of the full model")->required();
     verb->add_option("reduced", options->reduced, "Result of a reduced model of the same project")
         ->required();
-    verb->add_option("--name", options->name,
-                     "What the comparison is called (default: the first file's name)");
+    verb->add_option("--name", options->name, "Name of the comparison (default: the first file's name)");
     verb->add_option("--tolerance", options->tolerance,
-                     "Exit with 1 if the relative L2 error of the translations is above it")
+                     "Exit with 1 if the relative L2 error of the translations is above this")
         ->check(tolerance_check());
     CLI::Option* csv =
         verb->add_flag("--csv", options->csv, "Print a header and a row of Table 3, in metres");

@@ -108,7 +108,7 @@ const char* end_text(design::DesignEnd end) {
         case design::DesignEnd::TimeSpent:
             return "the time was spent";
         default:
-            return "it was stopped: this is the best painting so far";
+            return "the search was stopped: this is the best painting so far";
     }
 }
 
@@ -211,12 +211,13 @@ void add_design(CLI::App& app, ExitCode& exit_code) {
     const auto arguments = std::make_shared<DesignArguments>();
     design::DesignOptions& options = arguments->design;
     verb->add_option("project", arguments->project, "Project file")->required();
-    verb->add_option("--target", arguments->target, "Target file: which nodes go where")->required();
+    verb->add_option("--target", arguments->target, "Target file with the wanted positions of nodes")
+        ->required();
     verb->add_option("--case", options.load_case,
-                     "Name of the load case of goals that name none (default: the only one)")
+                     "Load case for goals that name none (default: the only one)")
         ->type_name("NAME");
     verb->add_option("--palette", arguments->palette,
-                     "Patterns to choose from: ids with commas between, library, all (that are valid), or "
+                     "Patterns to choose from: ids joined by commas, library, all (valid patterns), or "
                      "sample:N of these")
         ->capture_default_str();
     verb->add_option("--max-patterns", options.max_patterns,
@@ -224,17 +225,16 @@ void add_design(CLI::App& app, ExitCode& exit_code) {
         ->check(CLI::Range(1, 1'000'000));
     verb->add_option("--keep", arguments->keep, "Tiles that keep their patterns: 3,7-11")->type_name("TILES");
     verb->add_option("--free", arguments->free,
-                     "What is searched besides the painting: factor (on the loads, not the weight), "
-                     "prescribed (the values of "
-                     "prescribed displacements), or both with a comma")
+                     "Unknowns besides the painting: factor (on the loads, not the weight), prescribed (the "
+                     "values of prescribed displacements), or both joined by a comma")
         ->type_name("factor,prescribed");
     verb->add_option("--symmetry", arguments->symmetry,
-                     "Of the painting, about the middle: mirror:x (left and right), mirror:y, turn:N")
+                     "Symmetry of the painting about the middle: mirror:x (left and right), mirror:y, turn:N")
         ->type_name("SYMMETRY");
     verb->add_option("--max-mass", options.max_mass, "Most mass of all beams, kg");
-    verb->add_option("--max-utilization", options.max_utilization,
-                     "Largest utilization, checked with all beams: of the paintings that are checked, the "
-                     "best that keeps it");
+    verb->add_option(
+        "--max-utilization", options.max_utilization,
+        "Largest utilization, checked with all beams; the result is the best checked painting that keeps it");
     verb->add_option("--seconds", options.seconds,
                      "Wall time, checks included (default: until no swap improves)")
         ->check(CLI::Range(0.0, 1e9));
@@ -244,7 +244,7 @@ void add_design(CLI::App& app, ExitCode& exit_code) {
     verb->add_option("--seed", options.seed, "Seed of all random choices")
         ->check(seed_check())
         ->capture_default_str();
-    verb->add_option("--threads", options.threads, "Threads to use; 0: all there are")
+    verb->add_option("--threads", options.threads, "Threads to use; 0: one for each processor")
         ->check(thread_check())
         ->capture_default_str();
     verb->add_option("--library", arguments->library,

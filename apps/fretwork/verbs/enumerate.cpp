@@ -111,7 +111,7 @@ void refuse_ignored_options(const CLI::App& verb, const EnumerateOptions& option
     const bool is_random = options.sample > 0 || options.estimate > 0;
     if (verb.count("--seed") > 0 && !is_random)
         throw base::InputError(
-            "--seed works with --sample or --estimate; all patterns are found without chance");
+            "--seed works with --sample or --estimate; finding all patterns needs no random numbers");
     const bool has_lengths =
         !options.svg_path.empty() || std::ranges::any_of(options.filters, [](const std::string& filter) {
             return pattern::find_filter_kind(pattern::parse_filter_choice(filter).name).parameter ==
@@ -196,8 +196,8 @@ void add_rules(CLI::App& verb, EnumerateOptions& options) {
     verb.add_option("--max-valence", options.max_valence, "The most beams that meet in a node (default: 6)");
     verb.add_option("--filter", options.filters, filter_help())->type_name("NAME[=VALUE]");
     verb.add_option("--tile-side", options.tile_side,
-                    "What lengths refer to: the side of the hexagon (default: 25.98mm)");
-    verb.add_option("--beam-width", options.beam_width, "The width of the beams in it (default: 2mm)");
+                    "Side of the hexagon, to which lengths refer (default: 25.98mm)");
+    verb.add_option("--beam-width", options.beam_width, "The width of the beams (default: 2mm)");
     verb.add_option("--require", options.required, "Edges (1-6) or nodes (n5) that every pattern uses")
         ->delimiter(',');
     verb.add_option("--forbid", options.forbidden, "Edges or nodes that no pattern uses")->delimiter(',');
@@ -206,11 +206,11 @@ void add_rules(CLI::App& verb, EnumerateOptions& options) {
 void add_files(CLI::App& verb, EnumerateOptions& options) {
     verb.add_option("--census", options.census_path, "Write the census to this CSV file");
     verb.add_option("--list", options.list_path,
-                    "Write the ids of the valid patterns to this file, one a line");
+                    "Write the ids of the valid patterns to this file, one on each line");
     verb.add_option("--library", options.library_path,
-                    "Add the valid patterns to this library (made if it is not there)");
+                    "Add the valid patterns to this library (created if it does not exist)");
     CLI::Option* svg = verb.add_option("--svg", options.svg_path, "Draw the valid patterns on one sheet");
-    verb.add_flag("--reasons", options.reasons, "Draw rejected ones instead, the guilty beams in red")
+    verb.add_flag("--reasons", options.reasons, "Draw rejected patterns instead, the guilty beams in red")
         ->needs(svg);
     verb.add_option("--classes", options.classes_path,
                     "Write symmetry, mirror partner and isomorphism class of each pattern to this CSV file");
@@ -221,23 +221,22 @@ void add_files(CLI::App& verb, EnumerateOptions& options) {
 
 /// Whether all patterns are found, or some, or only their number.
 void add_extent(CLI::App& verb, EnumerateOptions& options) {
-    CLI::Option* sample =
-        verb.add_option("--sample", options.sample,
-                        "Draw this many valid patterns at random instead of all, each equally likely; the "
-                        "same one may come more than once")
+    CLI::Option* sample = verb.add_option("--sample", options.sample,
+                                          "Draw this number of valid patterns at random instead of all, each "
+                                          "equally likely; a pattern may be drawn more than once")
+                              ->check(CLI::Range(1, 1'000'000'000));
+    CLI::Option* estimate =
+        verb.add_option("--estimate", options.estimate,
+                        "Only estimate the number of valid patterns, from this number of random trials")
             ->check(CLI::Range(1, 1'000'000'000));
-    CLI::Option* estimate = verb.add_option("--estimate", options.estimate,
-                                            "Only estimate how many there are, from this many random trials")
-                                ->check(CLI::Range(1, 1'000'000'000));
-    CLI::Option* count =
-        verb.add_flag("--count", options.count, "Print only how many valid patterns there are");
+    CLI::Option* count = verb.add_flag("--count", options.count, "Print only the number of valid patterns");
     for (const char* other : {"--census", "--reasons", "--classes"}) sample->excludes(other);
     for (const char* other : {"--sample", "--census", "--list", "--library", "--svg", "--classes"}) {
         estimate->excludes(other);
         count->excludes(other);
     }
     count->excludes(estimate);
-    verb.add_option("--seed", options.seed, "What randomness starts from")
+    verb.add_option("--seed", options.seed, "Seed of the random numbers")
         ->check(seed_check())
         ->capture_default_str();
 }
@@ -247,11 +246,11 @@ void add_extent(CLI::App& verb, EnumerateOptions& options) {
 void add_enumerate(CLI::App& app, ExitCode&) {
     const auto options = std::make_shared<EnumerateOptions>();
     CLI::App* verb = app.add_subcommand(
-        "enumerate", "Find all valid patterns of a node layout, and say why the others are not.");
+        "enumerate", "Find all valid patterns of a node layout, and say why the others are not valid.");
     add_rules(*verb, *options);
     add_files(*verb, *options);
     add_extent(*verb, *options);
-    verb->add_option("--threads", options->threads, "Threads to use; 0: all there are")
+    verb->add_option("--threads", options->threads, "Threads to use; 0: one for each processor")
         ->check(thread_check());
     verb->add_flag("--json", options->json, "Print for programs");
     verb->footer(kEnumerateExample);

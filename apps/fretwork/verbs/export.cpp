@@ -128,7 +128,8 @@ void refuse_ignored_options(const CLI::App& verb, const ExportOptions& options) 
         refuse_given(verb, {"--scale", "--view", "--labels"},
                      "is for drawings, and no --to names one (.svg, .png, .html)");
         if (options.making.bolts.empty() && !has_facts)
-            refuse_given(verb, {"--case"}, "is for drawings, facts and --bolts, and there is none of them");
+            refuse_given(verb, {"--case"},
+                         "is for drawings, facts and --bolts, and none of them is asked for");
     }
     refuse_ignored_in_drawings(verb, options, writers);
     if (!any_is(writers, &exports::WriterRow::is_picture))
@@ -248,7 +249,7 @@ void run(const ExportOptions& options) {
 }
 
 std::string kinds_help() {
-    std::string text = "File to write; its ending says what kind (repeatable):";
+    std::string text = "File to write; its ending states the kind (repeatable):";
     for (const exports::WriterRow& writer : exports::writer_catalogue()) {
         text +=
             "\n  " + std::string(writer.ending) +
@@ -266,8 +267,9 @@ void add_export(CLI::App& app, ExitCode&) {
     const auto options = std::make_shared<ExportOptions>();
     verb->add_option("project", options->project, "Project file")->required();
     verb->add_option("--to", options->to, kinds_help())->required()->allow_extra_args(false);
-    verb->add_option("--content", options->content,
-                     "What to write, where an ending has several: drawing, centrelines, cut, solid or facts")
+    verb->add_option(
+            "--content", options->content,
+            "Content of the file, for endings with several: drawing, centrelines, cut, solid or facts")
         ->type_name("CONTENT");
     verb->add_option(
         "--case", options->load_case,
@@ -280,20 +282,18 @@ void add_export(CLI::App& app, ExitCode&) {
     verb->add_option("--scale", options->scale, "Factor on the displacements in drawings")
         ->capture_default_str();
     verb->add_option("--view", options->view,
-                     "From where a deformed surface is seen: iso, front, right, back, left, top, or "
-                     "AZIMUTH,ELEVATION in "
-                     "degrees (default: from where most is seen)")
+                     "Direction of view of a deformed surface: iso, front, right, back, left, top, or "
+                     "AZIMUTH,ELEVATION in degrees (default: the direction that shows most)")
         ->type_name("VIEW");
     verb->add_option("--size", options->size, "Width and height of a .png in pixels (default: 1600x1000)")
         ->type_name("WxH");
     verb->add_option("--colour", options->colour,
-                     "What the colours of .png and .html show: " +
+                     "Field that the colours of .png and .html show: " +
                          base::join(exports::bar_field_names(), ", ") + ", or plain (default: displacement)")
         ->type_name("FIELD");
-    verb->add_option(
-            "--strength", options->strength,
-            "Stress that the material bears, such as 40MPa (default: that of the setting's material): .vtu, "
-            ".png and .html then have utilization, and facts compare stresses with it")
+    verb->add_option("--strength", options->strength,
+                     "Strength of the material, such as 40MPa (default: that of the setting's material): "
+                     ".vtu, .png and .html then have utilization, and facts compare stresses with it")
         ->type_name("STRESS");
     verb->add_option("--labels", options->labels,
                      "Numbers in an .svg from above: tiles, nodes (the interface nodes), or tiles,nodes")

@@ -229,20 +229,20 @@ CLI::App* add_action(CLI::App* verb, const std::shared_ptr<LibraryOptions>& opti
 
 void add_library(CLI::App& app, ExitCode&) {
     const auto options = std::make_shared<LibraryOptions>();
-    CLI::App* verb =
-        app.add_subcommand("library", "Look into a pattern library, merge several, write its tables");
+    CLI::App* verb = app.add_subcommand(
+        "library", "List and show the content of a pattern library, merge libraries, write tables");
     verb->require_subcommand(1);
     verb->footer(kExamples);
     verb->add_option("--library", options->library, "The library's file (list, show, export)");
     verb->add_flag("--json", options->json, "Print for programs (list, show, merge)");
 
-    add_action(verb, options, "list", {"List the patterns, and what there is of each", list});
+    add_action(verb, options, "list", {"List the patterns with a summary of the data of each", list});
     CLI::App* showing =
         add_action(verb, options, "show", {"Show one pattern with its responses and calibrations", show});
     showing->add_option("--svg", options->svg, "Draw the pattern and its reduced model");
-    showing->add_option(
-        "--scenarios", options->scenarios,
-        "Draw how the pattern and its reduced model are held, loaded and bent in each scenario, as SVG");
+    showing->add_option("--scenarios", options->scenarios,
+                        "Draw the pattern and its reduced model with supports, loads and deformed shape in "
+                        "each scenario, as SVG");
     showing->add_option("pattern", options->pattern, "The pattern's id, such as 0-1+1-6")->required();
     CLI::App* merging = add_action(verb, options, "merge",
                                    {"Merge libraries of one layout and setting into a new file", merge});
@@ -254,9 +254,8 @@ void add_library(CLI::App& app, ExitCode&) {
     exporting->add_option("--meshes", options->meshes,
                           "Folder for the edge mesh and the reduced model's geometry of each pattern");
     exporting->add_option("--svg", options->svg, "Sheet of the patterns with their reduced models");
-    exporting->add_option(
-        "--patterns", options->patterns,
-        "Which patterns --svg and --meshes write: all, ids with commas between, or sample:N");
+    exporting->add_option("--patterns", options->patterns,
+                          "Patterns that --svg and --meshes write: all, ids joined by commas, or sample:N");
     exporting->add_option(
         "--chart", options->chart,
         "Property chart as SVG: stiffness against mass, bending against in-plane stiffness");

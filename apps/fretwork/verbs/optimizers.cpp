@@ -188,13 +188,13 @@ ExitCode landscape(OptimizersOptions options) {
 // ---- the command line ----
 
 CLI::Option* add_threads(CLI::App& action, OptimizersOptions& options) {
-    return action.add_option("--threads", options.threads, "Threads to use; 0: all there are")
+    return action.add_option("--threads", options.threads, "Threads to use; 0: one for each processor")
         ->check(thread_check());
 }
 
 void add_list(CLI::App& verb, const std::shared_ptr<OptimizersOptions>& options, ExitCode& exit_code) {
     CLI::App* action =
-        verb.add_subcommand("list", "List the methods: name, class, what they need, what they are");
+        verb.add_subcommand("list", "List the methods: name, class, needed evaluations, summary");
     action->add_flag("--json", options->json, "Print JSON");
     action->footer("Example: fretwork optimizers list");
     action->callback([options, &exit_code] { exit_code = list(*options); });
@@ -202,7 +202,7 @@ void add_list(CLI::App& verb, const std::shared_ptr<OptimizersOptions>& options,
 
 void add_known(CLI::App& verb, const std::shared_ptr<OptimizersOptions>& options, ExitCode& exit_code) {
     CLI::App* action = verb.add_subcommand(
-        "known", "Choose the problems of a comparison and search their best known values, once for all");
+        "known", "Choose the problems of a comparison, and search for their best values once");
     action->add_option("--out", options->out, "The CSV file to write")->required();
     action
         ->add_option("--patterns", options->patterns, "Calibration problems, spread over edges and stiffness")
@@ -212,13 +212,14 @@ void add_known(CLI::App& verb, const std::shared_ptr<OptimizersOptions>& options
         ->add_option("--starts", options->known_values.starts, "Descents of each calibrator on each problem")
         ->capture_default_str();
     action
-        ->add_option("--ids", options->ids, "Search these problems, one id a line, instead of choosing some")
+        ->add_option("--ids", options->ids,
+                     "Take these problems, one id on each line, instead of choosing some")
         ->excludes("--patterns");
     action->add_option("--from", options->known, "Begin with this file instead of searching")
         ->excludes("--patterns")
         ->excludes("--ids")
         ->excludes("--starts");
-    action->add_option("--results", options->results, "Take over what these runs found lower");
+    action->add_option("--results", options->results, "Lower the values to those that these runs found");
     add_threads(*action, *options)->excludes("--from");
     action->add_flag("--json", options->json, "Print JSON");
     declare_files(*action,
@@ -228,10 +229,9 @@ void add_known(CLI::App& verb, const std::shared_ptr<OptimizersOptions>& options
 }
 
 void add_run(CLI::App& verb, const std::shared_ptr<OptimizersOptions>& options, ExitCode& exit_code) {
-    CLI::App* action =
-        verb.add_subcommand("run",
-                            "Run methods on problems; goes on where it was stopped. Columns: see "
-                            "experiments/optimizer_comparison/method.md");
+    CLI::App* action = verb.add_subcommand("run",
+                                           "Run methods on problems; a stopped comparison continues. "
+                                           "Columns: see experiments/optimizer_comparison/method.md");
     action->add_option("--known", options->known, "The problems, as `known` wrote them")->required();
     action->add_option("--out", options->out, "Folder for results.csv")->required();
     action->add_option("--problems", options->problems, "all, or ids, families and family:N joined by commas")
@@ -260,7 +260,8 @@ void add_run(CLI::App& verb, const std::shared_ptr<OptimizersOptions>& options, 
 
 void add_landscape(CLI::App& verb, const std::shared_ptr<OptimizersOptions>& options, ExitCode& exit_code) {
     CLI::App* action = verb.add_subcommand(
-        "landscape", "Tables of where many single descents end, and of sections through the best point");
+        "landscape",
+        "Write tables of the ends of many single descents, and of sections through the best point");
     action->add_option("--known", options->known, "The problems, as `known` wrote them")->required();
     action->add_option("--out", options->out, "Folder for descents.csv and sections.csv")->required();
     action->add_option("--problems", options->problems, "all, or ids, families and family:N joined by commas")

@@ -154,7 +154,7 @@ void print(const Project& project, const std::vector<TileIndex>& tiles, const Pa
     for (const auto& [pattern, count] : counts) std::printf("%6d  %s\n", count, pattern.c_str());
     if (unpainted > 0) std::printf("not painted yet: %zu\n", unpainted);
     if (!project.load_cases.empty())
-        std::printf("load cases kept: %zu; results of before are of another painting\n",
+        std::printf("load cases kept: %zu; earlier results belong to another painting\n",
                     project.load_cases.size());
 }
 
@@ -183,7 +183,8 @@ ExitCode run(const PaintOptions& options) {
 }  // namespace
 
 void add_paint(CLI::App& app, ExitCode& exit_code) {
-    CLI::App* verb = app.add_subcommand("paint", "Paint tiles of a project with patterns; all else is kept");
+    CLI::App* verb =
+        app.add_subcommand("paint", "Paint tiles of a project with patterns; everything else is kept");
     const auto options = std::make_shared<PaintOptions>();
     verb->add_option("project", options->project, "Project file")->required();
     verb->add_option("--tiles", options->tiles,
@@ -197,11 +198,11 @@ void add_paint(CLI::App& app, ExitCode& exit_code) {
         ->type_name("X,Y X,Y ..")
         ->allow_extra_args(false);
     add_painting_options(*verb, options->painting);
-    verb->add_flag("--mirror", options->mirror, "Put the mirror image of its pattern into each of the tiles");
-    verb->add_option(
-            "--turn", options->turn,
-            "Number the sides of each of the tiles from that many vertices on (a pattern has a turn in "
-            "every sector of its tile, so it looks the same)")
+    verb->add_flag("--mirror", options->mirror,
+                   "Replace the pattern of each of the tiles by its mirror image");
+    verb->add_option("--turn", options->turn,
+                     "Move vertex 0 of each of the tiles by this number of vertices (a pattern repeats in "
+                     "every sector of its tile, so it looks the same)")
         ->check(CLI::Range(-1000, 1000));
     add_clearance_option(*verb, options->clearance);
     verb->add_option("--library", options->library,

@@ -320,17 +320,15 @@ void add_simulate(CLI::App& app, ExitCode& exit_code) {
     verb->add_option("--case", options->load_case, "Name of a load case of the project, or a load case file");
     verb->add_option("--model", options->simulation.model, models_help())->capture_default_str();
     verb->add_flag("--linear", options->linear, "Small displacements, whatever the model");
-    verb->add_option(
-            "--branch", options->branch,
-            "Where the path becomes unstable: primary goes on along it, stable is pushed off it along "
-            "the critical mode, snapping also goes on beyond limit loads, to the stable equilibrium "
-            "downhill")
+    verb->add_option("--branch", options->branch,
+                     "Equilibria to follow where the path becomes unstable: primary stays on the path, "
+                     "stable leaves it along the critical mode, snapping also continues beyond limit loads, "
+                     "at a stable equilibrium of lower energy")
         ->check(CLI::IsMember(mechanics::branch_names()))
         ->capture_default_str();
-    verb->add_option(
-        "--stages", options->stages,
-        "File of stages: loads, displacements, what is kept and released, one after the other; supports "
-        "are those of --case");
+    verb->add_option("--stages", options->stages,
+                     "File of load stages, one after the other: loads, displacements, components kept and "
+                     "released; supports are those of --case");
     verb->add_option("--modes", options->simulation.vibration_modes,
                      "Number of natural frequencies of the surface at rest, with all of its beams")
         ->check(CLI::Range(0, 1000));
@@ -338,16 +336,16 @@ void add_simulate(CLI::App& app, ExitCode& exit_code) {
                      "Number of critical load factors by linearized buckling, with all of its beams")
         ->check(CLI::Range(0, 1000));
     verb->add_option("--steps", options->simulation.load_steps,
-                     "Results at this number of equal shares of the load")
+                     "Number of equal load steps, each with a result")
         ->capture_default_str();
     verb->add_flag("--estimate-error", options->simulation.estimate_error,
-                   "Tell how far the full model is from endlessly fine divisions of its beams");
-    verb->add_flag(
-        "--estimate-model-error", options->simulation.estimate_model_error,
-        "Tell how far a reduced model is from the full one, in displacement and in the largest stress, by a "
-        "solution with more of the tiles in full: 30 %, of mixed models 60 % more. Without it, the error of "
-        "the displacement is estimated where corotational and mixed tiles are deformed far themselves");
-    verb->add_option("--threads", options->simulation.threads, "Threads to use; 0: all there are")
+                   "Estimate the error of the full model relative to ever finer divisions of its beams");
+    verb->add_flag("--estimate-model-error", options->simulation.estimate_model_error,
+                   "Estimate the error of a reduced model relative to the full one, in displacement and in "
+                   "the largest stress, by a solution with more of the tiles in full: 30 %, for mixed models "
+                   "60 % more. Without this option, the error of the displacement is estimated if "
+                   "corotational and mixed tiles are themselves strongly deformed");
+    verb->add_option("--threads", options->simulation.threads, "Threads to use; 0: one for each processor")
         ->check(thread_check())
         ->capture_default_str();
     verb->add_option("--library", options->library,

@@ -24,8 +24,8 @@ Examples:
   fretwork solve frame.json --out result.json                   nonlinear, to the full load
   fretwork solve frame.json --solver linear --out result.json
   fretwork solve frame.json --steps 20 --out result.json        with the 20 equilibria on the way
-  fretwork solve frame.json --estimate-error --out result.json  and how far it is from endlessly fine divisions
-  fretwork solve frame.json --branch stable --out result.json   past a bifurcation, as a specimen would go
+  fretwork solve frame.json --estimate-error --out result.json  with an estimate of its discretization error
+  fretwork solve frame.json --branch stable --out result.json   past a bifurcation, as a specimen would move
   fretwork solve frame.json --solver linear --buckling 3 --out result.json
   fretwork solve frame.json --solver linear --modes 6 --out result.json --vtu result.vtu)";
 
@@ -101,22 +101,21 @@ void add_method(CLI::App& verb, SolveOptions& options) {
                     "linear; or, for large displacements and rotations, newton or dynamic-relaxation")
         ->check(CLI::IsMember({"linear", "newton", "dynamic-relaxation"}))
         ->capture_default_str();
-    verb.add_option("--steps", options.solve.steps,
-                    "number of load steps to reach the load in; each is written")
+    verb.add_option("--steps", options.solve.steps, "number of equal load steps; each is written")
         ->check(CLI::Range(1, 100000));
-    verb.add_option(
-            "--branch", options.branch,
-            "where the path becomes unstable: primary goes on along it, stable is pushed off it along the "
-            "critical mode, snapping also goes on beyond limit loads (newton only; primary if not given)")
+    verb.add_option("--branch", options.branch,
+                    "equilibria to follow where the path becomes unstable: primary stays on the path, stable "
+                    "leaves it along the critical mode, snapping also continues beyond limit loads (newton "
+                    "only; primary if not given)")
         ->check(CLI::IsMember(mechanics::branch_names()));
     verb.add_option(
             "--masses", options.masses,
             "rotational masses of dynamic-relaxation: natural, or those of published programs, which are "
             "slower (natural if not given)")
         ->check(CLI::IsMember({"natural", "published"}));
-    verb.add_option(
-            "--threads", options.solve.threads,
-            "threads to use; 0, or not given: all there are (linear and newton; the result is the same)")
+    verb.add_option("--threads", options.solve.threads,
+                    "threads to use; 0, or not given: one for each processor (linear and newton; the result "
+                    "is the same)")
         ->check(thread_check());
 }
 
@@ -125,8 +124,8 @@ void add_questions(CLI::App& verb, SolveOptions& options) {
     CLI::Option* lumped = verb.add_flag("--lumped-gravity", options.solve.lumped_gravity,
                                         "half of a beam's weight on each end, no moments");
     verb.add_flag("--estimate-error", options.solve.estimate_error,
-                  "tell how far the solution is from that of endlessly fine divisions (newton only: linear "
-                  "solutions of straight beams are exact at the nodes)")
+                  "estimate the error relative to ever finer divisions (newton only: linear solutions of "
+                  "straight beams are exact at the nodes)")
         ->excludes(lumped);
     verb.add_option("--buckling", options.solve.buckling_modes,
                     "number of critical load factors by linearized buckling")

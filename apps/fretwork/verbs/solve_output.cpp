@@ -67,13 +67,14 @@ std::string ending_text(const mechanics::Result& result, mechanics::Branch branc
         case mechanics::Termination::LimitLoad:
             return "limit load at " + place + ": beyond it the load falls along the path" +
                    limit_place(result) +
-                   (branch == mechanics::Branch::Snapping ? "; no stable equilibrium was found downhill"
-                                                          : "; --branch snapping looks beyond it");
+                   (branch == mechanics::Branch::Snapping
+                        ? "; no stable equilibrium of lower energy was found"
+                        : "; --branch snapping looks beyond it");
         case mechanics::Termination::Diverged:
             return "no equilibrium that continues the path was found beyond " + place +
                    "; finer divisions or a smaller load may help";
         case mechanics::Termination::IterationsSpent:
-            return "the load was not reached within the effort, the path has come to " + place +
+            return "the load was not reached within the allowed steps; the path ends at " + place +
                    "; more load steps (--steps) allow more";
     }
     return "";
@@ -103,12 +104,12 @@ std::string discretization_text(const mechanics::DiscretizationError& error) {
 
 void print_failure(const mechanics::Result& result, mechanics::Branch branch) {
     if (result.solver == mechanics::solver_name(mechanics::Solver::Linear)) {
-        std::printf("rounding leaves %.1e of the load unbalanced: stiffnesses are too far from each other\n",
+        std::printf("rounding leaves %.1e of the load unbalanced: stiffnesses differ too much in size\n",
                     result.solution.residual);
     } else if (result.solver == mechanics::solver_name(mechanics::Solver::Newton)) {
         std::printf("%s; the result holds the last equilibrium\n", ending_text(result, branch).c_str());
     } else {
-        std::printf("the result holds the last state, which is no equilibrium\n");
+        std::printf("the result holds the last state, which is not an equilibrium\n");
     }
 }
 

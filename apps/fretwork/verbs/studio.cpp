@@ -92,7 +92,7 @@ void run(StudioOptions options) {
 
 void add_studio(CLI::App& app, ExitCode&) {
     CLI::App* verb = app.add_subcommand(
-        "studio", "Paint, hold and load a surface in the browser, and see it bend. Ends with Ctrl-C");
+        "studio", "Paint, support and load a surface in the browser, and see it bend. Ctrl-C ends it");
     const auto options = std::make_shared<StudioOptions>();
     verb->add_option("project", options->project, "Project file (default: a screen to choose one from)");
     verb->add_option("--address", options->studio.address, "Address to listen at")->capture_default_str();

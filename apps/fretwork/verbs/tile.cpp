@@ -135,11 +135,10 @@ void warn_of_numbers(const Project& before, const Project& tiled) {
     if (before.tessellation.interface_nodes == tiled.tessellation.interface_nodes) return;
     const auto count = std::ranges::count_if(before.load_cases, picks_by_number);
     if (count == 0) return;
-    std::fprintf(
-        stderr,
-        "fretwork: %td of the load cases kept pick interface nodes by number, and these nodes now lie "
-        "elsewhere\n",
-        count);
+    std::fprintf(stderr,
+                 "fretwork: %td of the load cases kept select interface nodes by number, and these nodes now "
+                 "lie elsewhere\n",
+                 count);
 }
 
 /// The numbers of tiles mean others on other tiles.
@@ -147,8 +146,7 @@ void drop_tile_models(Project& before, const Project& tiled) {
     if (before.tile_models.empty()) return;
     if (before.tessellation.interface_nodes == tiled.tessellation.interface_nodes) return;
     before.tile_models.clear();
-    std::fputs("fretwork: the tile models of single tiles are dropped, for the tiles are others now\n",
-               stderr);
+    std::fputs("fretwork: the tile models of single tiles are dropped, because the tiles are new\n", stderr);
 }
 
 /// Put the new tiles into the project that is there, or into a new one, and write it.
@@ -175,7 +173,7 @@ Project write(Project tiled, const TileOptions& options, const Library* library)
 /// The parts of the outline that were left out, as a warning.
 void warn(const simulation::NewProject& made) {
     if (made.report.negligible_points == 0) return;
-    std::fprintf(stderr, "fretwork: %d %s of the outline left out: within %.3g mm of the point before\n",
+    std::fprintf(stderr, "fretwork: %d %s of the outline left out: within %.3g mm of the previous point\n",
                  made.report.negligible_points, made.report.negligible_points == 1 ? "point" : "points",
                  1e3 * tiling::kNegligibleShare * made.edge_length);
 }
@@ -226,7 +224,7 @@ void print(const tiling::TessellationReport& report, const Project& project, con
                 1e3 * report.sd_side, 1e3 * report.smallest_side);
     std::printf("covers %.2f %% of the outline\n", 100 * report.covered_share);
     if (report.refined_share > 0)
-        std::printf("%.0f %% of the tiles are smaller, since the outline is narrow near them\n",
+        std::printf("%.0f %% of the tiles are smaller, because the outline is narrow near them\n",
                     std::max(1.0, 100 * report.refined_share));
     const std::size_t unpainted = unpainted_count(project.tessellation);
     if (unpainted > 0 && patterns > 0) std::printf("not painted yet: %zu\n", unpainted);
@@ -290,10 +288,9 @@ void add_tile(CLI::App& app, ExitCode&) {
     const auto options = std::make_shared<TileOptions>();
     verb->add_option("outline", options->outline, "Outline: SVG, DXF, JSON, or a flat OBJ, PLY or OFF")
         ->required();
-    verb->add_option(
-        "--part", options->part,
-        "Which part of a drawing with several: largest, all (each then needs supports of its own), "
-        "or a number, 1 the largest (default: largest)");
+    verb->add_option("--part", options->part,
+                     "Part of a drawing with several parts: largest, all (each then needs its own supports), "
+                     "or a number, 1 the largest (default: largest)");
     CLI::Option* width =
         verb->add_option("--width", options->width,
                          "Scale the outline to this width, such as 400mm (default: the drawing's own)")
@@ -302,19 +299,18 @@ void add_tile(CLI::App& app, ExitCode&) {
         verb->add_option("--edge-length", options->edge_length,
                          "Wanted mean side of the tiles, such as 26mm (default: the setting's tile side)");
     verb->add_option("--narrow", options->narrow,
-                     "Where the outline is narrower than a tile: refine makes smaller tiles, merge makes few "
-                     "and long ones "
-                     "of these, refuse refuses it")
+                     "Treatment of an outline narrower than a tile: refine makes smaller tiles, merge joins "
+                     "these to few long ones, refuse gives an error")
         ->check(CLI::IsMember(kNarrow))
         ->capture_default_str();
     verb->add_flag("--keep-mesh", options->keep_mesh,
-                   "Take the faces of a flat OBJ, PLY or OFF as the tiles, as they are")
+                   "Take the faces of a flat OBJ, PLY or OFF as tiles, unchanged")
         ->excludes(edge_length)
         ->excludes(width);
     add_painting_options(*verb, options->painting);
     add_clearance_option(*verb, options->clearance);
     verb->add_option("--library", options->library,
-                     "Pattern library that the project is to use (default: that of the project at --out)");
+                     "Pattern library of the project (default: that of the project at --out)");
     verb->add_option("--setting", options->setting,
                      "Material, section and joints: paper (bars deform along all of their centrelines), made "
                      "(stiff joints), or a setting file (default: that of the project at --out, or the "
@@ -323,7 +319,7 @@ void add_tile(CLI::App& app, ExitCode&) {
                      "Node layout: a name or a file (default: the library's, or paper7)");
     verb->add_option(
             "--out", options->out,
-            "Project file to write; one that is there keeps its load cases, its library and its setting")
+            "Project file to write; an existing project keeps its load cases, its library and its setting")
         ->required();
     verb->add_flag("--json", options->json, "Print JSON");
     declare_files(*verb, {input("outline"), input("--patterns"), input("--palette"), input("--library"),

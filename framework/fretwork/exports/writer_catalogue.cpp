@@ -91,8 +91,8 @@ using Kind = WriterRow::Kind;
 
 constexpr std::array<WriterRow, 17> kWriters = {{
     {".svg", Content::Drawing,
-     "drawing: the surface from above; with one result its displacements in colour; with several, these over "
-     "each other; with a load case and results all of it on one sheet",
+     "drawing: the surface from above; with one result, its displacements in colour; with several, the "
+     "results over each other; with a load case and results, all of these on one sheet",
      [](const Scene& scene) { return Written{svg_text(scene)}; }, Kind::Drawing},
     {".png", Content::Drawing,
      "picture: the bars as the first result bends them, lit and in perspective, on transparent ground; with "
@@ -100,7 +100,7 @@ constexpr std::array<WriterRow, 17> kWriters = {{
      "its supports",
      [](const Scene& scene) { return Written{picture_png(scene)}; }, Kind::Picture},
     {".html", Content::Drawing,
-     "one page for any browser, without anything else: the same to turn, zoom, and see at rest or deformed",
+     "one self-contained page for any browser: the same bars to turn and zoom, at rest or deformed",
      [](const Scene& scene) { return Written{view_html(scene)}; }, Kind::Picture},
     {".dxf", Content::Cut, "outline for cutting: closed lines with true arcs, in millimetres, in layers",
      [](const Scene& scene) { return cut(scene, cut_dxf); }, Kind::Made},
@@ -133,11 +133,11 @@ constexpr std::array<WriterRow, 17> kWriters = {{
      },
      Kind::Made},
     {".txt", Content::Facts,
-     "what a maker asks: mass, cut, print, narrow places, sag and stresses of a load case; with warnings",
+     "facts for making: mass, cut, print, narrow places, sag and stresses of a load case; with warnings",
      [](const Scene& scene) { return Written{facts_text(scene_facts(scene))}; }, Kind::Made},
-    {".json", Content::Facts, "the same for programs, SI",
+    {".json", Content::Facts, "the same facts for programs, SI",
      [](const Scene& scene) { return Written{facts_json(scene_facts(scene))}; }, Kind::Made},
-    {".html", Content::Facts, "the same as a page with a picture of where the warnings are",
+    {".html", Content::Facts, "the same facts as a page, with a picture that marks the warnings",
      [](const Scene& scene) {
          return Written{
              facts_html({scene_facts(scene), fabrication::whole_sheet(scene.surface, making(scene))})};

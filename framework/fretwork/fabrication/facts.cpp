@@ -160,11 +160,10 @@ class FactFinder {
         const auto corners = std::ranges::count_if(
             plan_.coincidences, [&](const BarPlan::Coincidence& one) { return used[one.taken]; });
         if (corners > 0)
-            warn(
-                std::to_string(corners) +
-                    " nodes of neighbouring tiles, or of the frame, lie in one place: what is made is joined "
-                    "there, and the model is not",
-                {});
+            warn(std::to_string(corners) +
+                     " nodes of neighbouring tiles, or of the border, lie at one place: the material is "
+                     "joined there, but the model is not",
+                 {});
     }
 
     /// Gravity as it pulls on the outline: beams count the material of joints more than once.

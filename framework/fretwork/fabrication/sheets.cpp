@@ -137,7 +137,7 @@ class SheetCutter {
         double room = std::min(distance(place, ends[0]), distance(place, ends[1]));
         for (const Joint& joint : joints_) room = std::min(room, 0.5 * distance(place, joint.place));
         if (room > size_.plate + bed_.fit) return;
-        throw base::InputError("the joint at node " + std::to_string(node) + ", " + place_text(place) +
+        throw base::InputError("the connector at node " + std::to_string(node) + ", " + place_text(place) +
                                ", has no room: its plate takes " + base::format_number(1e3 * size_.plate) +
                                " mm around it; narrower beams or larger tiles are needed, or a larger bed");
     }
@@ -309,7 +309,7 @@ void Bed::validate() const {
     require(height, 1e-3, "the height of the bed");
     require(margin, 0.0, "the margin of the bed");
     require(spacing, 0.0, "the spacing of parts");
-    require(fit, 0.0, "the fit of joints");
+    require(fit, 0.0, "the fit of connectors");
 }
 
 SheetSet cut_into_sheets(const simulation::Surface& surface, const ShapeOptions& options, const Bed& bed) {

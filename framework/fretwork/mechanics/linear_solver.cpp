@@ -216,7 +216,7 @@ class LinearSolver::Impl {
             !std::isfinite(solution.residual))
             throw base::NumericalError(
                 "the displacements under this load are too large for a number: lengths, stiffnesses or loads "
-                "are far from each other");
+                "differ too much in size");
         if (solution.residual < kGoodResidual) return;
         const double scale =
             structure::force_norm(loads, length_) + structure::force_norm(solution.reactions, length_);

@@ -151,7 +151,7 @@ const std::array kRows = {
                  "simulated-annealing, then a descent from its best point as in ceres-multistart",
                  OptimizerClass::Random, Evaluation::Curvature,
                  [](Options o) { return make_annealing_then_ceres({.annealing = {.common = o}}); }},
-    OptimizerRow{"random-search", "Independent uniform points until the budget is spent: the floor",
+    OptimizerRow{"random-search", "Independent uniform points until the budget is spent: the baseline",
                  OptimizerClass::Random, Evaluation::Value, [](Options o) { return make_random_search(o); }},
 };
 

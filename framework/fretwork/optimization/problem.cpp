@@ -42,7 +42,8 @@ Eigen::VectorXd Bounds::at_shares(const Eigen::VectorXd& shares) const {
 
 void Bounds::validate() const {
     if (lower.size() != upper.size() || lower.size() == 0) {
-        throw base::InputError("bounds: as many lower as upper ones are needed, at least one of each");
+        throw base::InputError(
+            "bounds: lower and upper bounds must be equal in number, at least one of each");
     }
     for (Eigen::Index i = 0; i < lower.size(); ++i) {
         if (std::isfinite(lower[i]) && std::isfinite(upper[i]) && lower[i] < upper[i]) continue;

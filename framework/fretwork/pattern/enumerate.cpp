@@ -179,7 +179,7 @@ EdgeRange default_edge_range(const NodeLayout& layout) {
 void EnumerationOptions::validate() const {
     edges.validate();
     filters.scale.validate();
-    if (most_kept < 1) throw base::InputError("at least one pattern is kept before its turn");
+    if (most_kept < 1) throw base::InputError("the most patterns kept before their turn must be at least 1");
     if (threads < 0) throw base::InputError("the number of threads is 0 (all) or more");
 }
 

@@ -12,7 +12,7 @@ mechanics::Frame surface_frame(const Surface& surface, const ModelChoice& choice
         detail::join_tiles(surface, builder.build_all(surface, choice, {.control = control}), control).parts;
     if (!parts.elements.empty())
         throw base::InputError("the tile model " + choice.name +
-                               " has tiles that are no beams: it cannot be written as a frame");
+                               " has tiles that do not consist of beams: it cannot be written as a frame");
     parts.beams.supports = conditions.supports;
     parts.beams.prescribed = conditions.prescribed;
     parts.beams.loads = conditions.loads;

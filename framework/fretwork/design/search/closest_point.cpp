@@ -65,7 +65,7 @@ class SpaceMesh::Impl {
 SpaceMesh::SpaceMesh(const std::filesystem::path& path) {
     Triangles triangles = triangles_of(outlines::read_space_mesh(path));
     if (triangles.empty())
-        throw base::InputError(path.string(), "", "is no surface: it has no face of any size");
+        throw base::InputError(path.string(), "", "is not a surface: the area of every face is zero");
     impl_ = std::make_unique<Impl>(std::move(triangles));
 }
 SpaceMesh::~SpaceMesh() = default;

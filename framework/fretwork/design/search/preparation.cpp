@@ -112,7 +112,7 @@ void require_kept_painted(const Surface& surface, const DesignOptions& options) 
         const auto* own = tiling::pattern_of(surface.tessellation, tile);
         if (own == nullptr)
             throw base::InputError("tile " + std::to_string(tile.value) +
-                                   " is to be kept, and has no pattern");
+                                   " is to be kept but has no pattern");
         if (std::ranges::find(kept, own->id) == kept.end()) kept.push_back(own->id);
     }
     if (options.max_patterns > 0 && kept.size() >= options.max_patterns)

@@ -76,7 +76,7 @@ bool have_common_node(const Bar& a, const Bar& b) {
                                                : "tiles " + std::to_string(a.tile) + " and " +
                                                      std::to_string(b.tile) + ": beams of theirs";
     throw base::GeometryError(tiles + " cross or lie over each other at " + place_text(place) +
-                              "; what is made from one sheet must meet in nodes");
+                              "; bars of one sheet may meet only at nodes");
 }
 
 }  // namespace

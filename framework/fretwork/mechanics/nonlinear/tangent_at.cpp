@@ -40,7 +40,7 @@ void EquilibriumTangent::Impl::factorize(const base::Control& control) {
     parts_.system.refresh(control);
     parts_.has_factors = false;  // also if something throws
     if (!parts_.mixed.begin(parts_.configuration, 1.0))
-        throw base::NumericalError("the equilibrium is at a limit of its stability: it has no derivative");
+        throw base::NumericalError("the equilibrium is at a stability limit: it has no derivative");
     parts_.has_factors = is_exact_ = true;
 }
 

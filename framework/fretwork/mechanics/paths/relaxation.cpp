@@ -20,11 +20,10 @@ constexpr double kMassShare = 0.5;
 /// @param against  the node against which it turns; invalid: against its rest position
 void refuse_turn(const Assembly& assembly, NodeIndex node, double angle, NodeIndex against = {}) {
     if (angle <= std::numbers::pi) return;
-    throw base::InputError(structure::node_text(assembly, node) + " is prescribed to turn by " +
-                           base::format_number(angle) + " rad" +
-                           (against.is_valid() ? " against " + structure::node_text(assembly, against) : "") +
-                           ", and dynamic relaxation, which begins with one jump to there, follows none of "
-                           "more than pi; newton does");
+    throw base::InputError(
+        structure::node_text(assembly, node) + " is prescribed to turn by " + base::format_number(angle) +
+        " rad" + (against.is_valid() ? " against " + structure::node_text(assembly, against) : "") +
+        ", and dynamic relaxation, which applies it in one jump, cannot follow more than pi; newton can");
 }
 
 /// A rotation is known from where the nodes are alone: beyond pi it is one the other way round.

@@ -127,7 +127,7 @@ void SvgReader::read_use(const SvgElement& element, Surroundings around) {
     const pugi::xml_attribute link =
         node.attribute("href") ? node.attribute("href") : node.attribute("xlink:href");
     const pugi::xml_node copied = document_.referred(link.value());
-    if (!copied) return remarks_.leave_out("use of what is not there");
+    if (!copied) return remarks_.leave_out("use of a missing element");
     if (std::ranges::find(copying_, copied) != copying_.end() ||
         node.attribute("id").value() == copied.attribute("id").value())
         document_.fail(node, "copies itself");

@@ -48,7 +48,8 @@ void require_descent(const optimization::OptimizationReport& report, const TileM
                      const CalibrationOptions& options) {
     if (report.ending != optimization::Ending::Invalid) return;
     if (report.trace.empty())
-        throw base::NumericalError("the objective of model " + model.name + " is finite nowhere");
+        throw base::NumericalError("the objective of model " + model.name +
+                                   " is not finite at any point that was tried");
     throw base::NumericalError("all " + std::to_string(options.starts) + " starts of " + options.optimizer +
                                " died at their first point: no model " + model.name +
                                " was fitted; take more starts, another seed or another optimizer");

@@ -104,15 +104,14 @@ std::shared_ptr<const TileStructure> corotational_tile(mechanics::CorotationalBo
 }
 
 TileModel corotational_tile_model() {
-    return {
-        .name = "corotational",
-        .summary = "the condensed stiffness of each tile in a frame that turns with it; large displacements",
-        .displacements = Displacements::Large,
-        .sharing = Sharing::Congruent,
-        .build = [](const TileInput& input) {
-            return corotational_tile(fan_frame(input.layout, input.fan, input.polygon, input.setting),
-                                     input.fan->interface_node_count);
-        }};
+    return {.name = "corotational",
+            .summary = "the condensed stiffness of each tile in axes that turn with it; large displacements",
+            .displacements = Displacements::Large,
+            .sharing = Sharing::Congruent,
+            .build = [](const TileInput& input) {
+                return corotational_tile(fan_frame(input.layout, input.fan, input.polygon, input.setting),
+                                         input.fan->interface_node_count);
+            }};
 }
 
 }  // namespace fretwork::reduction

@@ -5,9 +5,9 @@
 namespace fretwork::reduction {
 
 TileModel ring10_tile_model() {
-    return ring_tile_model(
-        ring10_parameters(),
-        "the same with sections of their own for ring and links: ten parameters, calibrated; linear");
+    return ring_tile_model(ring10_parameters(),
+                           "the paper's hexagon with links, with one section for the ring and one for the "
+                           "links: ten parameters, calibrated; linear");
 }
 
 }  // namespace fretwork::reduction

@@ -49,8 +49,8 @@ double largest_difference(const Surface& surface, const mechanics::NodeValues& f
 std::string linear_range_text(const mechanics::LinearRange& range) {
     char text[200];
     if (range.loses_stability)
-        return "the load is beyond the surface's buckling load: a linear solution knows nothing of where it "
-               "goes";
+        return "the load is beyond the surface's buckling load: a linear solution does not show how it "
+               "deforms then";
     std::snprintf(text, sizeof text,
                   "displacements are %s for a linear solution: they are off by about %.0f %% of the largest",
                   is_exceeded(range) ? "too large" : "small enough", 100.0 * range.error);

@@ -37,7 +37,7 @@ struct ResultSubject {
 struct ModelError {
     double mean = 0.0;         ///< the mean error, as a share of the largest displacement
     double largest = 0.0;      ///< the largest error, as a share of the largest displacement
-    double relative_l2 = 0.0;  ///< |full - estimated| / |full| over all translations
+    double relative_l2 = 0.0;  ///< estimated |full - reduced| / |full| over all translations
     /// The relative error of the largest von Mises stress over all beams, which is also that of the largest
     /// utilization. None if the model does not give the motions of all beams.
     std::optional<double> largest_stress{};

@@ -36,7 +36,7 @@ void check_writable(const Frame& frame) {
                                                               : nullptr;
         if (has != nullptr)
             throw base::InputError("/beams/" + std::to_string(i) + " has " + has +
-                                   ", for which an input deck has no words");
+                                   ", which an input deck cannot express");
     }
 }
 
