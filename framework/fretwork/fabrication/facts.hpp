@@ -80,8 +80,8 @@ struct Facts {
 /// The load case, or the result, for stresses.
 struct FactsLoads {
     const simulation::LoadCase* load_case = nullptr;
-    /// A solution of the surface under the weight of the beams, which is not scaled. If null, the load case
-    /// is solved with corotational tiles.
+    /// A solution of the surface under the weight of the beams; it is not scaled to `mass`. If null, the load
+    /// case is solved with corotational tiles.
     const simulation::SurfaceResult* result = nullptr;
 };
 

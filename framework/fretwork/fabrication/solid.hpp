@@ -35,7 +35,7 @@ double volume(const Solid& solid);
 /// The result of checking that a solid is closed.
 struct SolidCheck {
     std::size_t open_edges = 0;  ///< number of directed edges without exactly one opposite edge
-    long euler_number = 0;       ///< vertices - edges + triangles: 2 for each piece less 2 for each opening
+    long euler_number = 0;       ///< vertices - edges + triangles: 2 for each piece minus 2 for each opening
 };
 SolidCheck check(const Solid& solid);
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-/// The arithmetic of plane vectors. Point2 is also their type.
+/// The arithmetic of plane vectors, which have the type Point2.
 namespace fretwork::geometry {
 
 inline Point2 operator+(Point2 a, Point2 b) {

@@ -72,7 +72,7 @@ struct PatternSummary {
 /// A recorded failure of a computation on one pattern. It does not stop the computations on other patterns.
 struct Failure {
     std::string pattern;  ///< id
-    std::string stage;    ///< the computation: responses_stage(), or calibration_stage(key)
+    std::string stage;    ///< the failed computation: responses_stage(), or calibration_stage(key)
     std::string reason;   ///< one line
     friend bool operator==(const Failure&, const Failure&) = default;
 };

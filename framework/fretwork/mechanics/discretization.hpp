@@ -31,8 +31,8 @@ struct DiscretizationError {
 /// about half the cost of the path. Otherwise it takes twice as many, at twice the cost. The elements
 /// converge with order four if sections bend equally about both axes, and with order two otherwise. The
 /// estimate assumes order two, which is on the safe side. With one element for each beam, errors of opposite
-/// sign can cancel, so an estimate in which one of the two solutions has one division can be too small by a
-/// factor of a few.
+/// sign can cancel, so an estimate can be too small by a factor of a few if one of the two solutions has one
+/// division.
 ///
 /// @param solutions  the solutions that follow_load_path gave for these load factors
 std::vector<DiscretizationError> estimate_discretization_error(const Frame& frame,

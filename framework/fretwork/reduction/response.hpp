@@ -63,7 +63,7 @@ void apply_scenario(const Scenario& scenario, mechanics::Assembly& tile);
 /// A tile with supports and loads.
 struct LoadedTile {
     base::Borrowed<mechanics::Assembly> structure;
-    int interface_nodes = 0;  ///< the first nodes of the structure
+    int interface_nodes = 0;  ///< their number; they come first in the structure
 };
 
 /// The displacements of the interface nodes at the setting's magnitudes of a scenario. Throws as

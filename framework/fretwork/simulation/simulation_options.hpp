@@ -10,8 +10,8 @@
 
 namespace fretwork::simulation {
 
-/// The kind of equilibrium. OfTheModel: in the deformed state if a tile's model is for large displacements,
-/// else linear. Linear: in the flat state.
+/// The analysis of a surface. OfTheModel: nonlinear if the model of any tile is for large displacements, else
+/// linear. Linear: linear for every model, with equilibrium in the flat state.
 enum class Analysis { OfTheModel, Linear };
 
 struct SimulationOptions {
@@ -27,8 +27,8 @@ struct SimulationOptions {
     /// also fill model_error, for displacements only.
     bool estimate_where_doubtful = false;
     int load_steps = 1;  ///< number of equal steps of the load, each with a result; nonlinear only
-    /// The equilibria to follow when the path becomes unstable. Branches other than the primary one exist for
-    /// nonlinear models that are not mixed, and without estimates of errors.
+    /// The equilibria to follow when the path becomes unstable. A branch other than the primary one needs a
+    /// nonlinear model that is not mixed, and excludes estimates of errors.
     mechanics::Branch branch = mechanics::Branch::Primary;
     /// Additional results of simulate(); a session does not compute them.
     int vibration_modes = 0;  ///< number of natural frequencies of the surface at rest, with all of its beams

@@ -13,7 +13,8 @@
 
 namespace fretwork::tiling {
 
-/// Points of an outline nearer than this share of the wanted side to the point before them are left out.
+/// A point of an outline is left out if its distance from the previous point is below this share of the
+/// wanted side.
 inline constexpr double kNegligibleShare = 1e-6;
 
 /// The treatment of an outline that is narrower than a tile.
@@ -29,7 +30,7 @@ struct TessellationOptions {
     double smallest_side = 0.0;
     Narrow narrow = Narrow::Refine;
     int remeshing_iterations = 10;
-    int relaxation_iterations = 40;  ///< towards a centroidal tessellation
+    int relaxation_iterations = 40;  ///< iterations towards a centroidal tessellation
     int lattice_angles = 12;  ///< number of triangular lattices to try in addition to the remeshed triangles
     int threads = 0;          ///< 0: one for each processor; the result does not depend on it
     /// Checked in every loop. Some calls of CGAL and of the standard library process the whole outline

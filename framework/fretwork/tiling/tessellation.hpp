@@ -25,7 +25,7 @@ struct Tile {
     std::vector<VertexIndex> vertices;            ///< counterclockwise
     std::vector<InterfaceIndex> interface_nodes;  ///< one side after the other, on each side from vertex t to
                                                   ///< t + 1, as in pattern::Fan
-    int pattern = -1;  ///< index into Tessellation::patterns; -1: not painted
+    int pattern = -1;                             ///< index into Tessellation::patterns; -1: not painted
 };
 
 /// A flat surface of polygons that share interface nodes, each painted with a pattern. `tessellate` numbers
@@ -68,7 +68,7 @@ std::vector<std::vector<RimSide>> rim_sides(const Tessellation& tessellation);
 std::vector<std::vector<InterfaceIndex>> rim_loops(const Tessellation& tessellation);
 
 /// Check that a tessellation, for example one from a file, is valid:
-/// - its layout has this name, indices are in range, and positions are finite;
+/// - it names this layout, indices are in range, and positions are finite;
 /// - tiles are convex and counterclockwise (decided exactly);
 /// - at most two tiles share a side, in opposite directions and with the same interface nodes;
 /// - interface nodes lie on their side at the layout's places, and on no other side;

@@ -23,16 +23,16 @@ std::filesystem::path link_target(std::filesystem::path path);
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
 /// An atomic write of content that comes piece by piece and may be large. Content that is never committed
-/// leaves no trace. Devices and pipes (/dev/stdout) are written at once.
+/// leaves no trace. Content for a device or a pipe (/dev/stdout) goes there directly.
 class AtomicFile {
   public:
-    /// Throws IoError.
+    /// Create the scratch file. Throws IoError.
     explicit AtomicFile(std::filesystem::path path);
     AtomicFile(AtomicFile&&) noexcept;
     AtomicFile& operator=(AtomicFile&&) noexcept;
     ~AtomicFile();
 
-    /// Append. Throws IoError.
+    /// Append content. Throws IoError.
     void write(std::string_view content);
     /// Flush everything written so far to the disk, so that `commit` only has to rename the file. Throws
     /// IoError.
@@ -50,9 +50,9 @@ class AtomicFile {
 /// leave some of them.
 class FileBatch {
   public:
-    /// Throws IoError.
+    /// Write content to the scratch file of one more file. Throws IoError.
     void add(const std::filesystem::path& path, std::string_view content);
-    /// Throws IoError.
+    /// Put all files in their places. Throws IoError.
     void commit();
 
   private:
@@ -63,7 +63,7 @@ class FileBatch {
 /// committed, with one flush to the disk. If a file cannot be written, the folder stays as it was.
 class FolderBatch {
   public:
-    /// Throws IoError.
+    /// Create the scratch folder. Throws IoError.
     explicit FolderBatch(std::filesystem::path folder);
     FolderBatch(FolderBatch&&) noexcept;
     FolderBatch& operator=(FolderBatch&&) noexcept;
@@ -71,9 +71,9 @@ class FolderBatch {
 
     /// The folder of the files until they are committed. The caller may also write files into it directly.
     [[nodiscard]] const std::filesystem::path& path() const;
-    /// Throws IoError.
+    /// Write a file of the batch. Throws IoError.
     void add(const std::string& name, std::string_view content);
-    /// Throws IoError.
+    /// Put all files into the folder. Throws IoError.
     void commit();
 
   private:

@@ -39,8 +39,8 @@ struct LowestEigenvalue {
 };
 
 /// The load factor at which the lowest eigenvalue vanishes between a stable equilibrium and an unstable one
-/// at a distance `move` from it. The method is false position with the Illinois rule, which halves the weight
-/// of an end that stays.
+/// at a distance `move` from it, by the method of false position (the Illinois rule halves the weight of an
+/// end that stays).
 double critical_load_factor(NonlinearSystem& system, Newton& newton, const PathPoint& from,
                             LowestEigenvalue unstable, const Eigen::VectorXd& move);
 

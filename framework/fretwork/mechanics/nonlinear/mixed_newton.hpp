@@ -53,8 +53,8 @@ class MixedNewton {
         Eigen::VectorXd step;
     };
     FirstStep depart(Configuration& configuration);
-    /// Return to the equilibrium of the last departure, after it failed. False if the factors no longer
-    /// belong there.
+    /// Return to the equilibrium from which the last departure started, because the departure failed. False
+    /// if the factors no longer belong there.
     bool come_back(const Configuration& equilibrium);
 
     /// The pivots of the last factorization.
@@ -99,7 +99,8 @@ class MixedNewton {
         double moved = 0.0;   ///< sum of the lengths of the steps, measured with the system's weights
     };
     Way way_{};
-    std::optional<Way> way_at_departure_{};  ///< none: the factors are newer than the departure
+    std::optional<Way> way_at_departure_{};  ///< the distance at the last departure; none: the factors are
+                                             ///< newer
 };
 
 }  // namespace fretwork::mechanics::nonlinear

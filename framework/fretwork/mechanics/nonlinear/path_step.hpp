@@ -33,8 +33,8 @@ int correct_across(NonlinearSystem& system, Newton& newton, const Eigen::VectorX
                    Configuration& trial);
 
 /// Makes steps along an equilibrium path. Each step continues the path: the mean of the path's directions at
-/// its two ends accounts for every component of the move between them. A longer step that passes over a sharp
-/// bend of the path, or lands on another path, does not.
+/// its two ends accounts for every component of the move between them. A step that passes over a sharp bend
+/// of the path, or lands on another path, fails this test.
 class PathStepper {
   public:
     PathStepper(NonlinearSystem& system, Newton& newton, const EquilibriumOptions& options)
@@ -44,7 +44,7 @@ class PathStepper {
     [[nodiscard]] PathState rising(PathPoint point) const;
 
     /// A step of the given length. Nothing if no such step continues the path.
-    /// @param previous  the state before; null: not known
+    /// @param previous  the previous state; null: not known
     std::optional<PathStep> step(const PathState& from, const PathState* previous, double length);
 
     /// A step to a larger load factor, starting from a guess of the move. Nothing if the rates of the

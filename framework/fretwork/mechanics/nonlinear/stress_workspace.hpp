@@ -24,7 +24,7 @@ class StressWorkspace {
     /// Set the given stresses of an element to s + K B dx, where dx are small motions of its nodes (6n).
     void extrapolate(std::size_t element, const Eigen::VectorXd& motion);
     /// Add the lag B^T (s - given) to an element's forces (6n), where s and B are its own stresses and slopes
-    /// of the last evaluation. It is the force by which the given stresses lag behind the own ones.
+    /// of the last evaluation. It is the force by which the given stresses lag behind the own stresses.
     void add_lag(std::size_t element, Eigen::VectorXd& force) const;
 
     /// The given stresses of all elements. Keep a copy to return to this state by give().

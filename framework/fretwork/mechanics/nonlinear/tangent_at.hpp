@@ -31,8 +31,8 @@ class EquilibriumTangent::Impl {
     void moments_to_vectors(Eigen::MatrixXd& rows) const;
     /// Transform rates of rotation vectors to spins at the same nodes, w = T v.
     void vectors_to_spins(Eigen::MatrixXd& rows) const;
-    /// Transform, at the other nodes, gradients with respect to rotation vectors to gradients along spins;
-    /// the next function transforms spins to rates of rotation vectors.
+    /// Transform, at the other nodes, gradients with respect to rotation vectors to gradients along spins.
+    /// spins_to_vectors() transforms spins to rates of rotation vectors there.
     void gradients_to_spins(Eigen::MatrixXd& rows) const;
     void spins_to_vectors(Eigen::MatrixXd& rows) const;
 

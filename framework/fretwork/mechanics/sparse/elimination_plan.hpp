@@ -15,7 +15,8 @@ namespace fretwork::mechanics::sparse {
 /// when its children in the tree of tasks have ended. The division into tasks does not change any number,
 /// because a supernode always adds its children in the same order.
 struct EliminationPlan {
-    std::vector<int> task_start;          ///< tasks + 1
+    std::vector<int> task_start;          ///< start of each task in `supernode`, and the end: tasks + 1
+                                          ///< entries
     std::vector<int> supernode;           ///< supernodes of all tasks, ascending within each
     std::vector<int> parent;              ///< the later task that waits for this one; -1: none
     std::vector<std::size_t> rest_start;  ///< start of each supernode's rest in the working storage

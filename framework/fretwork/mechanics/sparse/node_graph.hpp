@@ -31,7 +31,7 @@ class Cliques {
 struct NodeGraph {
     int nodes = 0;
     Cliques cliques;
-    std::vector<int> start;      ///< nodes + 1
+    std::vector<int> start;      ///< start of each node's neighbours, and the end: nodes + 1 entries
     std::vector<int> neighbour;  ///< the neighbours of node i, at [start[i], start[i + 1]): ascending, in
                                  ///< both directions, without i itself
 };

@@ -10,8 +10,8 @@
 
 namespace fretwork::mechanics::structure {
 
-/// Equations that can be solved on their own: all equations of a structure, or those in the plane, or those
-/// out of it. The class is a value: copies share layout and factors, which no copy changes.
+/// Equations that can be solved on their own: all equations of a structure, only those in its plane, or only
+/// those out of its plane. The class is a value: copies share layout and factors, which no copy changes.
 class Subsystem {
   public:
     /// Equations to which no stiffness has been added yet.

@@ -43,10 +43,10 @@ struct TileParameter {
 /// The role of a tile model: reduced models are compared with the reference, the full model.
 enum class Role { Reference, Reduced };
 
-/// With Congruent, congruent tiles of a surface are built once. Such a tile is built in its own axes from its
-/// polygon, rounded to a tolerance: the origin is its centroid, x runs along its first side (from vertex 0 to
-/// vertex 1), and y points into the tile. With None, each tile is built in the surface's axes from its exact
-/// polygon.
+/// The choice whether congruent tiles of a surface are built once. With Congruent, a tile is built in its own
+/// axes from its polygon, rounded to a tolerance: the origin is its centroid, x runs along its first side
+/// (from vertex 0 to vertex 1), and y points into the tile. With None, each tile is built in the surface's
+/// axes from its exact polygon.
 enum class Sharing { None, Congruent };
 
 /// A tile model, which turns a painted tile into elements between its interface nodes. A row of the

@@ -10,8 +10,8 @@ namespace fretwork::reduction {
 /// The minimization problem by which a ring with links is calibrated to one pattern. Its variables are the
 /// natural logarithms of the sections (as multiples of the setting's), theta in radians, and R as a share of
 /// the centroid-to-side distance. An evaluation of any kind costs one factorization of the model's stiffness.
-/// The gradient takes one adjoint solution for each scenario; residuals and curvature take one for each
-/// parameter.
+/// The gradient takes one further (adjoint) solution for each scenario; residuals and curvature take one
+/// further solution for each parameter.
 class RingProblem final : public CalibrationProblem {
   public:
     /// Keeps references to the model, the parameters and the objective.
@@ -54,7 +54,7 @@ class RingProblem final : public CalibrationProblem {
     base::Borrowed<RingHexagon> model_;
     base::Borrowed<RingParameters> parameters_;
     base::Borrowed<Objective> objective_;
-    Eigen::VectorXd units_;  ///< the value of each parameter that counts as 1
+    Eigen::VectorXd units_;  ///< the scale of each parameter (ring_units)
     optimization::Bounds bounds_;
 };
 

@@ -9,8 +9,8 @@
 
 namespace fretwork::simulation {
 
-/// One line for people for each entry of a load case, with its effect and its number of nodes: "support left:
-/// 9 nodes ux uy uz". Throws InputError as check_selections.
+/// The entries of a load case for people, one line each, with effect and number of nodes:
+/// "support  left: 9 nodes  ux uy uz". Throws InputError as check_selections.
 std::vector<std::string> entry_texts(const LoadCase& load_case, const tiling::Tessellation& tessellation);
 
 /// Warnings about values that look like errors of units, one line each: points away from the surface,

@@ -11,7 +11,7 @@ namespace fretwork::simulation {
 
 /// The share of tiles in full in the better solution, from which errors are estimated. In
 /// experiments/large_deflections, the estimate is below 0.7 of the true mean error on a tenth of the
-/// surfaces; with a share of 5 % it would be so on nearly half of them.
+/// surfaces. With a share of 5 %, it is below 0.7 on nearly half of them.
 inline constexpr double kEstimatingShare = 0.3;
 /// The additional share of tiles in full for mixed models. Their worst tiles are in full already, and the
 /// rest of their error is spread over more tiles.

@@ -44,7 +44,8 @@ struct Candidate {
 };
 
 /// A rough prediction of the tiling from a start: its irregularity, and the distance of the sites that gives
-/// the wanted sides. It is cheap, and good enough to discard the worst starts.
+/// the wanted sides. It is cheap, and good enough to discard the worst starts. Reports rough_steps() steps of
+/// progress.
 struct Sketch {
     double irregularity = 0.0;
     double factor = 0.0;

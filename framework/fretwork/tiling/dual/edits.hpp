@@ -16,12 +16,12 @@ namespace fretwork::tiling::detail {
 /// corners stay. Convex cells stay convex at vertices that divide sides.
 void regularize(Dual& dual, const Rim& rim, int iterations, const Work& work);
 
-/// Regularize, and let each side pull its ends towards its wanted length, too. Sides at the rim, which the
-/// outline cuts, so become as long as the others if angles allow.
+/// Regularize, and let each side pull its ends towards its wanted length, too. So the sides at the rim, which
+/// the outline cuts, become as long as the others if angles allow.
 void even_out(Dual& dual, const Rim& rim, const SizeField& field, int iterations, const Work& work);
 
 /// Merge neighbouring cells where the wanted side is reduced, as long as the merged cells are convex, without
-/// sharp angles, and have sides of at most 1.5 times the largest wanted side. A narrow band so gets few long
+/// sharp angles, and have sides of at most 1.5 times the largest wanted side. So a narrow band gets few long
 /// cells. Points of the rim between two merged cells are removed if the outline is nearly straight there.
 void merge_small_cells(Dual& dual, const SizeField& field, const base::Control& control);
 

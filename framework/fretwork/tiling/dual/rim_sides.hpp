@@ -24,8 +24,8 @@ struct WantedSides {
 
 /// Put a vertex on each rim side that is much longer than the usual sides there. An outline along a row of
 /// hexagons cuts them in sides of sqrt(3) times a hexagon's side; across the rows, in sides of 1 and 2 times
-/// it. Half of such a side is closer to the other sides. Cells with at most six sides still have at most six
-/// afterwards. Throws base::Stopped.
+/// it. The half of such a side is closer to the length of the other sides. Cells with at most six sides still
+/// have at most six afterwards. Throws base::Stopped.
 void divide_long_rim_sides(Dual& dual, const Rim& rim, const WantedSides& wanted,
                            const base::Control& control);
 

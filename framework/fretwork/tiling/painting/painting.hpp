@@ -14,7 +14,7 @@
 namespace fretwork::tiling {
 
 /// The patterns with these ids, in order, checked for use in a painting. Throws InputError that names the
-/// pattern and the rule if a pattern crosses itself, misses an interface node, is not connected, has an edge
+/// pattern and the rule if a pattern crosses itself, misses an interface node, is not connected, has a part
 /// that carries no force, or appears twice.
 std::vector<pattern::NamedPattern> make_palette(const pattern::NodeLayout& layout,
                                                 std::span<const std::string> ids);

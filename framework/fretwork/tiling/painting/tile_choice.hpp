@@ -22,7 +22,7 @@ std::vector<TileIndex> parse_tiles(std::string_view text, const Tessellation& te
 /// True if a closed polygon winds around a point. The polygon may cross itself.
 bool is_inside(const geometry::Polygon& polygon, geometry::Point2 point);
 
-/// The tiles in a box, its border included; empty if there are none.
+/// The tiles in a box, its edge included; empty if there are none.
 std::vector<TileIndex> tiles_in(const geometry::Box& box, const Tessellation& tessellation);
 /// The tiles in a polygon; empty if there are none.
 std::vector<TileIndex> tiles_in(const geometry::Polygon& polygon, const Tessellation& tessellation);
