@@ -13,8 +13,7 @@ namespace fretwork::reduction {
 /// of a
 ///   pattern of another layout starts with the name of that layout (paper8:0-1+1-7);
 /// - synthetic/N: the paper's model, fitted to its own displacements at parameters that are drawn at random
-/// from
-///   the middle 80 % of their ranges;
+///   from the middle 80 % of their ranges;
 /// - analytic/NAME: a function of the literature.
 optimization::study::ProblemFamilies study_families();
 
