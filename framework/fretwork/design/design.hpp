@@ -29,7 +29,7 @@ struct DesignOptions {
     std::vector<pattern::NamedPattern> palette;
     std::size_t max_patterns =
         0;  ///< most different patterns of the surface, kept tiles included; 0: any number
-    std::vector<tiling::TileIndex> keep;  ///< their patterns stay
+    std::vector<tiling::TileIndex> keep;  ///< tiles that keep their patterns
     Symmetry symmetry;
     double max_mass = 0.0;               ///< kg, of all beams; 0: any
     double max_utilization = 0.0;        ///< largest share of the setting's strength, checked with all beams;
@@ -59,7 +59,8 @@ struct TargetError {
 
 /// The reason for which the search ended.
 enum class DesignEnd {
-    NoSwapImproves,  ///< no single swap is predicted to improve the painting, or no predicted one did
+    NoSwapImproves,  ///< no single swap is predicted to improve the painting, or no predicted improvement
+                     ///< came true
     SolutionsSpent,
     TimeSpent,
     Stopped  ///< by the caller
@@ -79,8 +80,8 @@ struct DesignReport {
     std::vector<double> factors;        ///< factor on the loads of each load case, in the order of load_cases
     std::vector<std::string> load_cases;
     std::optional<double> largest_utilization;  ///< with all beams; none without a strength
-    /// The largest displacement wanted, as a multiple of the largest one of the softest and of the stiffest
-    /// uniform painting. If it is far above one, the load is too small for the target.
+    /// The largest displacement wanted, divided by the largest displacement of the softest uniform painting,
+    /// and then of the stiffest one. Values far above one mean that the load is too small for the target.
     double wanted_of_softest = 0.0;
     double wanted_of_stiffest = 0.0;
     double model_error =

@@ -27,8 +27,8 @@ struct EliminationPlan {
     }
 };
 
-/// Plan the elimination of a tree. The plan is a single task for one thread, and for a tree too small for
-/// threads to pay.
+/// Plan the elimination of a tree. The plan is a single task for one thread, and for a tree too small to
+/// profit from threads.
 EliminationPlan plan_elimination(const SupernodeTree& tree, int threads);
 
 }  // namespace fretwork::mechanics::sparse

@@ -28,7 +28,7 @@ enum class TileQuantities { Strains, StrainsAndFlexibilities };
 /// A surface, linearized at a nonlinear equilibrium. Valid until the next solution or edit of its session.
 struct Linearization {
     mechanics::EquilibriumTangent tangent;  ///< its rows are those of the session's structure
-    Eigen::Index reported_nodes = 0;        ///< the nodes of results are the first ones
+    Eigen::Index reported_nodes = 0;        ///< number of nodes in results; they come first
     base::IndexVector<tiling::TileIndex, TileLinearization> tiles;
     mechanics::NodeValues loads;                        ///< the applied loads, one row for each node
     Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< m/s^2
