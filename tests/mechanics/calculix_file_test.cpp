@@ -279,7 +279,7 @@ TEST_F(CalculixFile, RefusesBadDecksWithLineNumber) {
                 HasSubstr("no direction"));
     EXPECT_THAT(complaint("EALL, GRAV", "NONE, GRAV"), HasSubstr("a part of the beams"));
     EXPECT_THAT(complaint("20, 0.5, 0, 0", "20, half, 0, 0"), HasSubstr("line 6 has 'HALF'"));
-    EXPECT_THAT(complaint("2, 30, 40", "2, 30, 41"), HasSubstr("node 41, which there is not"));
+    EXPECT_THAT(complaint("2, 30, 40", "2, 30, 41"), HasSubstr("node 41, which does not exist"));
     EXPECT_THAT(complaint("10, 30, 20", "10, 2000000000"), HasSubstr("line 17 generates 1999999991 labels"));
     EXPECT_THAT(complaint("10, 30, 20", "10, 30, 0"), HasSubstr("line 17 steps by 0"));
     EXPECT_THAT(complaint("10, 1, 6", "10, 6, 1"), HasSubstr("degree of freedom 1, before its first"));

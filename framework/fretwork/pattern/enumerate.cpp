@@ -166,7 +166,7 @@ PatternCount with_problem(const NodeLayout& layout, const EnumerationOptions& op
 
 void EdgeRange::validate() const {
     if (least < 1 || most < least)
-        throw base::InputError("the numbers of edges run from a least one of 1 or more upwards, and " +
+        throw base::InputError("the numbers of edges are a range A..B with 1 <= A <= B, and " +
                                std::to_string(least) + ".." + std::to_string(most) + " was given");
 }
 

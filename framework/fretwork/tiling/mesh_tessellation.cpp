@@ -56,9 +56,9 @@ class MeshTiles {
             if (same.size() == 1) {
                 rim_sides_.push_back(same.front());
             } else if (same.size() > 2 || same[0].from == same[1].from) {
-                fail(same.back().cell, "has a side at " + place_of(same.back().from) + " that face " +
+                fail(same.back().cell, "has a side at " + place_of(same.back().from) + "; face " +
                                            std::to_string(same.front().cell) +
-                                           " has on the same side, or that three faces have");
+                                           " lies on the same side of it, or three faces share it");
             }
         });
         const detail::Pieces pieces = detail::pieces_of(dual_, {});

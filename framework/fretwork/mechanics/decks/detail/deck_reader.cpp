@@ -84,7 +84,7 @@ class Reader {
 
     [[nodiscard]] NodeIndex node(std::size_t line, const std::string& word) const {
         const auto found = nodes_.find(deck_.integer(line, word));
-        if (found == nodes_.end()) deck_.fail(line, "names node " + word + ", which there is not");
+        if (found == nodes_.end()) deck_.fail(line, "names node " + word + ", which does not exist");
         return found->second;
     }
 
@@ -152,11 +152,11 @@ class Reader {
         const std::string& set = deck_.parameter(card, "ELSET");
         const std::set<int>* members = element_sets_.find(set);
         if (members == nullptr)
-            deck_.fail(card.line, "names the element set " + set + ", which there is not");
+            deck_.fail(card.line, "names the element set " + set + ", which does not exist");
         for (const int label : *members) {
             const auto element = elements_.find(label);
             if (element == elements_.end())
-                deck_.fail(card.line, "needs element " + std::to_string(label) + ", which there is not");
+                deck_.fail(card.line, "needs element " + std::to_string(label) + ", which does not exist");
             element->second.section = &section;
             element->second.material = deck_.parameter(card, "MATERIAL");
             element->second.normal = normal;
@@ -252,7 +252,7 @@ class Reader {
         const auto material = materials_.find(element.material);
         if (material == materials_.end())
             deck_.fail(element.line, "gives element " + std::to_string(label) + " of the material " +
-                                         element.material + ", which there is not");
+                                         element.material + ", which does not exist");
         if (element.nodes.size() == 3 && !lies_between(element.nodes[1], element.nodes[0], element.nodes[2]))
             deck_.fail(element.line, "gives element " + std::to_string(label) +
                                          ", whose second node does not lie between its first and its third");
