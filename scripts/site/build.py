@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Build the site from the repository's Markdown, the program's help, the Python module and the public headers. `build.py --help`."""
+
+import argparse
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import time
+
+import command_reference
+import cpp_reference
+import file_reference
+import markdown_pages as markdown
+import python_reference
+import stage
+
+HERE = pathlib.Path(__file__).resolve().parent
+KATEX = pathlib.Path("/usr/share/javascript/katex")
+
+
+def put(folder, index, entries, below=""):
+    """Write a reference's index with its tree."""
+    (folder / "index.md").write_text(index + below + stage.toctree(entries, depth=1))
+
+
+def write_references(source, program, package):
+    reference = source / "docs/reference"
+    put(reference / "commands", *command_reference.write(program, reference / "commands"))
+    put(reference / "cpp", *cpp_reference.write(markdown.ROOT / "framework/fretwork", source.parent / "doxygen", reference / "cpp"))
+    put(reference / "files", *file_reference.write(reference / "files"))
+    if package:
+        put(reference / "python", *python_reference.write(package, reference / "python"))
+    else:
+        (reference / "python").mkdir(parents=True)
+        (reference / "python/index.md").write_text("# Python\n\nThis site was built without the Python module. `make python docs` builds both.\n")
+
+
+def copy_static(source):
+    """Style, script, and KaTeX with its fonts: nothing is fetched when a page is read."""
+    static = source / "_static"
+    shutil.copytree(HERE / "static", static)
+    (static / "katex").mkdir()
+    for name in ("katex.min.js", "katex.min.css"):
+        shutil.copy(KATEX / name, static / "katex")
+    shutil.copytree(KATEX / "fonts", static / "katex/fonts")
+
+
+def build(out, program, package):
+    source = out.parent / "site-source"
+    shutil.rmtree(source, ignore_errors=True)
+    shutil.rmtree(out, ignore_errors=True)
+    source.mkdir(parents=True)
+    rows = stage.contents((HERE / "contents.txt").read_text())
+    stage.stage(source, rows)
+    write_references(source, program, package)
+    copy_static(source)
+    shutil.copy(HERE / "conf.py", source)
+    jobs = str(os.cpu_count() or 1)
+    return subprocess.run([sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-j", jobs, "-b", "html", "-d", source.parent / "site-doctrees", source, out]).returncode
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, epilog="Example: build.py --program build/release/apps/fretwork/fretwork --out build/site")
+    parser.add_argument("--program", type=pathlib.Path, default=markdown.ROOT / "build/release/apps/fretwork/fretwork", help="the built program")
+    parser.add_argument("--package", type=pathlib.Path, default=markdown.ROOT / "build/release/apps/python", help="the folder of the built Python package")
+    parser.add_argument("--out", type=pathlib.Path, default=markdown.ROOT / "build/site", help="where the site goes")
+    options = parser.parse_args()
+    if not options.program.exists():
+        parser.error(f"{options.program} is not there: build it by scripts/build.sh")
+    started = time.monotonic()
+    package = options.package if (options.package / "fretwork/__init__.py").exists() else None
+    code = build(options.out.resolve(), options.program.resolve(), package)
+    if code == 0:
+        print(f"{options.out}/index.html: {len(list(options.out.glob('**/*.html')))} pages in {time.monotonic() - started:.0f} s")
+        if not package:
+            print("The reference of Python is left out: `make python docs` builds the module first.", file=sys.stderr)
+    return code
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
