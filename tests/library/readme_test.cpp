@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The queries of the stage's README are run, word for word, against a small library.
+// The queries of the library's page are run, word for word, against a small library.
 #include "sample.hpp"
 
 #include <fretwork/base/text.hpp>
@@ -18,7 +18,7 @@ using namespace test;
 using Row = std::map<std::string, std::string>;
 
 std::string readme() {
-    return base::read_text_file(FRETWORK_SOURCE_DIR "/framework/fretwork/library/README.md");
+    return base::read_text_file(FRETWORK_SOURCE_DIR "/docs/guide/library.md");
 }
 
 /// The queries of the page, by the heading above each.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A method from outside the library: the example of framework/fretwork/optimization/README.md.
+// A method from outside the library: the example of docs/guide/own_optimizer.md.
 #pragma once
 
 #include <fretwork/base/random.hpp>

@@ -26,7 +26,7 @@ TEST(OwnMethod, MinimizesWithoutBeingInTheCatalogue) {
 TEST(OwnMethod, IsWhatThePageShows) {
     const std::string folder = FRETWORK_SOURCE_DIR;
     const std::string source = base::read_text_file(folder + "/tests/optimization/evolution_strategy.hpp");
-    const std::string page = base::read_text_file(folder + "/framework/fretwork/optimization/README.md");
+    const std::string page = base::read_text_file(folder + "/docs/guide/own_optimizer.md");
     int blocks = 0;
     for (std::size_t begin = page.find("```cpp\n"); begin != std::string::npos;
          begin = page.find("```cpp\n", begin)) {

@@ -65,7 +65,7 @@ std::optional<CorotationalMotion> corotational_motion(const CorotationalBody& bo
 /// An element of any number of nodes, such as a condensed tile, that may move and turn by any amount. It
 /// resists motions of its nodes relative to its corotating axes with its linear stiffness. Its linearization
 /// at rest is the linear element of that stiffness. The theory is in
-/// framework/fretwork/mechanics/corotational.md.
+/// docs/concepts/corotational.md.
 ///
 /// @param turn  the rotation at rest from the body's axes to the structure's axes
 ///

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The formulas are derived in framework/fretwork/mechanics/corotational.md.
+// The formulas are derived in docs/concepts/corotational.md.
 #include <fretwork/geometry/rotation.hpp>
 #include <fretwork/mechanics/elements/corotational_element.hpp>
 #include <fretwork/mechanics/elements/corotational_pose.hpp>
