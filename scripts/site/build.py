@@ -21,21 +21,23 @@ HERE = pathlib.Path(__file__).resolve().parent
 KATEX = pathlib.Path("/usr/share/javascript/katex")
 
 
-def put(folder, index, entries, below=""):
-    """Write a reference's index with its tree."""
-    (folder / "index.md").write_text(index + below + stage.toctree(entries, depth=1))
+def extend(page, written):
+    """Put the table of a reference, and the tree of its pages, under the page that the repository has of it."""
+    table, entries = written
+    folder = page.stem
+    text = page.read_text() + "\n" + table + stage.toctree([(title, f"{folder}/{name}") for title, name in entries], depth=1)
+    page.write_text(text)
 
 
 def write_references(source, program, package):
     reference = source / "docs/reference"
-    put(reference / "commands", *command_reference.write(program, reference / "commands"))
-    put(reference / "cpp", *cpp_reference.write(markdown.ROOT / "framework/fretwork", source.parent / "doxygen", reference / "cpp"))
-    put(reference / "files", *file_reference.write(reference / "files"))
+    extend(reference / "commands.md", command_reference.write(program, reference / "commands"))
+    extend(reference / "cpp.md", cpp_reference.write(markdown.ROOT / "framework/fretwork", source.parent / "doxygen", reference / "cpp"))
+    extend(reference / "files.md", file_reference.write(reference / "files"))
     if package:
-        put(reference / "python", *python_reference.write(package, reference / "python"))
+        extend(reference / "python.md", python_reference.write(package, reference / "python"))
     else:
-        (reference / "python").mkdir(parents=True)
-        (reference / "python/index.md").write_text("# Python\n\nThis site was built without the Python module. `make python docs` builds both.\n")
+        extend(reference / "python.md", ("This site was built without the Python module: `make python docs` builds both.\n", []))
 
 
 def copy_static(source):

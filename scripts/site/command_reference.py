@@ -85,7 +85,7 @@ def groups(help_text):
 
 
 def write(program, folder):
-    """Write the index and the verbs' pages; gives the pages as (title, file name)."""
+    """Write the verbs' pages; gives a table of them, and the pages as (title, file name)."""
     def printed(*arguments):
         return subprocess.run([program, *arguments], text=True, check=True, capture_output=True).stdout
 
@@ -95,15 +95,12 @@ def write(program, folder):
         words = title.split()
         if len(words) > 1:
             verbs.setdefault(words[1], []).append(verb_text(title, lines, 1 if len(words) == 2 else 2))
-    index = ["# Command line", "", "These pages are made from the program's own manual (`fretwork manual --man`), so they say what `--help` says.",
-             "Every verb takes `--help`. `--json` prints what a program would read.", "",
-             "Exit codes: 0: done; 1: it ran but did not succeed (not converged, out of tolerance, nothing matched); 2: bad input or usage.", "",
-             "Lengths take a unit (`26mm`), angles too (`15deg`). Files are in SI units.", ""]
+    index = []
     entries = []
     for group, members in groups(printed("--help")).items():
         index += [f"## {group}", "", "| verb | what it does |", "|---|---|"]
         for verb, words in members:
-            index.append(f"| [`{verb}`]({verb}.md) | {escape(words)} |")
+            index.append(f"| [`{verb}`](commands/{verb}.md) | {escape(words)} |")
             entries.append((verb, verb))
             (folder / f"{verb}.md").write_text("\n".join(verbs[verb]))
         index.append("")

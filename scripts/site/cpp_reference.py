@@ -60,16 +60,15 @@ def header_text(header, symbols):
 
 
 def write(framework, out, folder):
-    """Write a page for each stage; gives the index and the pages as (title, file name)."""
+    """Write a page for each stage; gives a table of them, and the pages as (title, file name)."""
     folder.mkdir(parents=True, exist_ok=True)
     symbols = cpp_headers.read_headers(framework, out)
-    index = ["# C++", "", "The public headers of each stage, with what their comments say. Names are in the namespace `fretwork::<stage>`; a project of your own links "
-             "`fretwork::<stage>` ([how](/docs/guide/cpp.md)).", "", "| stage | headers | types and functions |", "|---|--:|--:|"]
+    index = ["| stage | headers | types and functions |", "|---|--:|--:|"]
     entries = []
     for stage, headers in cpp_headers.public_headers(framework).items():
         names = [str(header.relative_to(framework)) for header in headers]
         texts = [header_text(name, symbols[name]) for name in names if symbols[name]]
         (folder / f"{stage}.md").write_text(f"# {stage}\n\nNamespace `fretwork::{stage}`. Link `fretwork::{stage}`.\n\n" + "\n".join(texts))
-        index.append(f"| [`{stage}`]({stage}.md) | {len(names)} | {sum(len(symbols[name]) for name in names)} |")
+        index.append(f"| [`{stage}`](cpp/{stage}.md) | {len(names)} | {sum(len(symbols[name]) for name in names)} |")
         entries.append((stage, stage))
     return "\n".join(index) + "\n", entries

@@ -2,6 +2,7 @@
 """The reference of file formats, from their JSON schemas: a page for each kind, with its keys and an example of the repository."""
 
 import json
+import shutil
 
 import markdown_pages as markdown
 
@@ -80,7 +81,7 @@ def page(schema_file):
     text = [f"# {kind}", "", f"{schema.get('title', '')}.", ""]
     if formats:
         text += ["The key `format` is " + ", ".join(f"`{name}`" for name in formats) + ".", ""]
-    text += [f"Schema: [`{schema_file.name}`](../../../docs/schemas/{schema_file.name}). `fretwork check FILE` says whether a file is valid.", ""]
+    text += [f"Schema: [`{schema_file.name}`](../../schemas/{schema_file.name}). `fretwork check FILE` says whether a file is valid.", ""]
     file, content = example(formats)
     if file and len(content) < 4000:
         text += [f"An example, `{file.relative_to(markdown.ROOT)}`:", "", "```json", content.strip(), "```", ""]
@@ -90,14 +91,17 @@ def page(schema_file):
 
 
 def write(folder):
+    """Write a page for each kind; gives a table of them, and the pages as (title, file name)."""
     folder.mkdir(parents=True, exist_ok=True)
-    index = ["# File formats", "", "All files are JSON, in SI units. They are strict: an unknown key is an error that names file, place and the nearest key. "
-             "[What each file is for](/docs/guide/files.md). The library is one SQLite file: [its tables](/framework/fretwork/library/schema.md).", "", "| kind | content |", "|---|---|"]
+    schemas = folder.parents[1] / "schemas"
+    schemas.mkdir(parents=True, exist_ok=True)
+    index = ["| kind | content |", "|---|---|"]
     entries = []
     for schema_file in sorted(SCHEMAS.glob("*.schema.json")):
         kind = schema_file.name.removesuffix(".schema.json")
         text, title = page(schema_file)
+        shutil.copy(schema_file, schemas)
         (folder / f"{kind}.md").write_text(text)
-        index.append(f"| [{kind}]({kind}.md) | {title} |")
+        index.append(f"| [{kind}](files/{kind}.md) | {title} |")
         entries.append((kind, kind))
     return "\n".join(index) + "\n", entries

@@ -76,7 +76,7 @@ def parts_of(module):
 
 
 def write(package, folder):
-    """Write the pages from the module in a folder; gives the index and the pages as (title, file name)."""
+    """Write the pages from the module in a folder; gives a table of them, and the pages as (title, file name)."""
     folder.mkdir(parents=True, exist_ok=True)
     sys.dont_write_bytecode = True
     sys.path.insert(0, str(package))
@@ -87,9 +87,8 @@ def write(package, folder):
         "words": ("Enumerations", [enum_text(name, part) for name, part in parts["enums"].items()]),
         "errors": ("Errors", [function_text(name, part) for name, part in parts["errors"].items()]),
     }
-    index = ["# Python", "", "All names of the module, as its docstrings tell them. [How to begin](/docs/guide/python.md); "
-             "[what to know](/apps/python/README.md).", "", "| page | names |", "|---|--:|"]
+    index = ["| page | names |", "|---|--:|"]
     for file, (title, texts) in pages.items():
         (folder / f"{file}.md").write_text(f"# {title} of the Python module\n\n" + "\n".join(texts))
-        index.append(f"| [{title}]({file}.md) | {len(texts)} |")
+        index.append(f"| [{title}](python/{file}.md) | {len(texts)} |")
     return "\n".join(index) + "\n", [(title, file) for file, (title, _) in pages.items()]
