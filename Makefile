@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The two commands of the README, and what else people here do often. All work is done by CMake and scripts/.
-.PHONY: demo studio python test check reproduce bench format clean
+.PHONY: demo studio python docs test check reproduce bench format clean
 
 demo:       ## install what is missing, build, and run the main job: out/ holds the result
 	@scripts/install-dependencies.sh demo
@@ -13,6 +13,10 @@ studio:     ## install what is missing, build the program and its page, and open
 python:     ## install what is missing, build the Python module, and make a wheel in out/
 	@scripts/install-dependencies.sh python
 	@scripts/python.sh
+
+docs:       ## install what is missing, and build the site in build/site
+	@scripts/install-dependencies.sh docs
+	@scripts/docs.sh
 
 test:       ## install what is missing, build, and pass the tests
 	@scripts/install-dependencies.sh test

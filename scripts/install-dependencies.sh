@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Install what is missing on Debian 12, and nothing else. Works as root and with sudo; says nothing when all is there.
-# Usage: scripts/install-dependencies.sh [demo|test|check|studio|python]   (test holds demo, check holds test and python; studio and python: demo;
+# Usage: scripts/install-dependencies.sh [demo|test|check|studio|python|docs]   (test holds demo, check holds test, python and docs; studio, python and docs: demo;
 # studio and check: Node.js with npm, unless there is one that fits; default: test)
 set -euo pipefail
 
@@ -11,7 +11,8 @@ demo=(g++ cmake ninja-build git ca-certificates
       librsvg2-bin fonts-dejavu-core)
 test=("${demo[@]}" libgtest-dev libgmock-dev libbenchmark-dev clang-format gringo groff-base python3-jsonschema sqlite3)
 python=("${demo[@]}" pybind11-dev python3-dev python3-numpy python3-pip python3-venv)
-check=("${test[@]}" "${python[@]}" mypy python3-pandas python3-torch clang-tidy-16 calculix-ccx gmsh python3-gmsh slurm-wlm munge snakemake python3-numpy python3-scipy python3-matplotlib python3-ezdxf python3-vtk9 admesh prusa-slicer inkscape chromium)
+docs=("${demo[@]}" doxygen furo libjs-katex node-normalize.css python3-myst-parser python3-sphinx python3-sphinx-copybutton)
+check=("${test[@]}" "${python[@]}" "${docs[@]}" codespell mypy python3-pandas python3-torch clang-tidy-16 calculix-ccx gmsh python3-gmsh slurm-wlm munge snakemake python3-numpy python3-scipy python3-matplotlib python3-ezdxf python3-vtk9 admesh prusa-slicer inkscape chromium)
 
 # A Node.js of 18.18 or newer, wherever it comes from, and npm.
 has_fitting_node() {
@@ -24,8 +25,9 @@ case "${1:-test}" in
   test) wanted=("${test[@]}") ;;
   check) wanted=("${check[@]}"); has_fitting_node || wanted+=(nodejs npm) ;;
   python) wanted=("${python[@]}") ;;
+  docs) wanted=("${docs[@]}") ;;
   studio) wanted=("${demo[@]}"); has_fitting_node || wanted+=(nodejs npm) ;;
-  *) echo "install-dependencies.sh: unknown set '$1'; there is: demo, test, check, studio, python" >&2; exit 2 ;;
+  *) echo "install-dependencies.sh: unknown set '$1'; there is: demo, test, check, studio, python, docs" >&2; exit 2 ;;
 esac
 
 if ! command -v apt-get >/dev/null; then

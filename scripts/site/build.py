@@ -16,6 +16,7 @@ import file_reference
 import markdown_pages as markdown
 import python_reference
 import stage
+import theme
 
 HERE = pathlib.Path(__file__).resolve().parent
 KATEX = pathlib.Path("/usr/share/javascript/katex")
@@ -51,6 +52,7 @@ def copy_static(source):
 
 
 def build(out, program, package):
+    """Build the site; gives 0, or what Sphinx gives where a page has a mistake."""
     source = out.parent / "site-source"
     shutil.rmtree(source, ignore_errors=True)
     shutil.rmtree(out, ignore_errors=True)
@@ -61,7 +63,11 @@ def build(out, program, package):
     copy_static(source)
     shutil.copy(HERE / "conf.py", source)
     jobs = str(os.cpu_count() or 1)
-    return subprocess.run([sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-j", jobs, "-b", "html", "-d", source.parent / "site-doctrees", source, out]).returncode
+    trees = source.parent / "site-doctrees"
+    code = subprocess.run([sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-j", jobs, "-b", "html", "-d", trees, source, out]).returncode
+    if code == 0:
+        theme.mend(out)
+    return code
 
 
 def main():

@@ -95,7 +95,14 @@ def plain(node):
     return "" if node is None else re.sub(r"\s+", " ", "".join(node.itertext())).strip()
 
 
+def tidy(text):
+    """A declaration as the headers write it: `const Frame& frame`, `std::span<const double>`."""
+    text = re.sub(r"\s+", " ", text).strip().replace("< ", "<").replace(" >", ">")
+    return re.sub(r" ([&*]+) ?(?=[\w,)=]|$)", r"\1 ", text).replace(" ,", ",").replace(" )", ")").strip()
+
+
 def declaration(member):
+    """A member's declaration as text."""
     kind = member.get("kind")
     name = member.findtext("name")
     if kind == "enum":
@@ -115,7 +122,7 @@ def declaration(member):
         text = f"{plain(member.find('type'))} {name}{plain(member.find('argsstring'))} {plain(member.find('initializer'))}"
     else:
         text = f"{plain(member.find('type'))} {name}{plain(member.find('argsstring'))}"
-    return prefix + re.sub(r"\s+", " ", text).strip().replace("< ", "<").replace(" >", ">").replace(" &", "&").replace("&&", " &&").strip() + ";"
+    return prefix + tidy(text) + ";"
 
 
 def is_exempt(member):
