@@ -126,13 +126,13 @@ def declaration(member):
 
 
 def is_exempt(member):
-    """Copies, moves, destructors and what is defaulted, deleted or overridden say nothing of their own."""
+    """Moves, destructors and what is defaulted, deleted or overridden say nothing of their own."""
     arguments = plain(member.find("argsstring"))
     name = member.findtext("name")
     type_text = plain(member.find("type"))
     return (arguments.endswith(("=default", "= default", "=delete", "= delete")) or name.startswith("~")
             or member.find("reimplements") is not None or " override" in arguments or type_text.startswith("friend")
-            or member.get("kind") == "friend" or (name == "operator=" and "&&" in arguments))
+            or member.get("kind") == "friend" or re.fullmatch(r"\(\w+ ?&& ?\w*\) ?noexcept", arguments) is not None)
 
 
 def read_member(member):

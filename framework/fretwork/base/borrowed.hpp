@@ -10,11 +10,15 @@ namespace fretwork::base {
 template <class T>
 class Borrowed {
   public:
+    /// Refer to an object, which has to outlive this.
     constexpr Borrowed(const T& object) : object_(&object) {}  // NOLINT(google-explicit-constructor)
     Borrowed(const T&&) = delete;
 
+    /// The object.
     constexpr operator const T&() const { return *object_; }  // NOLINT(google-explicit-constructor)
+    /// The object.
     constexpr const T& operator*() const { return *object_; }
+    /// The object.
     constexpr const T* operator->() const { return object_; }
 
   private:

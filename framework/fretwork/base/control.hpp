@@ -13,6 +13,7 @@ namespace fretwork::base {
 /// half-written.
 class Stopped : public Error {
   public:
+    /// The text says that nothing is half-written.
     Stopped() : Error("stopped before it was done; nothing is half-written") {}
 };
 

@@ -12,9 +12,11 @@ namespace fretwork::base {
 /// unions.
 class DisjointSets {
   public:
+    /// Make sets of one element each, numbered from 0.
     explicit DisjointSets(std::size_t count) : parent_(count) {
         std::iota(parent_.begin(), parent_.end(), std::size_t{0});
     }
+    /// Make one set of the sets of a and b.
     void unite(std::size_t a, std::size_t b) {
         const std::size_t one = first_of(a);
         const std::size_t other = first_of(b);

@@ -11,7 +11,7 @@ namespace fretwork::base {
 
 /// The kind of an error, for programs that do more than show its text.
 enum class ErrorKind : std::uint8_t {
-    Other,
+    Other,          ///< none of those below
     NothingHeld,    ///< a structure has no support
     PartNotHeld,    ///< a part of a structure has no support; `about` says where the part is
     MovesFreely,    ///< a structure moves without strain although it has supports; `about` says where
@@ -26,10 +26,10 @@ struct ErrorPlace {
 
 /// An error as data.
 struct ErrorData {
-    std::string problem{};            ///< what is wrong and what would be valid
-    std::vector<ErrorPlace> where{};  ///< outermost first: a file, then the file that it refers to
-    ErrorKind kind = ErrorKind::Other;
-    std::vector<std::string> about{};  ///< the facts that ErrorKind lists for `kind`
+    std::string problem{};              ///< what is wrong and what would be valid
+    std::vector<ErrorPlace> where{};    ///< outermost first: a file, then the file that it refers to
+    ErrorKind kind = ErrorKind::Other;  ///< what kind of mistake, for programs
+    std::vector<std::string> about{};   ///< the facts that ErrorKind lists for `kind`
 };
 
 /// The text "SOURCE: PLACE: what is wrong", in one line.
@@ -41,7 +41,9 @@ std::string text_of(const ErrorData& data);
 /// A programming mistake is an assert. A disappointing outcome (not converged, rejected) is data in a report.
 class Error : public std::runtime_error {
   public:
+    /// Make an error of what is wrong, or of all that is known.
     explicit Error(const std::string& problem) : Error(ErrorData{problem}) {}
+    /// Make an error of what is wrong, or of all that is known.
     explicit Error(ErrorData data) : std::runtime_error(text_of(data)), data_(std::move(data)) {}
 
     /// @param source  the file or option
@@ -49,6 +51,7 @@ class Error : public std::runtime_error {
     Error(const std::string& source, const std::string& place, const std::string& problem)
         : Error(ErrorData{problem, {{source, place}}}) {}
 
+    /// The parts of which the text is made.
     [[nodiscard]] const ErrorData& data() const { return data_; }
 
   private:

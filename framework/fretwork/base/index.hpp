@@ -15,11 +15,14 @@ namespace fretwork::base {
 /// only explicitly.
 template <class Tag>
 struct Index {
-    std::int32_t value = -1;
+    std::int32_t value = -1;  ///< -1: none
 
     constexpr Index() = default;
+    /// Make the index of a number.
     constexpr explicit Index(std::integral auto number) : value(static_cast<std::int32_t>(number)) {}
+    /// The number, for arrays of the library.
     constexpr operator std::int32_t() const { return value; }  // NOLINT(google-explicit-constructor)
+    /// True if it is one at all.
     [[nodiscard]] constexpr bool is_valid() const { return value >= 0; }
 
     friend constexpr auto operator<=>(Index left, Index right) = default;

@@ -18,10 +18,13 @@ class IndexVector : public std::vector<T> {
     using std::vector<T>::operator=;
     using std::vector<T>::operator[];
     IndexVector() = default;
+    /// Take the elements of a vector as they are.
     IndexVector(std::vector<T> elements)  // NOLINT(google-explicit-constructor): the same elements
         : std::vector<T>(std::move(elements)) {}
 
+    /// The element at an index of its role.
     [[nodiscard]] T& operator[](Role index) { return (*this)[static_cast<std::size_t>(index.value)]; }
+    /// The element at an index of its role.
     [[nodiscard]] const T& operator[](Role index) const {
         return (*this)[static_cast<std::size_t>(index.value)];
     }

@@ -35,6 +35,7 @@ class JsonReader {
     void expect_format(std::string_view kind, int newest = 1, int oldest = 1) const;
     /// Throw InputError unless this is an object with no other keys than these.
     void allow_only(std::initializer_list<std::string_view> keys) const;
+    /// Throw InputError if the object has any other key.
     void allow_only(std::span<const std::string_view> keys) const;
 
     /// A required member. Throws InputError if it is missing.
@@ -48,17 +49,26 @@ class JsonReader {
     /// All elements of an array that must have `count` elements.
     [[nodiscard]] std::vector<JsonReader> elements(std::size_t count) const;
 
+    /// True for `{..}`.
     [[nodiscard]] bool is_object() const;
+    /// True for `[..]`.
     [[nodiscard]] bool is_array() const;
+    /// True for a number.
     [[nodiscard]] bool is_number() const;
+    /// True for a text.
     [[nodiscard]] bool is_string() const;
 
+    /// The number, finite.
     [[nodiscard]] double number() const;
+    /// The number, above 0.
     [[nodiscard]] double positive_number() const;
+    /// That many numbers.
     [[nodiscard]] std::vector<double> numbers(std::size_t count) const;
     /// A whole number from `low` to `high`.
     [[nodiscard]] long long integer(long long low, long long high) const;
+    /// True or false.
     [[nodiscard]] bool boolean() const;
+    /// The text.
     [[nodiscard]] std::string string() const;
     /// A string that is one of `choices`.
     [[nodiscard]] std::string choice(std::initializer_list<std::string_view> choices) const;

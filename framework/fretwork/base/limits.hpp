@@ -10,19 +10,27 @@ namespace fretwork::base {
 /// can be built, yet no product of a few values within them underflows or overflows. A value outside is a
 /// mistake in units or in a program. All readers and checks of inputs use the limits listed here.
 struct Limits {
-    double least;  ///< smallest value of a quantity that must be above zero
-    double most;   ///< largest magnitude of any value
-    std::string_view unit;
+    double least;           ///< smallest value of a quantity that must be above zero
+    double most;            ///< largest magnitude of any value
+    std::string_view unit;  ///< of both limits, for messages
 };
 
 inline constexpr Limits kLengthLimits{1e-12, 1e12, "m"};  ///< also for coordinates and displacements
+/// Areas of sections.
 inline constexpr Limits kAreaLimits{1e-24, 1e24, "m^2"};
+/// Second moments of area, and torsion constants.
 inline constexpr Limits kSecondMomentLimits{1e-48, 1e48, "m^4"};
+/// Moduli, strengths and pressures.
 inline constexpr Limits kModulusLimits{1e-12, 1e18, "Pa"};
+/// Densities.
 inline constexpr Limits kDensityLimits{1e-12, 1e12, "kg/m^3"};
+/// Forces.
 inline constexpr Limits kForceLimits{1e-24, 1e18, "N"};
+/// Moments.
 inline constexpr Limits kMomentLimits{1e-36, 1e30, "N m"};
+/// Gravity.
 inline constexpr Limits kAccelerationLimits{1e-12, 1e12, "m/s^2"};
+/// Angles and rotations.
 inline constexpr Limits kAngleLimits{1e-12, 1e6, "rad"};
 
 /// True if a value that must be above zero lies within the limits. False for NaN.

@@ -33,6 +33,7 @@ class SilentProgress final : public Progress {
 /// Silent if the stream is not a terminal, and for tasks of less than half a second.
 class TerminalProgress final : public Progress {
   public:
+    /// Show progress on a stream, if it is a terminal.
     explicit TerminalProgress(std::FILE* stream = stderr);
     /// Ends the line of a task that an exception left unfinished.
     ~TerminalProgress() override { end_line(); }

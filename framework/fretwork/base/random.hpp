@@ -34,6 +34,7 @@ class RandomStream {
 /// SplitMix64 [Steele2014]: random integers that are the same on every machine.
 class SplitMix64 {
   public:
+    /// Begin a sequence.
     explicit SplitMix64(std::uint64_t seed) : state_(seed) {}
 
     /// The 64-bit hash of a number; different numbers have different hashes.
@@ -43,6 +44,7 @@ class SplitMix64 {
         return number ^ (number >> 31U);
     }
 
+    /// The next 64 bits.
     std::uint64_t next() { return mix(state_ += 0x9e3779b97f4a7c15U); }
     /// A uniform integer below `count`. Draws that would favour small numbers are rejected and repeated.
     std::uint64_t below(std::uint64_t count) {

@@ -18,20 +18,21 @@ namespace fretwork::design {
 
 /// The best painting so far, while the search goes on.
 struct DesignProgress {
-    int solutions = 0;  ///< nonlinear solutions so far
-    double seconds = 0.0;
-    double misfit = 0.0;  ///< root of the weighted mean square distance of the reduced model, a share of the
-                          ///< largest displacement wanted
+    int solutions = 0;     ///< nonlinear solutions so far
+    double seconds = 0.0;  ///< since the search began
+    double misfit = 0.0;   ///< root of the weighted mean square distance of the reduced model, a share of the
+                           ///< largest displacement wanted
 };
 
+/// Options of design().
 struct DesignOptions {
-    std::string load_case;  ///< the project's load case for goals that name none
-    std::vector<pattern::NamedPattern> palette;
+    std::string load_case;                       ///< the project's load case for goals that name none
+    std::vector<pattern::NamedPattern> palette;  ///< patterns to choose from
     std::size_t max_patterns =
         0;  ///< most different patterns of the surface, kept tiles included; 0: any number
     std::vector<tiling::TileIndex> keep;  ///< tiles that keep their patterns
-    Symmetry symmetry;
-    double max_mass = 0.0;               ///< kg, of all beams; 0: any
+    Symmetry symmetry;                    ///< that the painting keeps
+    double max_mass = 0.0;                ///< kg, of all beams; 0: any
     double max_utilization = 0.0;        ///< largest share of the setting's strength, checked with all beams;
                                          ///< 0: any
     bool free_factor = false;            ///< the factor on each load case's loads is searched, too
@@ -41,9 +42,9 @@ struct DesignOptions {
     std::size_t uniform_paintings = 24;  ///< number of uniform paintings, of very different stiffness, with
                                          ///< which the search begins
     std::size_t shortlist = 64;          ///< number of patterns that one step of the search chooses from
-    std::uint64_t seed = 1;
-    int threads = 0;  ///< 0: one for each processor. The number does not change a bit of the result.
-    base::Control control{};
+    std::uint64_t seed = 1;              ///< of all random choices
+    int threads = 0;          ///< 0: one for each processor. The number does not change a bit of the result.
+    base::Control control{};  ///< how the caller follows and stops the work
     std::function<void(const DesignProgress&)> on_better{};  ///< called on the calling thread; may be empty
     /// Throws InputError if a value is invalid, or does not fit the project.
     void validate(const simulation::Project& project) const;
@@ -52,48 +53,50 @@ struct DesignOptions {
 /// Distances to the target over its goals' nodes, as shares of the largest displacement that it asks for.
 /// They are those of the full model: the nonlinear equilibrium on the stable path from flat.
 struct TargetError {
-    double mean = 0.0;
-    double largest = 0.0;
-    bool is_stable = true;
+    double mean = 0.0;      ///< a share of the largest displacement wanted
+    double largest = 0.0;   ///< the same of the worst node
+    bool is_stable = true;  ///< of all load cases
 };
 
 /// The reason for which the search ended.
 enum class DesignEnd {
     NoSwapImproves,  ///< no single swap is predicted to improve the painting, or no predicted improvement
                      ///< came true
-    SolutionsSpent,
-    TimeSpent,
-    Stopped  ///< by the caller
+    SolutionsSpent,  ///< the solutions were used up
+    TimeSpent,       ///< the time was used up
+    Stopped          ///< by the caller
 };
+/// The word for it in reports.
 std::string_view design_end_name(DesignEnd end);
 
 /// A relative gain below this counts as rounding or chance.
 inline constexpr double kLeastDesignGain = 0.01;
 
+/// What design() found.
 struct DesignReport {
     simulation::Project project;       ///< painted; with free unknowns, its load cases have their values
     std::optional<TargetError> error;  ///< none if the search was stopped before the check
     std::optional<TargetError> best_uniform;  ///< error of the best single pattern among those tried
-    std::string best_uniform_pattern;
-    std::size_t uniform_tried = 0;
-    std::vector<std::string> patterns;  ///< patterns of the painting
-    std::vector<double> factors;        ///< factor on the loads of each load case, in the order of load_cases
-    std::vector<std::string> load_cases;
+    std::string best_uniform_pattern;         ///< its id
+    std::size_t uniform_tried = 0;            ///< single patterns that were solved
+    std::vector<std::string> patterns;        ///< patterns of the painting
+    std::vector<double> factors;  ///< factor on the loads of each load case, in the order of load_cases
+    std::vector<std::string> load_cases;        ///< their names
     std::optional<double> largest_utilization;  ///< with all beams; none without a strength
     /// The largest displacement wanted, divided by the largest displacement of the softest uniform painting,
     /// and then of the stiffest one. Values far above one mean that the load is too small for the target.
     double wanted_of_softest = 0.0;
-    double wanted_of_stiffest = 0.0;
+    double wanted_of_stiffest = 0.0;  ///< the same of the stiffest one
     double model_error =
         0.0;  ///< mean distance of the reduced model from the full one, a share like the errors
     std::vector<double> starts;  ///< the misfit that each start of the search reached (DesignProgress)
-    std::vector<DesignProgress> history;
-    DesignEnd end = DesignEnd::NoSwapImproves;
-    bool slides = false;  ///< nodes may slide along a target's surface
-    double seconds = 0.0;
-    int solutions = 0;       ///< nonlinear solutions of the search
-    int full_solutions = 0;  ///< nonlinear solutions with all beams, of the checks
-    std::uint64_t seed = 0;
+    std::vector<DesignProgress> history;        ///< each better painting
+    DesignEnd end = DesignEnd::NoSwapImproves;  ///< how the search ended
+    bool slides = false;                        ///< nodes may slide along a target's surface
+    double seconds = 0.0;                       ///< wall time, checks included
+    int solutions = 0;                          ///< nonlinear solutions of the search
+    int full_solutions = 0;                     ///< nonlinear solutions with all beams, of the checks
+    std::uint64_t seed = 0;                     ///< of all random choices
     /// True if the painting's mean error is below that of the best single pattern by a share of at least
     /// kLeastDesignGain, and below the largest displacement wanted. False if this is not known.
     [[nodiscard]] bool is_better() const {

@@ -24,12 +24,13 @@ std::string signed_colour(double share);
 /// The colours of a scale at equally spaced values, as "#rrggbb". The scale is linear between them, so a page
 /// can draw with it.
 std::vector<std::string> scale_samples();
+/// Colours from blue over white to red, for values of both signs.
 std::vector<std::string> signed_samples();
 
 /// The range of a colour scale.
 struct ValueRange {
-    double from = 0.0;
-    double to = 0.0;
+    double from = 0.0;  ///< the first colour's value
+    double to = 0.0;    ///< the last colour's value
 };
 /// The range from the lowest to the highest value. NaN is ignored.
 ValueRange whole_range(std::span<const double> values);

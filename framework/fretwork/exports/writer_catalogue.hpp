@@ -27,16 +27,16 @@ Content parse_content(const std::string& name);
 
 /// The text of a file, and remarks, one line each, about options for making that could not be met.
 struct Written {
-    std::string text;
-    std::vector<std::string> remarks{};
+    std::string text;                    ///< the file's content
+    std::vector<std::string> remarks{};  ///< for people
 };
 
 /// A kind of file.
 struct WriterRow {
-    std::string_view ending;  ///< file name ending, with its dot
-    Content content;
-    std::string_view description;
-    Written (*write)(const Scene&);
+    std::string_view ending;         ///< file name ending, with its dot
+    Content content;                 ///< where an ending may hold several things
+    std::string_view description;    ///< for `--help`
+    Written (*write)(const Scene&);  ///< makes the text
     /// The members of a scene that a writer reads besides surface and results.
     enum class Kind { Data, Drawing, Picture, Made } kind = Kind::Data;
     [[nodiscard]] bool is_drawing() const {

@@ -22,9 +22,9 @@ using Contour = std::vector<ContourPoint>;
 
 /// The circle of an arc.
 struct Arc {
-    geometry::Point2 center;
-    double radius = 0.0;  ///< m
-    double sweep = 0.0;   ///< rad, counterclockwise positive
+    geometry::Point2 center;  ///< m
+    double radius = 0.0;      ///< m
+    double sweep = 0.0;       ///< rad, counterclockwise positive
 };
 /// The arc from a point to the next one. Its bulge must not be zero.
 Arc arc_between(const ContourPoint& from, const geometry::Point2& to);

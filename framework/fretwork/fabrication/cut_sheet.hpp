@@ -12,13 +12,13 @@ namespace fretwork::fabrication {
 /// One line of text, centred at a place.
 struct Label {
     geometry::Point2 place;  ///< m
-    std::string text;
-    double height = 0.0;  ///< m
+    std::string text;        ///< what is written
+    double height = 0.0;     ///< m
 };
 
 /// The input of a cutter: one sheet of material.
 struct CutSheet {
-    std::string title;
+    std::string title;              ///< of the drawing
     std::vector<Piece> pieces;      ///< pieces to be cut along their contours
     std::vector<Label> engraved;    ///< marks on the material
     std::vector<Label> labels;      ///< text for people, not for the machine
@@ -33,6 +33,7 @@ CutSheet sheet_of_shape(const simulation::Surface& surface, const Shape& shape);
 /// The numbers of the tiles as labels at their centers.
 std::vector<Label> tile_labels(const tiling::Tessellation& tessellation);
 
+/// The box around all of it.
 geometry::Box box_of(const CutSheet& sheet);
 
 }  // namespace fretwork::fabrication

@@ -9,11 +9,12 @@ namespace fretwork::fabrication {
 
 /// A place where two sides of a contour come near each other.
 struct NarrowPlace {
+    /// What is narrow.
     enum class Kind {
         Gap,      ///< a gap between material and material that widens in both directions
         Opening,  ///< a narrow opening, whose cut-out is a sliver; the place is its largest inner circle
     };
-    Kind kind = Kind::Gap;
+    Kind kind = Kind::Gap;       ///< what is narrow
     geometry::Point2 place;      ///< the middle of the gap or of the circle, m
     double width = 0.0;          ///< m
     TileIndex tile;              ///< tile of the nearest bar
@@ -27,9 +28,10 @@ std::vector<NarrowPlace> narrow_places(const Shape& shape, const BarPlan& plan, 
 
 /// The largest circle inside an opening, with a radius accurate to one per cent.
 struct InnerCircle {
-    geometry::Point2 center;
-    double radius = 0.0;  ///< m
+    geometry::Point2 center;  ///< m
+    double radius = 0.0;      ///< m
 };
+/// The largest circle in a polygon.
 InnerCircle inner_circle(const geometry::Polygon& polygon);
 
 }  // namespace fretwork::fabrication

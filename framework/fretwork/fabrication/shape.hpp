@@ -32,12 +32,13 @@ struct ShapeOptions {
     double eye_diameter = 0.0;   ///< m, diameter of the discs around the holes; 0: twice the
                                  ///< bolt's
     std::vector<TessellationNodeIndex> bolts{};  ///< nodes with a hole
-    base::Control control{};
+    base::Control control{};                     ///< how the caller follows and stops the work
     /// Throws InputError that names an invalid option.
     void validate() const;
 
     /// The radii of the contours of a bolt's eye and of its hole, m, corrected for the kerf.
     [[nodiscard]] double eye_radius() const;
+    /// M, of the line that is cut.
     [[nodiscard]] double hole_radius() const { return 0.5 * (bolt_diameter - kerf); }
     /// The radius of the fillets of the cutter's path, m.
     [[nodiscard]] double contour_fillet() const;
@@ -58,6 +59,7 @@ std::size_t opening_count(const Shape& shape);
 double area(const Shape& shape);
 /// The total length of all contours, m.
 double cut_length(const Shape& shape);
+/// The box around all of it.
 geometry::Box box_of(const Shape& shape);
 
 /// The options that could not be met everywhere, one line each: openings that the kerf closes, fillets that
@@ -66,8 +68,8 @@ std::vector<std::string> shape_remarks(const Shape& left, const Shape& cut, cons
 
 /// An outline and remarks about it.
 struct RemarkedShape {
-    Shape shape;
-    std::vector<std::string> remarks;
+    Shape shape;                       ///< what is made
+    std::vector<std::string> remarks;  ///< what did not fit
 };
 /// Make a shape with its remarks. With a kerf, it takes the time of two shapes.
 RemarkedShape make_remarked_shape(const simulation::Surface& surface, const ShapeOptions& options);

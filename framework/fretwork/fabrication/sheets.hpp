@@ -25,12 +25,12 @@ struct Bed {
 /// connector: the part with the lower number has a plate with a knob, the other part a plate with the socket.
 /// The connector's name is engraved on both plates.
 struct SheetSet {
-    std::vector<CutSheet> sheets;
+    std::vector<CutSheet> sheets;  ///< with the parts that are cut from each
     /// The plan of assembly: the outlines of the parts in place as guides, and the numbers of parts and tiles
     /// as labels.
     CutSheet assembly;
-    std::size_t parts = 0;
-    std::size_t joints = 0;
+    std::size_t parts = 0;   ///< how many
+    std::size_t joints = 0;  ///< how many
 };
 
 /// Cut a surface into parts on sheets. Throws as make_shape(), and InputError if a tile does not fit the bed,

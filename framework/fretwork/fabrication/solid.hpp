@@ -12,12 +12,13 @@ namespace fretwork::fabrication {
 /// A closed surface of triangles, counterclockwise seen from outside.
 struct Solid {
     std::vector<std::array<double, 3>> vertices;  ///< m
-    std::vector<std::array<int, 3>> triangles;
+    std::vector<std::array<int, 3>> triangles;    ///< counterclockwise seen from outside
 };
 
+/// Options of make_solid().
 struct SolidOptions {
     double chord_tolerance = 5e-6;  ///< m, largest distance between an arc and its chords
-    base::Control control{};
+    base::Control control{};        ///< how the caller follows and stops the work
     /// Throws InputError that names an invalid option.
     void validate() const;
 };
@@ -37,6 +38,7 @@ struct SolidCheck {
     std::size_t open_edges = 0;  ///< number of directed edges without exactly one opposite edge
     long euler_number = 0;       ///< vertices - edges + triangles: 2 for each piece minus 2 for each opening
 };
+/// Whether a solid is closed and oriented.
 SolidCheck check(const Solid& solid);
 
 }  // namespace fretwork::fabrication

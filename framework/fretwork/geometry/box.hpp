@@ -9,9 +9,15 @@ namespace fretwork::geometry {
 
 /// A rectangle with sides parallel to the axes, in metres.
 struct Box {
-    double xmin = 0.0, ymin = 0.0, xmax = 0.0, ymax = 0.0;
+    double xmin = 0.0;  ///< m
+    double ymin = 0.0;  ///< m
+    double xmax = 0.0;  ///< m
+    double ymax = 0.0;  ///< m
+    /// Its size along x, m.
     [[nodiscard]] double width() const { return xmax - xmin; }
+    /// Its size along y, m.
     [[nodiscard]] double height() const { return ymax - ymin; }
+    /// True if the boxes have a point in common.
     [[nodiscard]] bool meets(const Box& other) const {
         return xmin <= other.xmax && other.xmin <= xmax && ymin <= other.ymax && other.ymin <= ymax;
     }

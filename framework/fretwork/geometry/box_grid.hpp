@@ -10,6 +10,7 @@
 
 namespace fretwork::geometry {
 
+/// A grid that finds which of many boxes meet a given one.
 class BoxGrid {
   public:
     /// Builds about as many cells as boxes.

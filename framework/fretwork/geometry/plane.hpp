@@ -9,15 +9,19 @@
 /// The arithmetic of plane vectors, which have the type Point2.
 namespace fretwork::geometry {
 
+/// The sum of two vectors.
 inline Point2 operator+(Point2 a, Point2 b) {
     return {a.x + b.x, a.y + b.y};
 }
+/// The vector from b to a.
 inline Point2 operator-(Point2 a, Point2 b) {
     return {a.x - b.x, a.y - b.y};
 }
+/// The vector times a factor.
 inline Point2 operator*(double factor, Point2 a) {
     return {factor * a.x, factor * a.y};
 }
+/// The scalar product.
 inline double dot(Point2 a, Point2 b) {
     return a.x * b.x + a.y * b.y;
 }
@@ -25,10 +29,12 @@ inline double dot(Point2 a, Point2 b) {
 inline double cross(Point2 a, Point2 b) {
     return a.x * b.y - a.y * b.x;
 }
+/// The length of a vector.
 inline double length(Point2 a) {
     return std::sqrt(a.x * a.x +
                      a.y * a.y);  // std::hypot is many times slower, and no outline needs its range
 }
+/// The distance of two points.
 inline double distance(Point2 a, Point2 b) {
     return length(b - a);
 }
@@ -48,6 +54,7 @@ inline Point2 direction(double angle) {
 inline double turn(Point2 a, Point2 b) {
     return std::atan2(cross(a, b), dot(a, b));
 }
+/// The point at a share of the way from a to b.
 inline Point2 between(Point2 a, Point2 b, double share) {
     return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
 }

@@ -27,6 +27,7 @@ class PointGrid {
         points_.push_back(point);
         return points_.size() - 1;
     }
+    /// All points, in the order in which they were added.
     [[nodiscard]] const std::vector<Point2>& points() const { return points_; }
 
     /// Calls `visit(number)` for each point of the nine cells around a place, in an unspecified order, until

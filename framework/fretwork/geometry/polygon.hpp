@@ -7,8 +7,8 @@ namespace fretwork::geometry {
 
 /// A point of the plane, in metres.
 struct Point2 {
-    double x = 0.0;
-    double y = 0.0;
+    double x = 0.0;  ///< m
+    double y = 0.0;  ///< m
     friend bool operator==(const Point2&, const Point2&) = default;
 };
 

@@ -31,9 +31,10 @@ Eigen::Matrix3d inverse_spin_map(const Eigen::Vector3d& rotation_vector);
 
 /// A rotation vector and its inverse spin map, computed together at less cost.
 struct LogarithmWithMap {
-    Eigen::Vector3d rotation_vector;  ///< at most pi long
-    Eigen::Matrix3d inverse_spin_map;
+    Eigen::Vector3d rotation_vector;   ///< at most pi long
+    Eigen::Matrix3d inverse_spin_map;  ///< takes a spin to the change of the rotation vector
 };
+/// The rotation vector of a rotation, and how spins change it.
 LogarithmWithMap logarithm_with_map(const Eigen::Quaterniond& rotation);
 
 /// The derivative with respect to v of spin_map(v)^T a, for a fixed a.

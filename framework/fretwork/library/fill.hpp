@@ -12,19 +12,22 @@ namespace fretwork::library {
 /// Options of fill(): the calibration that it adds to each pattern, and how it runs.
 struct FillOptions {
     std::string model = "paper6";  ///< a row of `models`
+    /// The catalogue that has the model.
     std::span<const reduction::TileModel> models = reduction::tile_models();
-    reduction::CalibrationOptions calibration{};
-    int threads = 0;                      ///< 0: one for each processor
-    double seconds_between_stores = 1.0;  ///< 0: each finished pattern is stored at once
+    reduction::CalibrationOptions calibration{};  ///< how the model is fitted
+    int threads = 0;                              ///< 0: one for each processor
+    double seconds_between_stores = 1.0;          ///< 0: each finished pattern is stored at once
     /// After a stop, fill() stores and reports the finished patterns and does not throw.
     base::Control control{};
     /// Throws InputError if a value is invalid.
     void validate() const;
+    /// The row of the model.
     [[nodiscard]] const reduction::TileModel& tile_model() const;
     /// The key of the calibrations made with these options.
     [[nodiscard]] CalibrationKey key() const;
 };
 
+/// What fill() did.
 struct FillReport {
     std::size_t open = 0;         ///< patterns that lacked the calibration at the start
     std::size_t done = 0;         ///< patterns calibrated by this call

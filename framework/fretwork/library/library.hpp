@@ -28,45 +28,47 @@ bool comes_before(const pattern::NamedPattern& left, const pattern::NamedPattern
 
 /// The key of a calibration among those of one pattern.
 struct CalibrationKey {
-    std::string model;
-    std::string optimizer;
+    std::string model;       ///< name of the tile model
+    std::string optimizer;   ///< name of the method
     std::uint64_t seed = 0;  ///< below 2^63
-    int starts = 0;
-    int budget = 0;  ///< the most evaluations
+    int starts = 0;          ///< descents from different points
+    int budget = 0;          ///< the most evaluations
     friend bool operator==(const CalibrationKey&, const CalibrationKey&) = default;
 };
+/// The key of a calibration with these options.
 CalibrationKey calibration_key(const reduction::CalibrationOptions& options,
                                const reduction::TileModel& model);
 
 /// A calibration with the library's notes on it.
 struct CalibrationRecord {
-    reduction::Calibration calibration;
-    int budget = 0;        ///< the most evaluations
-    double seconds = 0.0;  ///< wall time; not part of the content
+    reduction::Calibration calibration;  ///< the fitted model
+    int budget = 0;                      ///< the most evaluations
+    double seconds = 0.0;                ///< wall time; not part of the content
+    /// Under which it is stored.
     [[nodiscard]] CalibrationKey key() const;
 };
 
 /// The data to store for one pattern. An empty member leaves the stored data unchanged.
 struct PatternData {
-    std::string pattern;                         ///< id
-    std::vector<reduction::Response> responses;  ///< none, or one for each scenario of the setting
-    std::vector<CalibrationRecord> calibrations;
+    std::string pattern;                          ///< id
+    std::vector<reduction::Response> responses;   ///< none, or one for each scenario of the setting
+    std::vector<CalibrationRecord> calibrations;  ///< of all models
     std::vector<std::pair<std::string, double>> properties;  ///< name and value, SI
 };
 
 /// A summary of the data that a library has of one pattern.
 struct PatternSummary {
-    std::string pattern;  ///< id
-    int edges = 0;
+    std::string pattern;         ///< id
+    int edges = 0;               ///< of the pattern
     int samples = 0;             ///< number of samples of its responses, scenarios times magnitudes; 0: no
                                  ///< responses
     int converged_samples = 0;   ///< number of converged samples
     int stable_samples = 0;      ///< number of converged samples that are stable
     int limit_load_samples = 0;  ///< number of samples beyond the largest load that the path reaches; they
                                  ///< have not converged
-    int calibrations = 0;
+    int calibrations = 0;        ///< how many there are
     std::optional<double> best_objective{};  ///< the smallest objective of its calibrations
-    int failures = 0;
+    int failures = 0;                        ///< how many are recorded
 };
 
 /// A recorded failure of a computation on one pattern. It does not stop the computations on other patterns.
@@ -76,7 +78,9 @@ struct Failure {
     std::string reason;   ///< one line
     friend bool operator==(const Failure&, const Failure&) = default;
 };
+/// The name of the stage that computes responses.
 std::string responses_stage();
+/// The name of the stage that fits a model.
 std::string calibration_stage(const CalibrationKey& key);
 
 /// The pattern library: one setting, patterns of one node layout, their responses, calibrations and
@@ -108,12 +112,16 @@ class Library {
     Library& operator=(Library&&) noexcept;
     ~Library();
 
+    /// Its file.
     [[nodiscard]] const std::filesystem::path& path() const;
+    /// The layout of all its patterns.
     [[nodiscard]] const pattern::NodeLayout& layout() const;
+    /// Material, section and scenarios of its responses.
     [[nodiscard]] const reduction::Setting& setting() const;
     /// Throws InputError that names the first difference from the library's setting; check_layout() does the
     /// same for the layout.
     void check_setting(const reduction::Setting& wanted) const;
+    /// Throws InputError if the library has another layout.
     void check_layout(const pattern::NodeLayout& wanted) const;
     /// Replace the library's setting, if nothing has been computed under it. Otherwise only take the strength
     /// of `wanted`, if it has one, and check the rest as check_setting does.
@@ -121,6 +129,7 @@ class Library {
 
     /// Add patterns that the library lacks. Returns their number. A stop adds no pattern.
     std::size_t add_patterns(std::span<const pattern::Pattern> patterns, const base::Control& control = {});
+    /// The number of its patterns.
     [[nodiscard]] std::size_t pattern_count() const;
     /// All patterns, by number of edges and then by their edges, in whatever order they were added.
     [[nodiscard]] std::vector<pattern::NamedPattern> patterns() const;
@@ -148,12 +157,14 @@ class Library {
         const CalibrationKey& key) const;
     /// True if one pattern is among patterns_without_responses(), or patterns_without_calibration().
     [[nodiscard]] bool lacks_responses(std::string_view pattern_id) const;
+    /// True if the pattern has no calibration of that key.
     [[nodiscard]] bool lacks_calibration(std::string_view pattern_id, const CalibrationKey& key) const;
 
     /// Store a batch in one transaction, whole or not at all. A recorded failure of a computation is deleted
     /// if its result is now stored. Throws InputError (unknown pattern or scenario, wrong number of samples,
     /// a value that differs from the stored one), NumericalError (a value is not finite).
     void store(std::span<const PatternData> batch, std::span<const Failure> failures = {});
+    /// All failures that are recorded.
     [[nodiscard]] std::vector<Failure> failures() const;
     /// Delete all recorded failures, so that their computations are tried again.
     void forget_failures();

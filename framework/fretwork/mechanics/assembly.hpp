@@ -20,10 +20,10 @@ using Elements = std::vector<std::shared_ptr<const Element>>;
 struct Assembly {
     std::vector<Eigen::Vector3d> nodes;  ///< rest positions, m; the nodes inside beams and of hinges come
                                          ///< last
-    Elements elements;
-    std::vector<Support> supports;
-    std::vector<PrescribedDisplacement> prescribed;
-    NodeValues loads;           ///< one row for each node, gravity included
+    Elements elements;                   ///< what resists
+    std::vector<Support> supports;       ///< components that stay zero
+    std::vector<PrescribedDisplacement> prescribed;  ///< components that are given
+    NodeValues loads;                                ///< one row for each node, gravity included
     bool has_moments = true;    ///< true if the loads have moments other than those of gravity
     int reported_nodes = 0;     ///< results have rows for nodes 0 .. reported_nodes - 1
     std::vector<int> labels{};  ///< labels of the reported nodes in messages; empty: their indices, from 0
@@ -35,7 +35,7 @@ struct AssemblyOptions {
                                      ///< moments
     std::vector<int> node_labels{};  ///< labels of the frame's nodes in messages; empty: their indices, from
                                      ///< 0
-    base::Control control{};
+    base::Control control{};         ///< how the caller follows and stops the work
 };
 
 /// Turn every beam into corotational Euler-Bernoulli (or, with shear areas, Timoshenko) elements. Throws as

@@ -17,6 +17,7 @@ namespace fretwork::mechanics {
 /// immutable, so any number of elements and threads may share it.
 class CorotationalBody {
   public:
+    /// What a body is made from.
     struct Parts {
         std::vector<Eigen::Vector3d> nodes;  ///< rest positions, m; the origin does not matter
         Eigen::MatrixXd stiffness;           ///< 6n x 6n, symmetric; rigid motions cause no force
@@ -32,6 +33,7 @@ class CorotationalBody {
         return arms_;
     }  ///< rest positions relative to
        ///< their mean, m
+    /// The linear stiffness at rest, 6n x 6n for n nodes.
     [[nodiscard]] const Eigen::MatrixXd& stiffness() const { return stiffness_; }
     /// The weight of a node's rotation relative to its displacement in the equation for the turn of the
     /// corotating axes, m^2.

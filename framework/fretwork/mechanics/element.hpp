@@ -31,7 +31,10 @@ struct ElementResponse {
 };
 
 /// The requested quantities of an element.
-enum class Demand { Force, Tangent };
+enum class Demand {
+    Force,   ///< energy and forces
+    Tangent  ///< these, and their derivatives
+};
 
 /// The stresses of one element in a mixed iteration. The caller owns the memory.
 struct ElementStresses {

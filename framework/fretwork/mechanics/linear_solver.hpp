@@ -11,8 +11,8 @@ namespace fretwork::mechanics {
 
 /// Options of the linear solve.
 struct LinearOptions {
-    int threads = 1;  ///< 0: one for each processor. The number does not change a bit of a result.
-    base::Control control{};
+    int threads = 1;          ///< 0: one for each processor. The number does not change a bit of a result.
+    base::Control control{};  ///< how the caller follows and stops the work
 };
 
 /// The effect of an update on the factors.
@@ -45,6 +45,7 @@ class LinearSolver {
     /// converged if its residual is below 1e-9; a residual up to 1e-4 counts, too, if the rounding of the
     /// displacements explains it. Throws NumericalError if a displacement is too large for a number; Stopped.
     [[nodiscard]] Solution solve(const base::Control& control = {}) const;
+    /// Solve under other loads with the factors that are there.
     [[nodiscard]] Solution solve(const NodeValues& loads, const base::Control& control = {}) const;
 
     /// Solve K x = g with all held dofs at zero, for several right sides at once. Adjoint gradients need it.

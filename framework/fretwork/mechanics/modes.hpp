@@ -21,7 +21,7 @@ struct Mode {
 
 /// Options of the search for modes.
 struct ModeOptions {
-    base::Control control{};
+    base::Control control{};  ///< how the caller follows and stops the work
 };
 
 /// The modes of the lowest natural frequencies, ascending, with consistent masses. Prescribed components are
@@ -38,6 +38,7 @@ std::vector<Mode> buckling_modes(const Assembly& assembly, int count, const Mode
 
 /// The reason, for people, why fewer modes were found than wanted. Empty if all were found.
 std::string missing_vibration_modes_text(std::ptrdiff_t found, int wanted);
+/// The same for buckling.
 std::string missing_buckling_modes_text(std::ptrdiff_t found, int wanted);
 
 }  // namespace fretwork::mechanics

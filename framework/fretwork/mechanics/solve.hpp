@@ -21,6 +21,7 @@ enum class Solver {
 };
 /// The name of a solver: "linear", "newton" or "dynamic-relaxation".
 std::string_view solver_name(Solver solver);
+/// The names of the solvers, as people type them.
 std::vector<std::string_view> solver_names();
 /// The solver with this name. Throws InputError that lists the names.
 Solver find_solver(std::string_view name);
@@ -28,7 +29,7 @@ Solver find_solver(std::string_view name);
 /// Options of solve(). An option that only some solvers have is std::optional, and it is an error to set it
 /// for another solver.
 struct SolveOptions {
-    Solver solver = Solver::Newton;
+    Solver solver = Solver::Newton;  ///< which solver
     /// Newton: the number of equal load steps; the solution of each is kept. None: ten steps, and only the
     /// last solution is kept.
     std::optional<int> steps{};
@@ -43,7 +44,7 @@ struct SolveOptions {
     bool lumped_gravity = false;  ///< see AssemblyOptions
     int vibration_modes = 0;      ///< number of natural frequencies of the structure at rest
     int buckling_modes = 0;       ///< number of critical load factors by linearized buckling
-    base::Control control{};
+    base::Control control{};      ///< how the caller follows and stops the work
     /// Throws InputError if a value is invalid, or the solver would ignore it.
     void validate() const;
 };

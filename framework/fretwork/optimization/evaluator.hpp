@@ -23,8 +23,8 @@ struct Budget {
 
 /// The best objective value found up to a cost.
 struct TracePoint {
-    long cost = 0;
-    double value = 0.0;
+    long cost = 0;       ///< spent until then, in the problem's unit
+    double value = 0.0;  ///< the best objective by then
     friend bool operator==(const TracePoint&, const TracePoint&) = default;
 };
 
@@ -39,19 +39,28 @@ class Evaluator {
     /// Throws InputError if the bounds or the budget are invalid.
     Evaluator(base::Borrowed<Problem> problem, const Budget& budget);
 
+    /// What is minimized.
     [[nodiscard]] const Problem& problem() const { return problem_; }
+    /// The problem's bounds.
     [[nodiscard]] const Bounds& bounds() const { return problem_->bounds(); }
 
+    /// The objective; none if the budget does not pay for it.
     std::optional<double> value(const Eigen::VectorXd& point);
+    /// The gradient with its objective; none if the budget does not pay for it.
     std::optional<GradientEvaluation> gradient(const Eigen::VectorXd& point, double smoothing = 0.0);
+    /// Residuals and their Jacobian; none if the budget does not pay for it.
     std::optional<ResidualEvaluation> residuals(const Eigen::VectorXd& point, double smoothing = 0.0);
+    /// Gradient and curvature; none if the budget does not pay for it.
     std::optional<CurvatureEvaluation> curvature(const Eigen::VectorXd& point, double smoothing = 0.0);
 
     /// True if the rest of the budget covers one more evaluation of this kind.
     [[nodiscard]] bool can_afford(Evaluation kind) const;
 
+    /// What was spent, in the problem's unit.
     [[nodiscard]] long cost() const { return cost_; }
+    /// How many evaluations there were.
     [[nodiscard]] long evaluations() const { return evaluations_; }
+    /// How many of them had derivatives.
     [[nodiscard]] long derivative_evaluations() const { return derivative_evaluations_; }
     [[nodiscard]] long points_outside() const {
         return points_outside_;
@@ -65,6 +74,7 @@ class Evaluator {
         return best_value_;
     }  ///< infinite before the first
        ///< evaluation
+    /// Where the objective was least.
     [[nodiscard]] const Eigen::VectorXd& best_point() const { return best_point_; }
     /// One point for each improvement: cost ascending, value descending.
     [[nodiscard]] const std::vector<TracePoint>& trace() const { return trace_; }

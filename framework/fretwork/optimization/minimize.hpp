@@ -10,18 +10,18 @@ namespace fretwork::optimization {
 
 /// The outcome of a run.
 struct OptimizationReport {
-    std::string optimizer;
-    Ending ending = Ending::Converged;
-    Eigen::VectorXd point;        ///< the best point found; empty if the objective was never finite
-    double value = 0.0;           ///< the objective there
-    Eigen::VectorXd final_point;  ///< the point at which the method itself ended
-    long cost = 0;                ///< in the problem's unit
-    long evaluations = 0;         ///< number of evaluations of any kind
-    long derivative_evaluations = 0;
-    int dead_starts = 0;      ///< starts that gave no descent; if all did, `ending` is Invalid
-    long failures = 0;        ///< evaluations whose objective was not finite
-    long points_outside = 0;  ///< evaluations refused outside the bounds, a fault of the method
-    std::vector<TracePoint> trace;
+    std::string optimizer;              ///< name of the method
+    Ending ending = Ending::Converged;  ///< how it ended
+    Eigen::VectorXd point;              ///< the best point found; empty if the objective was never finite
+    double value = 0.0;                 ///< the objective there
+    Eigen::VectorXd final_point;        ///< the point at which the method itself ended
+    long cost = 0;                      ///< in the problem's unit
+    long evaluations = 0;               ///< number of evaluations of any kind
+    long derivative_evaluations = 0;    ///< evaluations with derivatives
+    int dead_starts = 0;                ///< starts that gave no descent; if all did, `ending` is Invalid
+    long failures = 0;                  ///< evaluations whose objective was not finite
+    long points_outside = 0;            ///< evaluations refused outside the bounds, a fault of the method
+    std::vector<TracePoint> trace;      ///< the best objective over the cost
 };
 
 /// Minimize a problem by the method of this row. The same arguments give the same report, unless a budget in

@@ -14,6 +14,7 @@ enum class OptimizerClass {
     Global,  ///< searches the whole box by a deterministic plan: neither `starts` nor the seed matters
     Random,  ///< draws at random, in `starts` repetitions
 };
+/// The word for it in tables.
 std::string_view optimizer_class_name(OptimizerClass kind);
 
 /// The way in which a run ended.
@@ -23,12 +24,13 @@ enum class Ending {
     Stalled,      ///< the method made no further progress before its criterion was met
     Invalid,      ///< no start gave a descent: the objective was not finite there, or the first step failed
 };
+/// The word for it in tables.
 std::string_view ending_name(Ending ending);
 
 /// The options that all methods understand.
 struct OptimizerOptions {
     int starts = 4;  ///< number of descents, or of repetitions of a method without descents; 1 to 100,000
-    std::uint64_t seed = 1;
+    std::uint64_t seed = 1;  ///< of all random choices
     /// Throws InputError if a value is invalid.
     void validate() const;
 };
@@ -36,8 +38,8 @@ struct OptimizerOptions {
 /// The outcome of a run: why the method ended, and at which point, which need not be the best point. With
 /// several starts, both belong to the start that found the best value, unless the budget was spent.
 struct RunOutcome {
-    Ending ending = Ending::Converged;
-    Eigen::VectorXd final_point;
+    Ending ending = Ending::Converged;  ///< how the method ended
+    Eigen::VectorXd final_point;        ///< where the method itself stands
     int dead_starts = 0;  ///< starts that gave no descent: the objective was not finite, or the method gave
                           ///< up after the first evaluation
 };
@@ -47,6 +49,7 @@ struct RunOutcome {
 class Optimizer {
   public:
     virtual ~Optimizer() = default;
+    /// Minimize; the evaluator keeps the best point and the budget.
     virtual RunOutcome run(Evaluator& evaluator) const = 0;
 };
 

@@ -13,11 +13,11 @@ namespace fretwork::optimization {
 
 /// One method that a user can choose by name.
 struct OptimizerRow {
-    std::string name;
+    std::string name;     ///< as people type it
     std::string summary;  ///< one line
-    OptimizerClass kind;
-    Evaluation needs;  ///< the kind of evaluation that it needs besides the value
-    std::function<std::unique_ptr<Optimizer>(const OptimizerOptions& options)> make;
+    OptimizerClass kind;  ///< local, global or random
+    Evaluation needs;     ///< the kind of evaluation that it needs besides the value
+    std::function<std::unique_ptr<Optimizer>(const OptimizerOptions& options)> make;  ///< makes the method
 };
 
 /// The built-in methods. A new method is a file with its factory and a row; a method of NLopt needs only a

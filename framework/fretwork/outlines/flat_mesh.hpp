@@ -9,7 +9,7 @@ namespace fretwork::outlines {
 
 /// The content of a mesh file.
 struct MeshFile {
-    std::vector<std::array<double, 3>> points;
+    std::vector<std::array<double, 3>> points;  ///< x, y, z, m
     /// The indices into `points` of each face: at least three, in range and distinct.
     std::vector<std::vector<int>> faces;
 };

@@ -13,8 +13,8 @@ namespace fretwork::outlines {
 /// A flat shape: a simple boundary (counterclockwise) with holes (clockwise) inside it that neither touch nor
 /// overlap.
 struct Outline {
-    geometry::Polygon boundary;  ///< metres
-    std::vector<geometry::Polygon> holes;
+    geometry::Polygon boundary;            ///< metres
+    std::vector<geometry::Polygon> holes;  ///< clockwise, inside the boundary, apart
 };
 
 /// Check and orient an outline. Throws GeometryError that names the two sides which cross, or the hole that

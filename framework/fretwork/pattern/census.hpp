@@ -17,7 +17,7 @@ std::string count_text(GraphCount count);
 
 /// A row of the census: the graphs with one number of edges.
 struct CensusRow {
-    int edges = 0;
+    int edges = 0;            ///< number of edges
     GraphCount patterns = 0;  ///< all graphs with this number of candidate edges
     /// For each filter, the number of graphs that break its rule, whether or not they break other rules.
     /// Empty if only a walk over all graphs could count them.
@@ -28,7 +28,8 @@ struct CensusRow {
 /// The paper's Table 1, for any layout.
 struct Census {
     std::vector<std::string> filters;  ///< the names of the columns of `rejected`
-    std::vector<CensusRow> rows;
+    std::vector<CensusRow> rows;       ///< one for each number of edges
+    /// The sum of all rows.
     [[nodiscard]] GraphCount valid() const;
 };
 

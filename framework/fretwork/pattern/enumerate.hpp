@@ -12,8 +12,8 @@ namespace fretwork::pattern {
 
 /// The range of the number of edges of a pattern, both ends included.
 struct EdgeRange {
-    int least = 2;
-    int most = kMaxCandidateEdges;
+    int least = 2;                  ///< at least
+    int most = kMaxCandidateEdges;  ///< at most
     /// Throws InputError unless 1 <= least <= most.
     void validate() const;
 };
@@ -21,10 +21,11 @@ struct EdgeRange {
 /// The default range: 2 to 11 for the paper's layout, as in the paper's table; 2 to all for any other layout.
 EdgeRange default_edge_range(const NodeLayout& layout);
 
+/// Options of the enumeration.
 struct EnumerationOptions {
-    EdgeRange edges;  ///< an upper end beyond the number of candidate edges is clipped
-    FilterSettings filters{};
-    int threads = 0;  ///< 0: one for each processor; the result and its order do not depend on it
+    EdgeRange edges;           ///< an upper end beyond the number of candidate edges is clipped
+    FilterSettings filters{};  ///< the rules that valid patterns keep
+    int threads = 0;           ///< 0: one for each processor; the result and its order do not depend on it
     /// The most patterns that each of the 256 pieces of the search keeps before their turn in the stream. A
     /// smaller number saves memory and costs time: a piece with more patterns is searched again, a section at
     /// a time.
@@ -37,6 +38,7 @@ struct EnumerationOptions {
 /// The number of patterns, by their number of edges.
 struct PatternCount {
     std::vector<std::uint64_t> by_edges;  ///< entry k: the patterns with k edges
+    /// The sum over all numbers of edges.
     [[nodiscard]] std::uint64_t total() const;
 };
 

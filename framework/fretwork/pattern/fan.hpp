@@ -20,14 +20,15 @@ using FanNodeIndex = base::Index<struct FanNodeTag>;
 /// to v2: interface node k of side t has number t * per_side + k. The used inner nodes follow, by layout node
 /// and then by sector. A radial node is shared by the two sectors beside it, and the center by all sectors.
 struct Fan {
+    /// A node of the fan.
     struct Node {
         LayoutNodeIndex layout_node;  ///< never a node on v0 v2: its partner in the next sector stands for it
-        int sector = 0;
+        int sector = 0;               ///< from 0, counterclockwise
         friend bool operator==(const Node&, const Node&) = default;
     };
-    int sides = 0;
-    int interface_node_count = 0;  ///< the number on all sides together
-    base::IndexVector<FanNodeIndex, Node> nodes{};
+    int sides = 0;                                     ///< of the polygon
+    int interface_node_count = 0;                      ///< the number on all sides together
+    base::IndexVector<FanNodeIndex, Node> nodes{};     ///< interface nodes first
     std::vector<std::array<FanNodeIndex, 2>> edges{};  ///< each edge once, smaller node first; sorted
 };
 

@@ -28,7 +28,7 @@ struct FilterKind {
     std::string_view doc;       ///< one line about the patterns that it rejects
     FilterParameter parameter;  ///< radians, a whole number, or metres
     bool is_of_the_paper;       ///< true for the six filters of the paper's Table 1, which are always on
-    double default_value;
+    double default_value;       ///< where nothing is said
     /// State the rule for a layout. `value` is the filter's number.
     Rule (*make_rule)(const NodeLayout& layout, double value, const FabricationScale& scale);
 };
@@ -41,7 +41,7 @@ const FilterKind& find_filter_kind(std::string_view name);
 
 /// A filter to be used, and its number.
 struct FilterChoice {
-    std::string name;
+    std::string name;             ///< a row of the catalogue
     std::optional<double> value;  ///< radians, a whole number, or metres; empty: the catalogue's default
 };
 
@@ -53,9 +53,9 @@ EdgeGroup parse_edge_group(const NodeLayout& layout, std::string_view text);
 
 /// A filter with its rule for one layout.
 struct Filter {
-    std::string name;
-    double value = 0.0;
-    Rule rule;
+    std::string name;    ///< the word for its census column
+    double value = 0.0;  ///< its limit, SI
+    Rule rule;           ///< what it demands
 };
 
 /// The requirements on patterns.
@@ -64,7 +64,7 @@ struct FilterSettings {
                                         ///< switched on
     std::vector<EdgeGroup> required;    ///< a pattern has at least one edge of each group
     std::vector<EdgeGroup> forbidden;   ///< a pattern has no edge of any of these groups
-    FabricationScale scale;
+    FabricationScale scale;             ///< what lengths refer to
     std::vector<Filter> own{};  ///< the caller's own filters for this layout; several threads may call them
                                 ///< at once
 };

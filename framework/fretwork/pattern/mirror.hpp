@@ -11,6 +11,7 @@ namespace fretwork::pattern {
 /// The reflection of a layout's base triangle that exchanges v1 and v2. It maps fans to their mirror images.
 class Mirror {
   public:
+    /// Find how a layout's edges go over into each other.
     explicit Mirror(const NodeLayout& layout);
 
     /// The mirror image of a pattern. None if the pattern uses a face node whose mirror image is not in the

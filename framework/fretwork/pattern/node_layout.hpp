@@ -19,27 +19,34 @@ using LayoutNodeIndex = base::Index<struct LayoutNodeTag>;
 using EdgeIndex = base::Index<struct EdgeTag>;
 
 /// The region of the base triangle in which a node lies. Paper, Fig. 3a.
-enum class Region { Center, LeftRadial, RightRadial, Face, Interface, Corner };
+enum class Region {
+    Center,       ///< at v0
+    LeftRadial,   ///< on v0 v1
+    RightRadial,  ///< on v0 v2: the left one of the next sector
+    Face,         ///< inside
+    Interface,    ///< on v1 v2
+    Corner        ///< at v1 or v2
+};
 
 /// A node of the base triangle v0 v1 v2; v0 is the polygon's centroid, v1 and v2 are the ends of one of its
 /// sides.
 struct LayoutNode {
-    Region region;
+    Region region;                  ///< where on the triangle
     std::array<Rational, 3> place;  ///< barycentric coordinates (v0, v1, v2), exact, with sum 1
 };
 
 /// A candidate edge i-j, first < second.
 struct Edge {
-    LayoutNodeIndex first;
-    LayoutNodeIndex second;
+    LayoutNodeIndex first;   ///< the smaller index
+    LayoutNodeIndex second;  ///< the larger one
     friend auto operator<=>(const Edge&, const Edge&) = default;
 };
 
 /// The content of a layout file; experiments/layouts/README.md shows how to write one.
 struct NodeLayoutDescription {
-    std::string name;
-    bool center = true;
-    bool corners = false;
+    std::string name;              ///< letters, digits, `-`, `_`
+    bool center = true;            ///< a node at v0
+    bool corners = false;          ///< nodes at v1 and v2: refused
     std::vector<Rational> radial;  ///< distances from v0 along v0 v1 and v0 v2, as shares of their length
     std::vector<std::array<Rational, 3>> face;  ///< barycentric places
     std::vector<Rational> interface;            ///< distances from v1 along v1 v2, as shares of its length
@@ -56,9 +63,13 @@ class NodeLayout {
     /// Throws InputError that names a node and the rule that it breaks.
     explicit NodeLayout(NodeLayoutDescription description);
 
+    /// What it was made from.
     [[nodiscard]] const NodeLayoutDescription& description() const { return description_; }
+    /// Its name, which stands before pattern ids.
     [[nodiscard]] const std::string& name() const { return description_.name; }
+    /// Center, left radial, right radial, face, interface.
     [[nodiscard]] const base::IndexVector<LayoutNodeIndex, LayoutNode>& nodes() const { return nodes_; }
+    /// The pairs that a pattern may choose.
     [[nodiscard]] const base::IndexVector<EdgeIndex, Edge>& candidate_edges() const { return edges_; }
     /// The interface nodes, from v1 to v2.
     [[nodiscard]] std::vector<LayoutNodeIndex> interface_nodes() const;

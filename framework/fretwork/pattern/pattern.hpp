@@ -17,14 +17,20 @@ inline constexpr int kMaxCandidateEdges = 128;
 /// A set of candidate edges of one layout: bit e is set if candidate edge e is chosen.
 class Pattern {
   public:
+    /// A bit for each candidate edge.
     using Bits = std::bitset<kMaxCandidateEdges>;
 
     Pattern() = default;
+    /// The pattern of these edges.
     explicit Pattern(const Bits& edges) : edges_(edges) {}
 
+    /// The edges as bits.
     [[nodiscard]] const Bits& bits() const { return edges_; }
+    /// The number of its edges.
     [[nodiscard]] int edge_count() const { return static_cast<int>(edges_.count()); }
+    /// True if it has the edge.
     [[nodiscard]] bool has(EdgeIndex edge) const { return edges_.test(edge.value); }
+    /// Its edges, ascending.
     [[nodiscard]] std::vector<EdgeIndex> edges() const;
     friend bool operator==(const Pattern&, const Pattern&) = default;
 
@@ -46,13 +52,15 @@ Pattern parse_pattern_id(const NodeLayout& layout, std::string_view id);
 
 /// A pattern and its id in its layout.
 struct NamedPattern {
-    std::string id;
-    Pattern pattern{};
+    std::string id;     ///< as pattern_id() makes it
+    Pattern pattern{};  ///< the same as edges
     friend bool operator==(const NamedPattern&, const NamedPattern&) = default;
 };
+/// A pattern with its id.
 NamedPattern named(const NodeLayout& layout, const Pattern& pattern);
 /// Parse as parse_pattern_id does. The id in the result is the one that pattern_id gives.
 NamedPattern parse_named_pattern(const NodeLayout& layout, std::string_view id);
+/// Several of them. Throws as parse_named_pattern.
 std::vector<NamedPattern> parse_named_patterns(const NodeLayout& layout, std::span<const std::string> ids);
 /// The ids of the patterns.
 std::vector<std::string> ids_of(std::span<const NamedPattern> patterns);

@@ -15,11 +15,14 @@ namespace fretwork::pattern {
 class Rational {
   public:
     constexpr Rational() = default;
+    /// A whole number.
     constexpr Rational(std::int64_t whole) : numerator_(whole) {}  // NOLINT(google-explicit-constructor)
     /// Throws NumericalError if the denominator is zero.
     Rational(std::int64_t numerator, std::int64_t denominator);
 
+    /// In lowest terms.
     [[nodiscard]] constexpr std::int64_t numerator() const { return numerator_; }
+    /// Above 0.
     [[nodiscard]] constexpr std::int64_t denominator() const { return denominator_; }
     /// The double nearest to the quotient of the two as doubles.
     [[nodiscard]] double to_double() const;

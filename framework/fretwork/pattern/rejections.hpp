@@ -9,8 +9,8 @@ namespace fretwork::pattern {
 
 /// A rejected graph and the verdict that rejects it.
 struct Rejection {
-    Pattern pattern;
-    Verdict verdict;
+    Pattern pattern;  ///< the rejected graph
+    Verdict verdict;  ///< why, and by which edges
 };
 
 /// Examples of rejected graphs. For each filter, in the order of the census, up to `per_filter` graphs break

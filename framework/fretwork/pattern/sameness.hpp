@@ -11,14 +11,15 @@
 
 namespace fretwork::pattern {
 
+/// The symmetries that a pattern's fan has beside its turns.
 enum class Symmetry {
-    None,
+    None,   ///< no more than the turns
     Mirror  ///< the pattern is its own mirror image (every pattern has its polygon's rotations)
 };
 
 /// The relations of a pattern to the others of a list.
 struct PatternSameness {
-    Symmetry symmetry = Symmetry::None;
+    Symmetry symmetry = Symmetry::None;  ///< of its fan
     /// The position of the mirror image in the list, if it is another pattern of the list.
     std::optional<std::size_t> mirror_partner;
     /// Two patterns have the same class if their fans in the hexagon are isomorphic as graphs with coloured
@@ -27,11 +28,13 @@ struct PatternSameness {
     std::size_t isomorphism_class = 0;
 };
 
+/// Options of find_sameness().
 struct SamenessOptions {
     int threads = 0;          ///< 0: one for each processor; the result does not depend on it
     base::Control control{};  ///< progress is reported every few thousand patterns
 };
 
+/// What is the same among patterns.
 struct SamenessReport {
     std::vector<PatternSameness> of_pattern;  ///< in the order of the list
     std::size_t up_to_mirror = 0;             ///< the number of patterns if a mirror pair counts once

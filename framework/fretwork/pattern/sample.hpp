@@ -14,8 +14,8 @@ struct CountEstimate {
     double valid = 0.0;  ///< the unbiased estimate
     double lower = 0.0;  ///< with probability `confidence`, the true number lies between lower and upper
     double upper = 0.0;  ///< (Clopper and Pearson's interval, which is never too narrow)
-    double confidence = 0.95;
-    std::uint64_t trials = 0;
+    double confidence = 0.95;  ///< of the interval
+    std::uint64_t trials = 0;  ///< graphs that were drawn
     std::uint64_t hits = 0;    ///< trials that drew a valid pattern
     GraphCount proposals = 0;  ///< the number of graphs that a trial draws from
 };

@@ -18,12 +18,13 @@ namespace fretwork::reduction {
 
 /// The displacements of a tile's interface nodes under one scenario, at its magnitudes k = 1, 2, ..
 struct Response {
+    /// What the tile does under one magnitude.
     struct Sample {
         int step = 0;                         ///< k
         double magnitude = 0.0;               ///< N
         mechanics::NodeValues displacements;  ///< one row for each interface node; zeros if not converged
-        bool converged = true;
-        bool stable = true;
+        bool converged = true;                ///< an equilibrium was found
+        bool stable = true;                   ///< and it is stable
         bool limit_load = false;  ///< not converged, because the equilibrium path turns back before this
                                   ///< magnitude
         /// The discretization error, estimated by Richardson extrapolation, as a share of the largest
@@ -31,8 +32,8 @@ struct Response {
         /// or its twin with other divisions did not converge.
         std::optional<double> discretization_error{};
     };
-    std::string scenario;
-    std::vector<Sample> samples;
+    std::string scenario;         ///< its name
+    std::vector<Sample> samples;  ///< ascending magnitudes
 };
 
 /// The beams of a fan in a convex polygon, without supports and loads. Node i of the frame is interface node
@@ -62,8 +63,8 @@ void apply_scenario(const Scenario& scenario, mechanics::Assembly& tile);
 
 /// A tile with supports and loads.
 struct LoadedTile {
-    base::Borrowed<mechanics::Assembly> structure;
-    int interface_nodes = 0;  ///< their number; they come first in the structure
+    base::Borrowed<mechanics::Assembly> structure;  ///< the tile with its inner nodes
+    int interface_nodes = 0;                        ///< their number; they come first in the structure
 };
 
 /// The displacements of the interface nodes at the setting's magnitudes of a scenario. Throws as
@@ -71,6 +72,7 @@ struct LoadedTile {
 Response follow_scenario(const LoadedTile& tile, const Scenario& scenario, const Setting& setting,
                          const base::Control& control = {});
 
+/// Options of compute_responses().
 struct ResponseOptions {
     bool estimate_error = false;  ///< fill Sample::discretization_error, which takes half as long again
     base::Control control{};      ///< progress counts scenarios

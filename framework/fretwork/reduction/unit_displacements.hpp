@@ -17,8 +17,8 @@ using UnitDisplacements = std::vector<mechanics::NodeValues>;
 /// Unit displacements with derivatives: for each scenario a matrix of 6n rows (node by node) and one column
 /// for each parameter.
 struct UnitDisplacementsAndDerivatives {
-    UnitDisplacements displacements;
-    std::vector<Eigen::MatrixXd> derivatives;
+    UnitDisplacements displacements;           ///< under unit magnitudes
+    std::vector<Eigen::MatrixXd> derivatives;  ///< of each scenario, by the parameters
 };
 
 /// The displacements, under the setting's scenarios, of a tile with this stiffness (6n x 6n) of its n

@@ -12,7 +12,7 @@ namespace fretwork::simulation {
 /// The choice of the tile model of each tile of a surface.
 struct ModelChoice {
     std::string name = "full";  ///< model of the tiles for which the surface names none
-    std::span<const reduction::TileModel> models = reduction::tile_models();
+    std::span<const reduction::TileModel> models = reduction::tile_models();  ///< the catalogue
 };
 
 /// The tile model of one tile. Throws InputError if the name is unknown.

@@ -55,8 +55,11 @@ class Session {
     Session& operator=(Session&&) noexcept;
     ~Session();
 
+    /// The surface as it is after all edits.
     [[nodiscard]] const Surface& surface() const;
+    /// The load case as it is after all edits.
     [[nodiscard]] const LoadCase& load_case() const;
+    /// The options, with the model as it is after all edits.
     [[nodiscard]] const SimulationOptions& options() const;
 
     /// Paint tiles with a pattern, given by its id. Invalid: these tiles, and with gravity the loads. Throws
@@ -83,7 +86,9 @@ class Session {
     /// Change one entry of the load case, or append one, if `entry` is the number of entries. Invalid: as
     /// set_load_case().
     void set_support(std::size_t entry, const LoadCase::Support& support);
+    /// Change an entry of the load case's loads.
     void set_load(std::size_t entry, const LoadCase::Load& load);
+    /// Change an entry of its prescribed displacements.
     void set_prescribed(std::size_t entry, const LoadCase::PrescribedDisplacement& displacement);
 
     /// The tiles that a mixed model has in full after solve(), ascending; none for other models.
@@ -136,11 +141,13 @@ class Session {
     /// The report of the last solve() or solve_adjoint(): what it computed and what it reused.
     struct Work {
         std::size_t tiles_built = 0;  ///< a shared tile counts once
+        /// What became of the factors.
         using Factors = mechanics::FactorChange;
         Factors factors = Factors::Refactorized;  ///< for a linear solution
         /// For a nonlinear solution: the state from which it started.
         mechanics::StartingPoint starting_point = mechanics::StartingPoint::Rest;
     };
+    /// What the last solve() did.
     [[nodiscard]] const Work& last_work() const;
 
   private:

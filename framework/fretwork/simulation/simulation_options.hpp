@@ -14,11 +14,12 @@ namespace fretwork::simulation {
 /// linear. Linear: linear for every model, with equilibrium in the flat state.
 enum class Analysis { OfTheModel, Linear };
 
+/// Options of simulate() and of a session.
 struct SimulationOptions {
     /// The model of the tiles without their own: a row of `models`, or `mixed:SHARE` (mixed_model.hpp).
     std::string model = "full";
-    std::span<const reduction::TileModel> models = reduction::tile_models();
-    Analysis analysis = Analysis::OfTheModel;  ///< see Analysis
+    std::span<const reduction::TileModel> models = reduction::tile_models();  ///< the catalogue
+    Analysis analysis = Analysis::OfTheModel;                                 ///< see Analysis
     bool estimate_error = false;  ///< fill Result::discretization_error; only for nonlinear models made of
                                   ///< beams
     bool estimate_model_error = false;  ///< fill SurfaceResult::model_error, for reduced models

@@ -18,7 +18,7 @@ namespace fretwork::simulation {
 
 /// The changes in one load stage. Everything else stays as the previous load stage left it.
 struct Stage {
-    std::string name;
+    std::string name;                      ///< for reports
     std::vector<LoadCase::Share> loads{};  ///< load cases whose loads change to this factor; 0 removes them
     std::vector<LoadCase::PrescribedDisplacement> prescribed{};  ///< components that change to these values
     std::vector<LoadCase::Support> keep{};                       ///< components held where they are
@@ -46,7 +46,7 @@ struct StagePlan {
     base::Borrowed<LoadCase> supports;  ///< its supports hold the surface; its loads act only if a load stage
                                         ///< names it
     std::span<const LoadCase> cases;    ///< the load cases that load stages may name
-    std::span<const Stage> stages;
+    std::span<const Stage> stages;      ///< one after the other
 };
 
 /// Simulate load stages, each from the equilibrium at the end of the previous one (mechanics::StagedPath),

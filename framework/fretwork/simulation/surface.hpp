@@ -15,9 +15,9 @@ namespace fretwork::simulation {
 
 /// A painted tessellation with the setting and calibrations from which its tiles are built.
 struct Surface {
-    pattern::NodeLayout layout;
-    tiling::Tessellation tessellation;
-    reduction::Setting setting;  ///< material and section of the beams
+    pattern::NodeLayout layout;         ///< of all patterns
+    tiling::Tessellation tessellation;  ///< painted
+    reduction::Setting setting;         ///< material and section of the beams
     /// For each of Tessellation::patterns, its best calibration of each tile model that the library has.
     std::vector<std::vector<reduction::Calibration>> calibrations;
     /// The tile model of each tile; "" for a tile with the simulation's model. If the vector is empty, all

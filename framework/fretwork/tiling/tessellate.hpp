@@ -24,12 +24,13 @@ enum class Narrow {
     Refuse,  ///< throw GeometryError, also if smaller tiles are needed for another reason
 };
 
+/// Options of tessellate().
 struct TessellationOptions {
     double edge_length = 0.0;  ///< m; wanted mean side of the polygons, from 1e-9 to 1e6
     /// m; lower limit of all sides, such as the width of the bars that meet there. 0: no limit.
     double smallest_side = 0.0;
-    Narrow narrow = Narrow::Refine;
-    int remeshing_iterations = 10;
+    Narrow narrow = Narrow::Refine;  ///< what to do where the outline is narrower than a tile
+    int remeshing_iterations = 10;   ///< of the isotropic remeshing
     int relaxation_iterations = 40;  ///< iterations towards a centroidal tessellation
     int lattice_angles = 12;  ///< number of triangular lattices to try in addition to the remeshed triangles
     int threads = 0;          ///< 0: one for each processor; the result does not depend on it
@@ -53,7 +54,7 @@ struct TessellationReport {
     double covered_share = 0.0;        ///< share of the outline's area that tiles cover
     double outside_share = 0.0;        ///< area of the tiles outside the outline, over the outline's area
     double refined_share = 0.0;  ///< share of the tiles that are smaller because the outline is narrow nearby
-    int tiles = 0;
+    int tiles = 0;               ///< how many
     /// The number of points of the outline that were left out; see kNegligibleShare.
     int negligible_points = 0;
     std::string start;  ///< "remeshing", or "lattice at 15 deg"
@@ -61,8 +62,8 @@ struct TessellationReport {
 
 /// The outcome of `tessellate`.
 struct TessellationResult {
-    Tessellation tessellation;
-    TessellationReport report;
+    Tessellation tessellation;  ///< the tiles
+    TessellationReport report;  ///< how regular they are
 };
 
 /// Cover an outline with convex polygons that share whole sides: the dual of a triangulation, relaxed towards

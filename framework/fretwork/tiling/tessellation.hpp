@@ -12,7 +12,9 @@
 
 namespace fretwork::tiling {
 
+/// Counts tiles.
 using TileIndex = base::Index<struct TileTag>;
+/// Counts vertices.
 using VertexIndex = base::Index<struct VertexTag>;
 /// An interface node of the tessellation. It has the same number in every model of the surface.
 using InterfaceIndex = base::Index<struct InterfaceTag>;
@@ -33,8 +35,8 @@ struct Tile {
 /// tiles first use them.
 struct Tessellation {
     std::string layout;  ///< name of the node layout that defines the interface nodes
-    base::IndexVector<VertexIndex, geometry::Point2> vertices;  ///< metres
-    base::IndexVector<TileIndex, Tile> tiles;
+    base::IndexVector<VertexIndex, geometry::Point2> vertices;            ///< metres
+    base::IndexVector<TileIndex, Tile> tiles;                             ///< counterclockwise polygons
     base::IndexVector<InterfaceIndex, geometry::Point2> interface_nodes;  ///< positions, m
     std::vector<pattern::NamedPattern> patterns;                          ///< the palette in use
 };
@@ -57,9 +59,9 @@ double mean_tile_side(const Tessellation& tessellation);
 /// A side that belongs to one tile only, in the direction of that tile's polygon: the surface lies on its
 /// left.
 struct RimSide {
-    TileIndex tile;
-    VertexIndex from;
-    VertexIndex to;
+    TileIndex tile;                     ///< the only one at this side
+    VertexIndex from;                   ///< its first vertex, counterclockwise
+    VertexIndex to;                     ///< its second one
     std::vector<InterfaceIndex> nodes;  ///< the nodes on the side, in its direction
 };
 /// The closed lines of the rim, each as a list of sides: the outer boundary and each hole.

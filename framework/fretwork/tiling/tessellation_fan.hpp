@@ -18,14 +18,15 @@ using TessellationNodeIndex = base::Index<struct TessellationNodeTag>;
 /// uses them or not. The inner nodes follow, tile by tile, in the order of each tile's fan. Edges are listed
 /// tile by tile, in the order of each tile's fan.
 struct TessellationFan {
+    /// A bar of a tile.
     struct Edge {
-        std::array<TessellationNodeIndex, 2> nodes;
-        TileIndex tile;
+        std::array<TessellationNodeIndex, 2> nodes;  ///< its ends
+        TileIndex tile;                              ///< whose bar it is
         friend bool operator==(const Edge&, const Edge&) = default;
     };
-    int interface_node_count = 0;
+    int interface_node_count = 0;                                      ///< the first nodes
     base::IndexVector<TessellationNodeIndex, geometry::Point2> nodes;  ///< metres
-    std::vector<Edge> edges;
+    std::vector<Edge> edges;                                           ///< tile after tile
     /// For each tile, the graph's nodes of its fan, in the order of pattern::Fan::nodes.
     base::IndexVector<TileIndex, std::vector<TessellationNodeIndex>> tile_nodes;
     /// For each tile, the index of its first edge; one further entry holds the number of edges.

@@ -14,6 +14,7 @@ namespace fretwork::base {
 /// remove those of killed processes. The names begin with ".fretwork-".
 class Scratch {
   public:
+    /// What is made.
     enum class Kind { File, Folder };
     /// @param target  the file or folder to be made; its parent folder must exist
     ///
@@ -24,6 +25,7 @@ class Scratch {
     Scratch& operator=(Scratch&&) = delete;
     ~Scratch();
 
+    /// Where it lies.
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     /// The descriptor that holds the lock. That of a file is open for reading and writing.
     [[nodiscard]] int descriptor() const { return descriptor_; }

@@ -10,11 +10,13 @@ namespace fretwork::base {
 /// The hash SHA-256 (FIPS 180-4) of bytes that come piece by piece.
 class Sha256 {
   public:
+    /// Begin with nothing hashed.
     Sha256();
     Sha256(Sha256&&) noexcept;
     Sha256& operator=(Sha256&&) noexcept;
     ~Sha256();
 
+    /// Hash further bytes.
     void update(std::string_view bytes);
     /// The hash of all bytes so far, as 64 hexadecimal digits. More bytes may follow.
     [[nodiscard]] std::string hexadecimal() const;

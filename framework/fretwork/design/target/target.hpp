@@ -17,16 +17,17 @@ using FreeVector = std::array<std::optional<double>, 3>;
 
 /// A wanted displacement or position for each of these interface nodes.
 struct NodesGoal {
+    /// What is given of the nodes.
     enum class Quantity { Displacements, Positions };
-    std::vector<int> nodes;
-    Quantity quantity = Quantity::Displacements;
-    std::vector<FreeVector> values;  ///< m
+    std::vector<int> nodes;                       ///< numbers of interface nodes
+    Quantity quantity = Quantity::Displacements;  ///< what is given
+    std::vector<FreeVector> values;               ///< m
     friend bool operator==(const NodesGoal&, const NodesGoal&) = default;
 };
 
 /// Wanted displacements of selected nodes, as expressions of their coordinates x and y at rest (m).
 struct FormulaGoal {
-    simulation::Selection where;
+    simulation::Selection where;  ///< which nodes
     std::array<std::optional<std::string>, 3>
         displacement;  ///< m; a component without an expression is free; a number is an expression, too
     friend bool operator==(const FormulaGoal&, const FormulaGoal&) = default;
@@ -34,20 +35,21 @@ struct FormulaGoal {
 
 /// Selected nodes shall lie on a surface in space. They may slide along it: only distances count.
 struct MeshGoal {
-    simulation::Selection where;
-    std::filesystem::path mesh;  ///< OBJ, PLY or OFF, metres, in the axes of the project
+    simulation::Selection where;  ///< which nodes
+    std::filesystem::path mesh;   ///< OBJ, PLY or OFF, metres, in the axes of the project
     friend bool operator==(const MeshGoal&, const MeshGoal&) = default;
 };
 
 /// Selected nodes shall turn by this rotation vector (rad).
 struct RotationGoal {
-    simulation::Selection where;
-    FreeVector rotation;
+    simulation::Selection where;  ///< which nodes
+    FreeVector rotation;          ///< rad
     friend bool operator==(const RotationGoal&, const RotationGoal&) = default;
 };
 
+/// Where some nodes shall go.
 struct Goal {
-    std::variant<NodesGoal, FormulaGoal, MeshGoal, RotationGoal> what;
+    std::variant<NodesGoal, FormulaGoal, MeshGoal, RotationGoal> what;  ///< one of four kinds
     double weight = 1.0;      ///< weight of the squared distance of each of its nodes
     std::string load_case{};  ///< the load case under which the goal applies; "": the design's load case
     friend bool operator==(const Goal&, const Goal&) = default;
@@ -55,9 +57,9 @@ struct Goal {
 
 /// The shape that a designed surface shall take, under one load case or several.
 struct Target {
-    std::string name;
-    std::string description;
-    std::vector<Goal> goals;
+    std::string name;         ///< for reports
+    std::string description;  ///< a sentence
+    std::vector<Goal> goals;  ///< at least one
     friend bool operator==(const Target&, const Target&) = default;
 };
 

@@ -12,10 +12,11 @@
 
 namespace fretwork::exports {
 
+/// Options of drawings of patterns.
 struct PatternDrawingOptions {
     double tile_side = 0.025980762113533160;  ///< m, the paper's
     double beam_width = 0.002;                ///< m
-    int sides = 6;
+    int sides = 6;                            ///< of the polygon
 };
 
 /// The layout with its candidate edges, and many patterns as a sheet of fans with their ids, as in the
@@ -31,8 +32,8 @@ std::string rejection_sheet_svg(const pattern::NodeLayout& layout,
 
 /// A pattern and, if there is one, the reduced model of beams fitted to it.
 struct ReducedPattern {
-    pattern::Pattern pattern;
-    std::optional<reduction::Calibration> calibration{};
+    pattern::Pattern pattern;                             ///< what is drawn
+    std::optional<reduction::Calibration> calibration{};  ///< of the model beside it
 };
 
 /// Patterns with their reduced models beside them, as in the paper's Fig. 8: in the setting's polygon, at

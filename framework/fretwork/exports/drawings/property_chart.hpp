@@ -14,14 +14,14 @@ namespace fretwork::exports {
 
 /// A pattern and its effective properties by name: reduction::property_values.
 struct PatternProperties {
-    pattern::Pattern pattern;
-    std::map<std::string, double> values{};
+    pattern::Pattern pattern;                ///< a dot of the chart
+    std::map<std::string, double> values{};  ///< SI, by name
 };
 
 /// The layout and setting of a chart's patterns, for its axes and its drawings.
 struct ChartSubject {
-    base::Borrowed<pattern::NodeLayout> layout;
-    base::Borrowed<reduction::Setting> setting;
+    base::Borrowed<pattern::NodeLayout> layout;  ///< of the patterns
+    base::Borrowed<reduction::Setting> setting;  ///< for which the properties are
 };
 
 /// A property chart as SVG, after [Ashby2011]: in-plane stiffness over mass per area, and bending stiffness

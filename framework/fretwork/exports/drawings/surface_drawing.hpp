@@ -18,9 +18,10 @@ struct ViewOptions {
 
 /// The numbers shown on a drawing.
 struct DrawnLabels {
+    /// Whether numbers are drawn.
     enum class Shown { No, Yes };
-    Shown tiles = Shown::No;
-    Shown interface_nodes = Shown::No;
+    Shown tiles = Shown::No;            ///< numbers of tiles
+    Shown interface_nodes = Shown::No;  ///< numbers of interface nodes
 };
 
 /// A surface seen from above at true scale, as in the paper's Figs. 12 to 14: tiles coloured by pattern,
@@ -34,15 +35,16 @@ std::string surface_svg(const simulation::Surface& surface,
 struct DeformedLayer {
     std::string label;   ///< for the legend
     std::string colour;  ///< "#rrggbb"
-    LineSet lines;
+    LineSet lines;       ///< displaced
 };
 
+/// Options of drawings of deformed states.
 struct DeformedViewOptions {
     double scale = 1.0;                                        ///< factor on the displacements; the drawing
                                                                ///< states it
     reduction::Joints joints = reduction::Joints::Centreline;  ///< joints of the surface; the drawing states
                                                                ///< them
-    ViewOptions view{};
+    ViewOptions view{};                                        ///< from where
     LineSet rest{};        ///< lines drawn dashed below everything, such as rim_lines()
     DrawnLabels labels{};  ///< numbers on the surface from above
 };

@@ -38,8 +38,8 @@ std::string facts_text(const fabrication::Facts& facts);
 std::string facts_json(const fabrication::Facts& facts);
 /// The facts of a surface, and the outline for the picture.
 struct FactsOfScene {
-    fabrication::Facts facts;
-    fabrication::CutSheet sheet;
+    fabrication::Facts facts;     ///< what a maker asks
+    fabrication::CutSheet sheet;  ///< a drawing of where the warnings are
 };
 /// The facts as a page that needs no other file, with the table and a picture that marks the warnings.
 std::string facts_html(const FactsOfScene& scene);

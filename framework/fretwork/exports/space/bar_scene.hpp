@@ -25,26 +25,27 @@ struct BarScene {
 
     /// A field: a value at both ends of each bar, SI.
     struct Field {
-        std::string name;   ///< "displacement", "stress", ..
-        std::string title;  ///< for people
-        std::string unit;   ///< unit of `factor` times the value
-        double factor = 1.0;
+        std::string name;            ///< "displacement", "stress", ..
+        std::string title;           ///< for people
+        std::string unit;            ///< unit of `factor` times the value
+        double factor = 1.0;         ///< from SI to the unit that is shown
         std::vector<double> values;  ///< NaN if a value is not known
     };
-    std::vector<Field> fields;
+    std::vector<Field> fields;  ///< quantities over the bars
 
+    /// A node that is held.
     struct Support {
-        int node = 0;
+        int node = 0;  ///< which node
         enum class Kind { Clamped, Pinned, Other } kind = Kind::Other;
     };
-    std::vector<Support> supports;
+    std::vector<Support> supports;  ///< of the load case
     /// The sum of all loads on a node, its share of the weight included.
     struct Load {
-        int node = 0;
+        int node = 0;                                      ///< which node
         Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< N
         Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< N m
     };
-    std::vector<Load> loads;
+    std::vector<Load> loads;                                   ///< of the load case
     std::string title;                                         ///< "92 tiles, full, bridge"
     reduction::Joints joints = reduction::Joints::Centreline;  ///< joints of the surface's setting
 };

@@ -19,11 +19,12 @@ LineSet pattern_lines(const pattern::NodeLayout& layout, const pattern::Pattern&
 /// Kinds of files for meshes of lines.
 enum class MeshKind { Obj, Ply };
 
+/// Options of export_meshes().
 struct MeshOptions {
-    MeshKind kind = MeshKind::Obj;
+    MeshKind kind = MeshKind::Obj;                                            ///< of the files
     std::span<const reduction::TileModel> models = reduction::tile_models();  ///< tile models of the
                                                                               ///< calibrations
-    base::Control control{};
+    base::Control control{};  ///< how the caller follows and stops the work
 };
 
 /// Write each of these patterns of a library as an edge mesh in the setting's polygon (`<id>.obj`). For a

@@ -17,14 +17,14 @@ namespace fretwork::exports {
 
 /// A named vector at each node.
 struct NodeField {
-    std::string name;
-    Eigen::MatrixX3d vectors;
+    std::string name;          ///< in files
+    Eigen::MatrixX3d vectors;  ///< a row for each node
 };
 
 /// A named number for each line.
 struct LineField {
-    std::string name;
-    std::vector<double> values;
+    std::string name;            ///< in files
+    std::vector<double> values;  ///< one for each line
 };
 
 /// Lines in space with fields at their nodes and on the lines. Every writer of 3D files takes a LineSet.

@@ -13,8 +13,8 @@ namespace fretwork::exports {
 
 /// One of several files for one folder.
 struct NamedFile {
-    std::string name;
-    std::string text;
+    std::string name;  ///< beside the others
+    std::string text;  ///< its content
 };
 
 /// A result's load steps as a series in time for ParaView: `stem`.pvd lists the steps, and `stem`-1.vtu,

@@ -8,27 +8,30 @@ namespace fretwork::mechanics {
 
 /// Shapes of cross-sections; lengths in metres. Widths lie along local axis 2, heights along axis 3.
 struct RectangleShape {
-    double width = 0.0;
-    double height = 0.0;
+    double width = 0.0;   ///< m, in the pattern's plane
+    double height = 0.0;  ///< m, across it
     friend bool operator==(const RectangleShape&, const RectangleShape&) = default;
 };
+/// A round bar.
 struct CircleShape {
-    double diameter = 0.0;
+    double diameter = 0.0;  ///< m
     friend bool operator==(const CircleShape&, const CircleShape&) = default;
 };
+/// A round tube.
 struct TubeShape {
-    double outer_diameter = 0.0;
-    double inner_diameter = 0.0;
+    double outer_diameter = 0.0;  ///< m
+    double inner_diameter = 0.0;  ///< m
     friend bool operator==(const TubeShape&, const TubeShape&) = default;
 };
 /// Two flanges, joined by a web in the middle that stands along axis 3.
 struct IShape {
-    double width = 0.0;   ///< width of the flanges
-    double height = 0.0;  ///< overall height, flanges included
-    double flange_thickness = 0.0;
-    double web_thickness = 0.0;
+    double width = 0.0;             ///< width of the flanges
+    double height = 0.0;            ///< overall height, flanges included
+    double flange_thickness = 0.0;  ///< m
+    double web_thickness = 0.0;     ///< m
     friend bool operator==(const IShape&, const IShape&) = default;
 };
+/// The shapes whose stresses are known.
 using SectionShape = std::variant<RectangleShape, CircleShape, TubeShape, IShape>;
 
 /// The cross-section of a beam. Local axis 1 runs along the beam, axis 3 is the beam's normal, axis 2 = axis
@@ -63,7 +66,9 @@ double rectangle_height(const Section& section);  ///< along local axis 3
 /// A rectangle of `width` along local axis 2 and `height` along local axis 3 (metres); J is Saint-Venant's
 /// series. Its `shape` stays empty, because the numbers define the rectangle.
 Section rectangle_section(double width, double height);
+/// The section of a round bar.
 Section circle_section(double diameter);
+/// The section of a round tube.
 Section tube_section(double outer_diameter, double inner_diameter);
 /// The section of an I shape. J is that of three thin plates without fillets, a third of the sum of length
 /// times thickness cubed; warping is free.

@@ -15,6 +15,7 @@ enum class Branch {
 };
 /// The name of a branch: "primary", "stable" or "snapping".
 std::string_view branch_name(Branch branch);
+/// The names of the branches, as people type them.
 std::vector<std::string> branch_names();
 /// The branch with this name. Throws InputError that lists the names.
 Branch find_branch(std::string_view name);

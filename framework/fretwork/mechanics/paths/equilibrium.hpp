@@ -19,9 +19,9 @@ struct EquilibriumOptions {
     double relative_residual = 1e-9;
     double largest_rotation_step = 0.6;  ///< rad; longer Newton steps are shortened. There is no line search:
                                          ///< the residual may grow while membrane forces build up
-    int iterations_per_step = 60;
-    bool classify_stability = true;
-    Branch branch = Branch::Primary;
+    int iterations_per_step = 60;        ///< at most, of one increment
+    bool classify_stability = true;      ///< count negative pivots at each equilibrium
+    Branch branch = Branch::Primary;     ///< which way to go where the path is unstable
     bool locate_critical_loads = false;  ///< fill Solution::stability_losses; Stable and Snapping always do
     int threads = 1;  ///< 0: one for each processor. The number does not change a bit of a result; small
                       ///< structures use one thread.

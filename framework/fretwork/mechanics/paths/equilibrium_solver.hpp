@@ -18,7 +18,7 @@ enum class StartingPoint {
 /// The choice whether to check the stability of an equilibrium. The check takes a factorization, which a
 /// small change of the loads would otherwise not need.
 enum class StabilityCheck {
-    Made,
+    Made,  ///< with a factorization
     Left  ///< no check, and Solution::stability is None: for loads that a user drags. If the next check finds
           ///< the equilibrium unstable, it is solved from rest
 };

@@ -30,6 +30,7 @@ namespace fretwork::mechanics {
 class EquilibriumTangent {
   public:
     class Impl;
+    /// Of the solver; callers get one from EquilibriumSolver.
     explicit EquilibriumTangent(std::unique_ptr<Impl> impl);
     EquilibriumTangent(EquilibriumTangent&&) noexcept;
     EquilibriumTangent& operator=(EquilibriumTangent&&) noexcept;

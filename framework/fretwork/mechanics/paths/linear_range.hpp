@@ -20,8 +20,8 @@ struct LinearRange {
 
 /// Options of linear_range().
 struct LinearRangeOptions {
-    int threads = 1;  ///< 0: one for each processor
-    base::Control control{};
+    int threads = 1;          ///< 0: one for each processor
+    base::Control control{};  ///< how the caller follows and stops the work
 };
 
 /// Estimate the error of a linear solution. The linear solution u1 is the first term of the path
@@ -35,9 +35,10 @@ LinearRange linear_range(const Assembly& assembly, const LinearRangeOptions& opt
 
 /// The estimate together with the linear solution, which the estimate needs anyway.
 struct LinearPath {
-    LinearRange range;
+    LinearRange range;         ///< how far off the linear solution is
     NodeValues displacements;  ///< u1; the assembly's reported nodes first
 };
+/// Estimate the error as linear_range() does, and keep the solution.
 LinearPath linear_path(const Assembly& assembly, const LinearRangeOptions& options = {});
 
 }  // namespace fretwork::mechanics

@@ -18,8 +18,8 @@ struct RelaxationOptions {
     double relative_residual = 1e-9;  ///< converged below this
     int iterations = 200000;          ///< the most iterations; a structure of the size of a pattern takes
                                       ///< thousands
-    RotationalMass rotational_mass = RotationalMass::Natural;
-    base::Control control{};  ///< progress counts iterations
+    RotationalMass rotational_mass = RotationalMass::Natural;  ///< which fictitious masses
+    base::Control control{};                                   ///< progress counts iterations
     /// Throws InputError if a value is invalid.
     void validate() const;
 };

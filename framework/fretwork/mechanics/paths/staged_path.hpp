@@ -9,9 +9,9 @@ namespace fretwork::mechanics {
 
 /// The supports and loads of a structure at the end of a load stage.
 struct StageTarget {
-    std::vector<Support> supports;
-    std::vector<PrescribedDisplacement> prescribed;
-    NodeValues loads;  ///< one row for each node of the assembly
+    std::vector<Support> supports;                   ///< components that stay where they are
+    std::vector<PrescribedDisplacement> prescribed;  ///< components that are given, at the stage's end
+    NodeValues loads;                                ///< one row for each node of the assembly
 };
 
 /// Follows load stages one after the other. Each begins at the equilibrium in which the previous one ended.

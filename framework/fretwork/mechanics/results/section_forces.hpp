@@ -27,6 +27,7 @@ struct SectionForces {
 /// serves many states of a beam.
 class BeamSection {
   public:
+    /// Those of both ends.
     using Ends = std::array<SectionForces, 2>;
 
     /// Ignores the beam's divisions and hinges. Throws GeometryError if the beam's length is zero.

@@ -12,6 +12,7 @@ namespace fretwork::mechanics {
 
 /// The way in which a solution ended. "Not converged" is an outcome, not an error.
 enum class Termination { Converged, LimitLoad, Diverged, IterationsSpent };
+/// The word for it in files and messages.
 std::string_view termination_name(Termination termination);
 
 /// The test that decided about the stability of an equilibrium.
@@ -21,6 +22,7 @@ enum class StabilityTest {
     SymmetricPart,  ///< the inertia of the tangent's symmetric part, with moments of fixed direction on
                     ///< freely turning nodes: only sufficient
 };
+/// The word for it in files.
 std::string_view stability_test_name(StabilityTest test);
 
 /// A place where a path became unstable, and whether the solution continued on a stable branch.
@@ -34,11 +36,12 @@ struct StabilityLoss {
 
 /// One equilibrium of a structure.
 struct Solution {
-    double load_factor = 1.0;  ///< factor on the loads and prescribed displacements
-    Termination termination = Termination::Converged;
+    double load_factor = 1.0;                          ///< factor on the loads and prescribed displacements
+    Termination termination = Termination::Converged;  ///< how it ended
+    /// True if the wanted load was reached.
     [[nodiscard]] bool converged() const { return termination == Termination::Converged; }
-    bool stable = true;
-    StabilityTest stability = StabilityTest::None;
+    bool stable = true;                             ///< no negative pivot
+    StabilityTest stability = StabilityTest::None;  ///< how stability was tested
     NodeValues displacements;          ///< one row for each reported node; rotations as rotation vectors
     NodeValues inner_displacements{};  ///< rows of the assembly's other nodes: those inside divided beams and
                                        ///< of hinges

@@ -8,10 +8,12 @@
 
 namespace fretwork::optimization {
 
+/// Options of annealing with a descent behind it.
 struct AnnealingThenCeresOptions {
     /// Its `starts` is the number of runs; each run is one annealing followed by one descent.
     SimulatedAnnealingOptions annealing{};
-    ContinuationOptions continuation{};
+    ContinuationOptions continuation{};  ///< of the descent
+    /// Throws InputError if a value is invalid.
     void validate() const;
 };
 

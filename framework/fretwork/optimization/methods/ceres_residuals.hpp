@@ -10,9 +10,9 @@ namespace fretwork::optimization {
 
 /// The method by which Ceres chooses its steps.
 enum class CeresStep {
-    LevenbergMarquardt,
-    Dogleg,          ///< on the path from the steepest to the Gauss-Newton step [Powell1970]
-    SubspaceDogleg,  ///< anywhere in the plane of these two steps [Byrd1988]
+    LevenbergMarquardt,  ///< Ceres' default
+    Dogleg,              ///< on the path from the steepest to the Gauss-Newton step [Powell1970]
+    SubspaceDogleg,      ///< anywhere in the plane of these two steps [Byrd1988]
 };
 
 /// The method that keeps variables within their bounds.
@@ -22,13 +22,14 @@ enum class CeresBounds {
     Sine,        ///< x = middle + half width * sin(u): u is free, but the slope vanishes on the bounds
 };
 
+/// Options of Ceres on residuals.
 struct CeresResidualsOptions {
-    OptimizerOptions common{};
-    double tolerance = 1e-8;  ///< relative change of Ceres' cost at which it stops
-    int largest_iterations = 200;
-    CeresStep step = CeresStep::LevenbergMarquardt;
-    CeresBounds bounds = CeresBounds::Projection;
-    std::vector<double> smoothing = {0.0};  ///< the smoothing of each stage, descending; see Problem
+    OptimizerOptions common{};                       ///< starts and seed
+    double tolerance = 1e-8;                         ///< relative change of Ceres' cost at which it stops
+    int largest_iterations = 200;                    ///< of one descent
+    CeresStep step = CeresStep::LevenbergMarquardt;  ///< how a step is chosen
+    CeresBounds bounds = CeresBounds::Projection;    ///< how bounds are kept
+    std::vector<double> smoothing = {0.0};           ///< the smoothing of each stage, descending; see Problem
     /// Throws InputError if a value is invalid.
     void validate() const;
 };

@@ -24,8 +24,8 @@ struct ContinuationOptions {
 
 /// Options of several descents by continuation. All of them finish a stage before the next begins.
 struct MultistartOptions {
-    OptimizerOptions common{};
-    ContinuationOptions continuation{};
+    OptimizerOptions common{};           ///< starts and seed
+    ContinuationOptions continuation{};  ///< how kinks are smoothed
     /// If two descents are nearer than this after a stage, as a share of the bounds in every variable, the
     /// one with the larger value ends, because both are in one valley. 0: none ends for this reason.
     double merging_distance = 0.01;

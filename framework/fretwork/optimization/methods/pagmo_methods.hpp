@@ -10,7 +10,7 @@ namespace fretwork::optimization {
 /// Options of the methods of pagmo. These methods have pagmo's default parameters [Biscani2020] unless stated
 /// otherwise, and search in the unit box.
 struct PagmoOptions {
-    OptimizerOptions common{};
+    OptimizerOptions common{};  ///< starts and seed
     /// A run ends if its population differs by less than this in the objective and in the variables (shares
     /// of the box).
     double tolerance = 1e-8;

@@ -23,19 +23,19 @@ enum class AnnealingVariables {
 /// Options of simulated annealing. The defaults are those of ensmallen 2's SA with its exponential schedule
 /// [Curtin2021].
 struct SimulatedAnnealingOptions {
-    OptimizerOptions common{};       ///< `starts` runs, one after the other
-    long largest_moves = 1'000'000;  ///< the most moves of one run after the initial ones
-    double initial_temperature = 1e4;
-    long initial_moves = 1000;  ///< at the initial temperature
-    double cooling = 1e-3;      ///< T becomes (1 - cooling) T after each later move
-    int sweeps_per_adaptation = 100;
-    double tolerance = 1e-5;     ///< a run is frozen after smaller changes ..
-    int frozen_adaptations = 3;  ///< .. in this number of adaptations, one after the other
-    double initial_move = 0.3;   ///< scale of the Laplace distributed move, as a share of the box
-    double largest_move = 20.0;
-    double gain = 0.3;
-    AnnealingBounds bounds = AnnealingBounds::Reflect;
-    AnnealingVariables variables = AnnealingVariables::Problem;
+    OptimizerOptions common{};         ///< `starts` runs, one after the other
+    long largest_moves = 1'000'000;    ///< the most moves of one run after the initial ones
+    double initial_temperature = 1e4;  ///< in units of the objective
+    long initial_moves = 1000;         ///< at the initial temperature
+    double cooling = 1e-3;             ///< T becomes (1 - cooling) T after each later move
+    int sweeps_per_adaptation = 100;   ///< sweeps between changes of the moves
+    double tolerance = 1e-5;           ///< a run is frozen after smaller changes ..
+    int frozen_adaptations = 3;        ///< .. in this number of adaptations, one after the other
+    double initial_move = 0.3;         ///< scale of the Laplace distributed move, as a share of the box
+    double largest_move = 20.0;        ///< scale of a move at most
+    double gain = 0.3;                 ///< how fast moves adapt
+    AnnealingBounds bounds = AnnealingBounds::Reflect;           ///< what becomes of moves beyond a bound
+    AnnealingVariables variables = AnnealingVariables::Problem;  ///< in which it moves
     /// Throws InputError if a value is invalid.
     void validate() const;
 };

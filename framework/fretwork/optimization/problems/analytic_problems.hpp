@@ -10,9 +10,9 @@ namespace fretwork::optimization {
 
 /// A problem whose minimum is known in closed form.
 struct AnalyticProblem {
-    std::unique_ptr<Problem> problem;
-    double best_value = 0.0;
-    Eigen::VectorXd best_point;
+    std::unique_ptr<Problem> problem;  ///< the function
+    double best_value = 0.0;           ///< its global minimum
+    Eigen::VectorXd best_point;        ///< where that is
 };
 
 /// Test functions of the literature with every kind of evaluation: sphere, Rosenbrock, Powell's singular one,

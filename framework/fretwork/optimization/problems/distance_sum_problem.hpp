@@ -11,6 +11,7 @@ namespace fretwork::optimization {
 /// a kink at each point. With smoothing mu each |d| becomes sqrt(d.d + mu^2). Its one residual is the sum.
 class DistanceSumProblem final : public Problem {
   public:
+    /// Make the problem of these points, a column each.
     DistanceSumProblem(Bounds bounds, Eigen::MatrixXd points);
 
     [[nodiscard]] std::string name() const override { return "distance-sum"; }

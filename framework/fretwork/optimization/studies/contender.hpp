@@ -9,8 +9,8 @@ namespace fretwork::optimization::study {
 
 /// A method with its number of starts, as it takes part in a study.
 struct Contender {
-    const optimization::OptimizerRow* method = nullptr;
-    int starts = 1;
+    const optimization::OptimizerRow* method = nullptr;  ///< a row of a catalogue
+    int starts = 1;                                      ///< descents of one run
 };
 
 /// All methods of the catalogue with their numbers of starts in a study. A method with short descents gets

@@ -12,16 +12,18 @@ namespace fretwork::optimization::study {
 
 /// The lowest known objective of one problem.
 struct KnownValue {
-    std::string problem;
-    double best_value = 0.0;
-    double scale = 1.0;  ///< targets are best_value + share * scale
-    std::string found_by;
+    std::string problem;      ///< its id
+    double best_value = 0.0;  ///< the least that is known
+    double scale = 1.0;       ///< targets are best_value + share * scale
+    std::string found_by;     ///< name of the method
 };
 
 /// Read a table of known values. Throws InputError that names file and line.
 std::vector<KnownValue> read_known_values(const std::filesystem::path& path);
+/// The values as CSV.
 std::string known_values_csv(const std::vector<KnownValue>& values);
 
+/// Options of the search for known values.
 struct KnownValueOptions {
     ProblemFamilies families{};  ///< the families of the ids
     int starts = 300;            ///< descents of each calibrator on each problem

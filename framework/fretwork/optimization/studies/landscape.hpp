@@ -9,6 +9,7 @@
 
 namespace fretwork::optimization::study {
 
+/// Options of explore_landscape().
 struct LandscapeOptions {
     ProblemFamilies families{};  ///< the families of the ids
     int descents = 300;          ///< number of descents of each kind on each problem, from uniform random

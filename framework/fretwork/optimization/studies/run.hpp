@@ -13,9 +13,9 @@ namespace fretwork::optimization::study {
 
 /// The identity of a run in a study.
 struct RunKey {
-    std::string problem;
-    std::string optimizer;
-    int repetition = 0;  ///< from 1
+    std::string problem;    ///< its id
+    std::string optimizer;  ///< name of the method, with its starts
+    int repetition = 0;     ///< from 1
     friend auto operator<=>(const RunKey&, const RunKey&) = default;
 };
 
@@ -23,18 +23,19 @@ struct RunKey {
 struct RunConditions {
     optimization::Budget budget{.cost = 40000};  ///< the published annealing ends before this cost
     std::uint64_t seed = 1;                      ///< changes the seeds of all runs
+    /// Throws InputError if a value is invalid.
     void validate() const;
 };
 
 /// One run: a row of the table (see run_table.hpp).
 struct RunRecord {
-    RunKey key;
-    int dimension = 0;
-    optimization::OptimizerClass kind = optimization::OptimizerClass::Local;
-    int starts = 0;
-    std::uint64_t seed = 0;
-    long budget = 0;
-    optimization::OptimizationReport report;
+    RunKey key;                                                               ///< which run
+    int dimension = 0;                                                        ///< number of variables
+    optimization::OptimizerClass kind = optimization::OptimizerClass::Local;  ///< class of the method
+    int starts = 0;                                                           ///< descents
+    std::uint64_t seed = 0;                                                   ///< of the run
+    long budget = 0;                                                          ///< in the problem's unit
+    optimization::OptimizationReport report;                                  ///< what came out
     double last_value = 0.0;  ///< the objective at the point where the method itself ended; not charged
     double distance = -1.0;   ///< largest component of the distance from the known optimum, as a share of the
                               ///< box; negative: not known
@@ -46,8 +47,8 @@ std::uint64_t run_seed(const RunKey& key, std::uint64_t study_seed);
 
 /// The subject of a run: a problem and, if its minimum is known to be at one point, that point (else empty).
 struct RunTarget {
-    base::Borrowed<optimization::Problem> problem;
-    Eigen::VectorXd optimum{};
+    base::Borrowed<optimization::Problem> problem;  ///< what is minimized
+    Eigen::VectorXd optimum{};                      ///< where the least known value is, if that is known
 };
 
 /// Run a contender on a problem. Throws base::Stopped once the budget's control asks to stop.

@@ -26,11 +26,15 @@ class RunTable {
     RunTable(std::string_view text, const std::string& source, const RunConditions& conditions,
              std::span<const Contender> contenders);
 
+    /// True if the run is in the table.
     [[nodiscard]] bool contains(const RunKey& key) const { return rows_.contains(key); }
+    /// The number of runs.
     [[nodiscard]] std::size_t size() const { return rows_.size(); }
+    /// Add a run that is not in the table.
     void add(const RunRecord& record);
     /// Add the runs of another table that this table lacks.
     void merge(RunTable other) { rows_.merge(other.rows_); }
+    /// The table as CSV, sorted.
     [[nodiscard]] std::string csv() const;
 
   private:

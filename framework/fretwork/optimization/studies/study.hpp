@@ -14,18 +14,19 @@ namespace fretwork::optimization::study {
 struct StudyPlan {
     std::vector<std::string> problems;  ///< ids of problems (see study_problem.hpp)
     ProblemFamilies families;           ///< the families of the ids
-    std::vector<Contender> contenders;
-    RunConditions conditions;  ///< its budget's control is ignored; the plan's control is used
-    int repetitions = 15;
-    int threads = 0;          ///< 0: one for each processor
-    base::Control control{};  ///< progress counts finished runs
+    std::vector<Contender> contenders;  ///< methods with their starts
+    RunConditions conditions;           ///< its budget's control is ignored; the plan's control is used
+    int repetitions = 15;               ///< runs of each method that uses the seed
+    int threads = 0;                    ///< 0: one for each processor
+    base::Control control{};            ///< progress counts finished runs
     /// Throws InputError if a value is invalid.
     void validate() const;
 };
 
+/// What run_study() did.
 struct StudyReport {
-    std::size_t runs_before = 0;  ///< runs in the table at the start
-    std::size_t runs_done = 0;
+    std::size_t runs_before = 0;    ///< runs in the table at the start
+    std::size_t runs_done = 0;      ///< by this call
     std::size_t runs_left_out = 0;  ///< runs not done because of a stop
 };
 

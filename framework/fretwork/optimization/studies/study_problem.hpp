@@ -14,25 +14,27 @@ namespace fretwork::optimization::study {
 
 /// A problem on which optimizers are compared. Its id is "family/name".
 struct StudyProblem {
-    std::string id;
-    std::shared_ptr<const optimization::Problem> problem;
-    std::optional<double> best_value;  ///< the minimum, if it is known in closed form
-    Eigen::VectorXd optimum;           ///< the point of the minimum, if known; else empty
-    std::optional<double> scale{};     ///< unit for distances from the best value; none: the median of such
-                                       ///< distances
+    std::string id;                                        ///< `family/name`
+    std::shared_ptr<const optimization::Problem> problem;  ///< what is minimized
+    std::optional<double> best_value;                      ///< the minimum, if it is known in closed form
+    Eigen::VectorXd optimum;                               ///< the point of the minimum, if known; else empty
+    std::optional<double> scale{};  ///< unit for distances from the best value; none: the median of such
+                                    ///< distances
 };
 
 /// Problems of one kind, found by name. A study takes all families that its ids may name.
 struct ProblemFamily {
-    std::string name;
+    std::string name;  ///< before the `/` of an id
     /// Makes the problem of an id; `name` is the rest of the id after "family/". Throws InputError if there
     /// is no such problem.
     std::function<StudyProblem(const std::string& id, const std::string& name)> make;
 };
+/// Families that a study knows.
 using ProblemFamilies = std::vector<ProblemFamily>;
 
 /// The family analytic/NAME: functions of the literature.
 ProblemFamily analytic_family();
+/// The ids of the analytic problems.
 std::vector<std::string> analytic_problem_ids();
 
 /// Make the problem of an id. Throws InputError if there is no such problem.

@@ -17,34 +17,36 @@ namespace fretwork::reduction {
 
 /// A number with its name, in SI units.
 struct NamedValue {
-    std::string name;
-    double value = 0.0;
+    std::string name;    ///< of a parameter
+    double value = 0.0;  ///< SI
     friend bool operator==(const NamedValue&, const NamedValue&) = default;
 };
 
+/// Options of calibrate().
 struct CalibrationOptions {
     std::string optimizer = "ceres-multistart";  ///< a row of `optimizers`
+    /// The catalogue that has the optimizer.
     std::span<const optimization::OptimizerRow> optimizers = optimization::optimizer_catalogue();
-    int starts = 8;
-    std::uint64_t seed = 1;
-    int budget = 20000;  ///< the most evaluations of the objective
-    base::Control control{};
+    int starts = 8;           ///< descents from different points
+    std::uint64_t seed = 1;   ///< of all random choices
+    int budget = 20000;       ///< the most evaluations of the objective
+    base::Control control{};  ///< how the caller follows and stops the work
     /// Throws InputError if a value is invalid.
     void validate() const;
 };
 
 /// The result of fitting a tile model to the responses of one pattern, or only of comparing the two.
 struct Calibration {
-    std::string model;      ///< a row of the catalogue of tile models
-    std::string optimizer;  ///< "none" if nothing is fitted
-    std::uint64_t seed = 0;
-    int starts = 0;
+    std::string model;                    ///< a row of the catalogue of tile models
+    std::string optimizer;                ///< "none" if nothing is fitted
+    std::uint64_t seed = 0;               ///< of all random choices
+    int starts = 0;                       ///< descents from different points
     double objective = 0.0;               ///< E of Eq. (8) at the parameters
     std::vector<double> scenario_errors;  ///< the weighted contribution of each scenario to E: e_k summed
                                           ///< over the magnitudes as in Eq. (8)
-    long evaluations = 0;
-    std::vector<NamedValue> parameters;  ///< in the order of the model's row; empty if nothing is fitted
-    std::vector<std::string> at_bound;   ///< names of the parameters at a bound
+    long evaluations = 0;                 ///< of the objective
+    std::vector<NamedValue> parameters;   ///< in the order of the model's row; empty if nothing is fitted
+    std::vector<std::string> at_bound;    ///< names of the parameters at a bound
     /// True if the start that found these parameters ended by its method's own criterion before the budget
     /// was spent.
     bool converged = true;
@@ -57,10 +59,10 @@ std::vector<double> parameter_values(const Calibration& calibration, const TileM
 
 /// The input of calibrate(): a pattern, its layout and setting, and the responses to be fitted.
 struct CalibrationInput {
-    base::Borrowed<pattern::NodeLayout> layout;
-    base::Borrowed<pattern::Pattern> pattern;
-    base::Borrowed<Setting> setting;
-    base::Borrowed<std::vector<Response>> responses;
+    base::Borrowed<pattern::NodeLayout> layout;       ///< of the pattern
+    base::Borrowed<pattern::Pattern> pattern;         ///< which is fitted
+    base::Borrowed<Setting> setting;                  ///< under which it responded
+    base::Borrowed<std::vector<Response>> responses;  ///< of the pattern, to the setting's scenarios
 };
 
 /// Fit the linear displacements of a tile model to a pattern's responses: Eqs. (1) to (11). A model without

@@ -17,6 +17,7 @@ namespace fretwork::reduction {
 /// under the setting's scenarios. Keeps references to the model, the layout and the setting. Thread-safe.
 class ModelTile {
   public:
+    /// Place a model's tile into the setting's polygon, under its scenarios.
     ModelTile(base::Borrowed<TileModel> model, base::Borrowed<pattern::NodeLayout> layout,
               const pattern::Pattern& pattern, base::Borrowed<Setting> setting);
 

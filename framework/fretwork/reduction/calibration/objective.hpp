@@ -24,9 +24,9 @@ struct ErrorMetric {
 
 /// The derivatives of E, with its norms smoothed, with respect to a model's unit displacements.
 struct DisplacementGradient {
-    double objective = 0.0;  ///< E itself
-    double value = 0.0;      ///< E with its norms smoothed
-    UnitDisplacements slopes;
+    double objective = 0.0;    ///< E itself
+    double value = 0.0;        ///< E with its norms smoothed
+    UnitDisplacements slopes;  ///< by each unit displacement
 };
 
 /// The distance of a linear model from the responses of a pattern: E of Eqs. (8) to (11).
@@ -44,6 +44,7 @@ class Objective {
     /// Throws InputError if the responses do not fit the setting.
     Objective(const std::vector<Response>& responses, const Setting& setting, const ErrorMetric& metric = {});
 
+    /// E of a linear model.
     [[nodiscard]] double value(const UnitDisplacements& model) const;
     /// The contributions to E, one for each scenario of the setting.
     [[nodiscard]] std::vector<double> scenario_errors(const UnitDisplacements& model) const;
@@ -63,6 +64,7 @@ class Objective {
     [[nodiscard]] optimization::ResidualEvaluation residuals(const UnitDisplacementsAndDerivatives& model,
                                                              double smoothing) const;
 
+    /// The number of samples that count.
     [[nodiscard]] std::size_t sample_count() const { return samples_.size(); }
 
   private:

@@ -21,7 +21,9 @@ class InnerNodes {
     InnerNodes& operator=(const InnerNodes&) = delete;
     ~InnerNodes() = default;
 
+    /// The tile's frame, interface nodes first.
     [[nodiscard]] const mechanics::Frame& tile() const { return tile_; }
+    /// How many of its nodes are interface nodes.
     [[nodiscard]] int interface_nodes() const { return interface_nodes_; }
     /// The rest positions of the inner nodes, m, in the tile's own axes.
     [[nodiscard]] std::span<const Eigen::Vector3d> places() const;

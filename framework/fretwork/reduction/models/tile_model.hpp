@@ -18,25 +18,26 @@ namespace fretwork::reduction {
 
 /// The input from which a tile model builds a tile.
 struct TileInput {
-    base::Borrowed<pattern::NodeLayout> layout;
+    base::Borrowed<pattern::NodeLayout> layout;  ///< of the pattern
     base::Borrowed<pattern::Fan> fan;  ///< the tile's pattern around a polygon with as many sides as the tile
-    base::Borrowed<Setting> setting;
+    base::Borrowed<Setting> setting;   ///< material, section, joints
     base::Borrowed<geometry::Polygon> polygon;  ///< convex, counterclockwise, metres
     std::span<const double> parameters;         ///< parameters of the tile model, in the order of its row
 };
 
 /// One parameter of a tile model.
 struct TileParameter {
+    /// Within which a parameter is fitted.
     struct Bounds {
-        double lower = 0.0;
-        double upper = 0.0;
+        double lower = 0.0;  ///< SI
+        double upper = 0.0;  ///< SI
     };
     /// The scale on which a search measures the distance between two values. Logarithmic bounds lie above
     /// zero.
     enum class Scale { Linear, Logarithmic };
-    std::string name;  ///< the name in libraries: "I2"
-    std::string unit;  ///< the SI unit of the value: "m^4"
-    Scale scale = Scale::Linear;
+    std::string name;                              ///< the name in libraries: "I2"
+    std::string unit;                              ///< the SI unit of the value: "m^4"
+    Scale scale = Scale::Linear;                   ///< how it is searched
     std::function<Bounds(const Setting&)> bounds;  ///< the range in which a calibration searches
 };
 
@@ -52,11 +53,11 @@ enum class Sharing { None, Congruent };
 /// A tile model, which turns a painted tile into elements between its interface nodes. A row of the
 /// catalogue.
 struct TileModel {
-    std::string name;     ///< the name in commands, files and libraries
-    std::string summary;  ///< one line
-    Role role = Role::Reduced;
-    Displacements displacements = Displacements::Small;
-    Sharing sharing = Sharing::None;
+    std::string name;                                    ///< the name in commands, files and libraries
+    std::string summary;                                 ///< one line
+    Role role = Role::Reduced;                           ///< reference or reduced
+    Displacements displacements = Displacements::Small;  ///< how far its tiles may move
+    Sharing sharing = Sharing::None;                     ///< what tiles share
     std::vector<TileParameter> parameters{};  ///< fitted to a pattern's responses; empty: nothing is fitted
     /// Builds a tile; call it through build_tile(). Throws InputError or GeometryError if the tile cannot be
     /// built.

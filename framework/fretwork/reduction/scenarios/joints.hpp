@@ -35,6 +35,7 @@ TileMaterial bar_of(const Setting& setting, const BarPlace& place);
 /// The rigid share of the joints' reach, and the least elastic share of a bar. Both come from a comparison
 /// with solids (experiments/joints).
 inline constexpr double kStiffShare = 0.35;
+/// The least share of a bar that stays elastic.
 inline constexpr double kLeastElasticShare = 0.5;
 
 }  // namespace fretwork::reduction

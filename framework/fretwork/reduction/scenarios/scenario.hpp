@@ -13,23 +13,25 @@ namespace fretwork::reduction {
 /// A standard load case of one tile in the reference hexagon (paper, Section 5.2 and Fig. 10). It supports
 /// and loads interface nodes, one on each side; spread_over_sides() adapts it to layouts with more.
 struct Scenario {
+    /// A node that is held.
     struct Support {
-        int interface_node = 0;
-        mechanics::DofSet fixed;
+        int interface_node = 0;   ///< number in the reference hexagon
+        mechanics::DofSet fixed;  ///< components that stay zero
         friend bool operator==(const Support&, const Support&) = default;
     };
+    /// A load on a node.
     struct Load {  ///< for a magnitude of 1 N
         int interface_node = 0;
         std::array<double, 3> force{};   ///< N
         std::array<double, 3> moment{};  ///< N m, fixed direction in space
         friend bool operator==(const Load&, const Load&) = default;
     };
-    std::string name;
-    std::string description;
+    std::string name;               ///< as files and tables name it
+    std::string description;        ///< a sentence
     double weight = 1.0;            ///< w_k of Eq. (8), Table 2
     double max_magnitude = 0.0;     ///< N
     std::vector<Support> supports;  ///< "held" in files
-    std::vector<Load> loads;
+    std::vector<Load> loads;        ///< of a magnitude of 1 N
     friend bool operator==(const Scenario&, const Scenario&) = default;
 };
 

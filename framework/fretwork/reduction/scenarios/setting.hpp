@@ -16,6 +16,7 @@ enum class SamplePolicy {
     Paper,   ///< fitted, as a solver without a check of stability does; the paper seems to do so
     Stable,  ///< left out: only states that a specimen reaches are fitted
 };
+/// The word for it in files.
 std::string_view sample_policy_name(SamplePolicy policy);
 
 /// The flexible length of a bar. The key "joints" in files. experiments/joints compares both with solids of
@@ -25,31 +26,32 @@ enum class Joints {
     Stiff        ///< all but the ends that merge with other bars, which neither stretch nor twist nor bend in
                  ///< the plane
 };
+/// The word for it in files.
 std::string_view joints_name(Joints joints);
 
 /// Material and section of the beams of a tile.
 struct TileMaterial {
-    mechanics::Section section;
-    mechanics::Material material;
+    mechanics::Section section;    ///< of each bar
+    mechanics::Material material;  ///< of each bar
 };
 
 /// Everything that a response depends on besides its pattern: material, section, tile size, scenarios and
 /// discretization. The strength of the material is kept here, too.
 struct Setting {
-    mechanics::Material material;
+    mechanics::Material material;  ///< of the bars
     /// The stress that the material bears, Pa. The key "material/strength" in files. No response depends on
     /// it, so libraries and results treat settings that differ only in strength as the same. They do so too
     /// if only the shape of the section differs, with equal areas and moments.
     std::optional<double> strength{};
-    mechanics::Section section;
-    double tile_side = 0.0;  ///< m; side of the regular polygon, a hexagon
-    int sides = 6;
-    std::vector<Scenario> scenarios;
+    mechanics::Section section;       ///< of the bars
+    double tile_side = 0.0;           ///< m; side of the regular polygon, a hexagon
+    int sides = 6;                    ///< of the regular polygon in which patterns are loaded
+    std::vector<Scenario> scenarios;  ///< under which patterns respond
     int divisions = 2;    ///< elements of each beam in responses; two err by at most 7e-4 in the sample of
                           ///< experiments/verification
     int magnitudes = 10;  ///< sample k = 1..magnitudes has k / magnitudes of the scenario's largest magnitude
-    SamplePolicy sample_policy = SamplePolicy::Paper;
-    Joints joints = Joints::Centreline;
+    SamplePolicy sample_policy = SamplePolicy::Paper;  ///< which samples are fitted
+    Joints joints = Joints::Centreline;                ///< whether joints have a size
     /// Throws InputError if a value is invalid, or a scenario does not fit the polygon. `source` names the
     /// setting in the message.
     void validate(const std::string& source = "setting") const;

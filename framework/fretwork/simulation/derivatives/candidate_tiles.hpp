@@ -14,19 +14,25 @@ namespace fretwork::simulation {
 /// *class* and share it.
 class CandidateTiles {
   public:
+    /// How candidates are condensed.
     struct Options {
         int threads = 0;  ///< 0: one for each processor. The number does not change a bit of the result.
-        base::Control control{};
+        base::Control control{};  ///< how the caller follows and stops the work
     };
     /// Condenses each pattern in each class. Throws InputError if a pattern does not connect a tile; Stopped.
     CandidateTiles(const Surface& surface, std::vector<pattern::NamedPattern> patterns,
                    const Options& options);
+    /// Condense every pattern in every class of congruent tiles.
     CandidateTiles(const Surface& surface, std::vector<pattern::NamedPattern> patterns)
         : CandidateTiles(surface, std::move(patterns), Options{}) {}
 
+    /// The candidates.
     [[nodiscard]] const std::vector<pattern::NamedPattern>& patterns() const { return patterns_; }
+    /// The number of tiles.
     [[nodiscard]] std::size_t tile_count() const { return class_of_.size(); }
+    /// The number of classes of congruent tiles.
     [[nodiscard]] std::size_t class_count() const { return classes_.size(); }
+    /// The class of a tile.
     [[nodiscard]] std::size_t class_of(tiling::TileIndex tile) const { return class_of_[tile]; }
 
     /// K, 6n x 6n, in the axes in which the tiles of a class are built.
@@ -35,6 +41,7 @@ class CandidateTiles {
     [[nodiscard]] const Eigen::MatrixXd& packed(std::size_t tile_class) const {
         return classes_[tile_class].packed;
     }
+    /// Kg, of the pattern's bars in a tile of the class.
     [[nodiscard]] double mass(std::size_t tile_class, std::size_t pattern) const {
         return classes_[tile_class].masses[pattern];
     }

@@ -14,12 +14,12 @@ namespace fretwork::simulation {
 /// with n interface nodes has 6n strains e, in axes that turn with it; its energy is e . K e / 2, where K is
 /// its condensed stiffness.
 struct TileLinearization {
-    std::vector<tiling::InterfaceIndex> nodes;
-    Eigen::VectorXd strains;      ///< e (m, rad); empty for tile models that have none
-    Eigen::MatrixXd slopes;       ///< B = de/dx along motions of its nodes, 6n x 6n
-    Eigen::MatrixXd flexibility;  ///< G = B T^-1 B^T, symmetric part; only if asked for
-    double mass = 0.0;            ///< kg; zero if gravity does not act
-    Eigen::VectorXd forces;       ///< B^T K e, on its nodes in the surface's axes (N, N m)
+    std::vector<tiling::InterfaceIndex> nodes;  ///< its interface nodes
+    Eigen::VectorXd strains;                    ///< e (m, rad); empty for tile models that have none
+    Eigen::MatrixXd slopes;                     ///< B = de/dx along motions of its nodes, 6n x 6n
+    Eigen::MatrixXd flexibility;                ///< G = B T^-1 B^T, symmetric part; only if asked for
+    double mass = 0.0;                          ///< kg; zero if gravity does not act
+    Eigen::VectorXd forces;                     ///< B^T K e, on its nodes in the surface's axes (N, N m)
 };
 
 /// The quantities of tiles in a linearization. Flexibilities take the time of about three factorizations.
@@ -29,7 +29,7 @@ enum class TileQuantities { Strains, StrainsAndFlexibilities };
 struct Linearization {
     mechanics::EquilibriumTangent tangent;  ///< its rows are those of the session's structure
     Eigen::Index reported_nodes = 0;        ///< number of nodes in results; they come first
-    base::IndexVector<tiling::TileIndex, TileLinearization> tiles;
+    base::IndexVector<tiling::TileIndex, TileLinearization> tiles;  ///< of each tile
     mechanics::NodeValues loads;                        ///< the applied loads, one row for each node
     Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< m/s^2
 };

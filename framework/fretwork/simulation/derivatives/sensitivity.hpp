@@ -24,7 +24,7 @@ struct Sensitivity {
     /// dJ by the values of held components (prescribed or zero), one row for each node; zero for free ones.
     mechanics::NodeValues held_values;
     double stiffness = 0.0;  ///< dJ by a factor on the stiffness of all tiles (say, Young's modulus), at 1
-    base::IndexVector<tiling::TileIndex, TileSensitivity> tiles;
+    base::IndexVector<tiling::TileIndex, TileSensitivity> tiles;  ///< of each tile
 };
 
 /// The sensitivity of a function J with this gradient. Throws InputError if the number of rows of the

@@ -13,8 +13,8 @@ namespace fretwork::simulation {
 /// A load case on a surface: the supports and loads of each interface node. They are the same for every
 /// model.
 struct Conditions {
-    std::vector<mechanics::Support> supports;
-    std::vector<mechanics::PrescribedDisplacement> prescribed;
+    std::vector<mechanics::Support> supports;                   ///< components that stay zero
+    std::vector<mechanics::PrescribedDisplacement> prescribed;  ///< components that are given
     std::vector<mechanics::NodalLoad> loads;  ///< loads of the load case, then the shares of the tiles'
                                               ///< weight
 };
@@ -47,9 +47,9 @@ struct EntryMarks {
         Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< N m
         double extent = 0.0;  ///< area (m2) of a load per area, length (m) of a load per length; else 0
     };
-    std::vector<std::vector<tiling::InterfaceIndex>> supports;
-    std::vector<Load> loads;  ///< loads on areas come last
-    std::vector<std::vector<tiling::InterfaceIndex>> prescribed;
+    std::vector<std::vector<tiling::InterfaceIndex>> supports;    ///< nodes of each entry
+    std::vector<Load> loads;                                      ///< loads on areas come last
+    std::vector<std::vector<tiling::InterfaceIndex>> prescribed;  ///< nodes of each entry
 };
 
 /// The marks of one load case's entries, without gravity and without the load cases that it combines. Throws

@@ -10,26 +10,31 @@
 namespace fretwork::simulation {
 
 /// A side of the bounding box.
-enum class Side { Left, Right, Bottom, Top };
+enum class Side {
+    Left,    ///< least x
+    Right,   ///< largest x
+    Bottom,  ///< least y
+    Top      ///< largest y
+};
 
 /// Interface nodes by their numbers.
 struct NodesById {
-    std::vector<int> ids;
+    std::vector<int> ids;  ///< numbers of interface nodes, from 0
     friend bool operator==(const NodesById&, const NodesById&) = default;
 };
 /// All interface nodes in a box, its edge included: xmin ymin xmax ymax in metres.
 struct NodesInBox {
-    std::array<double, 4> box{};
+    std::array<double, 4> box{};  ///< xmin, ymin, xmax, ymax, m
     friend bool operator==(const NodesInBox&, const NodesInBox&) = default;
 };
 /// The interface nodes nearest to the given points, one for each.
 struct NodesNearest {
-    std::vector<geometry::Point2> points;
+    std::vector<geometry::Point2> points;  ///< m
     friend bool operator==(const NodesNearest&, const NodesNearest&) = default;
 };
 /// The rim nodes along one side: those within one mean tile side of that side of the bounding box.
 struct NodesAtSide {
-    Side side = Side::Left;
+    Side side = Side::Left;  ///< of the bounding box
     friend bool operator==(const NodesAtSide&, const NodesAtSide&) = default;
 };
 /// A selection of interface nodes for a support or a load.

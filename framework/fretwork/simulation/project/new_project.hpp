@@ -23,22 +23,22 @@ enum class TilesFrom {
 struct NewProjectOptions {
     /// The outline's file; if not empty, messages about the outline begin with it.
     std::string outline_name{};
-    std::optional<double> edge_length{};  ///< m, wanted mean side of the tiles; none: the setting's tile
-                                          ///< side
-    TilesFrom tiles = TilesFrom::Outline;
+    std::optional<double> edge_length{};   ///< m, wanted mean side of the tiles; none: the setting's tile
+                                           ///< side
+    TilesFrom tiles = TilesFrom::Outline;  ///< made from the outline, or the faces of a mesh
     tiling::Narrow narrow = tiling::Narrow::Refine;  ///< treatment of an outline that is narrower than a tile
     std::string layout{};                            ///< a name or a file; empty: the library's, or paper7
     /// Material, section and joints. None: the library's setting, or reduction::made_setting().
     std::optional<reduction::Setting> setting{};
-    PaintingChoice painting{};
-    base::Control control{};
+    PaintingChoice painting{};  ///< how tiles are painted
+    base::Control control{};    ///< how the caller follows and stops the work
 };
 
 /// A project without load cases, and the report about its tiling.
 struct NewProject {
-    Project project;
-    tiling::TessellationReport report;
-    double edge_length = 0.0;  ///< m, the wanted side; for a mesh, the mean side of its faces
+    Project project;                    ///< with its tessellation and painting
+    tiling::TessellationReport report;  ///< how regular the tiles are
+    double edge_length = 0.0;           ///< m, the wanted side; for a mesh, the mean side of its faces
 };
 
 /// Tile an outline and paint it. No side of a tile is shorter than the width of the setting's bars in the

@@ -22,47 +22,47 @@ namespace fretwork::simulation {
 /// The patterns that a painting chooses from: the listed ones, or those of a painting file, or the calibrated
 /// patterns of the library.
 struct PaletteChoice {
-    std::vector<std::string> ids{};
-    std::filesystem::path file{};  ///< a painting file, used if `ids` is empty
+    std::vector<std::string> ids{};  ///< of patterns
+    std::filesystem::path file{};    ///< a painting file, used if `ids` is empty
 };
 
 /// Paint all tiles with one pattern.
 struct PaintOnePattern {
-    std::string id;
+    std::string id;  ///< of the pattern
 };
 
 /// Paint as in a painting file.
 struct PaintFromFile {
-    std::filesystem::path file;
+    std::filesystem::path file;  ///< a painting file
 };
 
 /// Paint at random.
 struct PaintAtRandom {
-    std::uint64_t seed = 1;
-    PaletteChoice palette{};
+    std::uint64_t seed = 1;         ///< of the choice
+    PaletteChoice palette{};        ///< what is chosen from
     std::vector<double> weights{};  ///< weights of the palette's ids, above zero; empty: all are equally
                                     ///< likely
 };
 
 /// A field over the surface: an expression of x and y (m), and of u and v (0 to 1 across the surface).
 struct FieldExpression {
-    std::string text;
+    std::string text;  ///< such as `u` or `sin(30*x)^2`
 };
 /// A field over the surface: the darkness of a PNG image stretched over it (white 0, black 1).
 struct FieldImage {
-    std::filesystem::path file;
+    std::filesystem::path file;  ///< a PNG image
 };
 
 /// Paint by a field with values from 0 to 1, which selects patterns along a palette.
 struct PaintByField {
-    std::variant<FieldExpression, FieldImage> field;
-    PaletteChoice palette{};
+    std::variant<FieldExpression, FieldImage> field;  ///< the number over the surface
+    PaletteChoice palette{};                          ///< what is chosen from
     /// The property of patterns (`bending_stiffness`) that orders the palette; empty: the palette's own order
     /// counts.
     std::string property{};
     /// The property's values, SI, for field values 0 and 1. None: the palette's smallest and largest.
     std::optional<std::pair<double, double>> range{};
-    tiling::Dithering dithering = tiling::Dithering::None;
+    tiling::Dithering dithering = tiling::Dithering::None;  ///< whether patterns are mixed
 };
 
 /// Paint each tile by the colour of a drawing at the tile's place. Tiles on other colours keep their
@@ -79,9 +79,9 @@ using PaintingChoice =
 
 /// The layout, setting and library that pattern ids refer to. `library` may be null.
 struct PaintingGround {
-    base::Borrowed<pattern::NodeLayout> layout;
-    base::Borrowed<reduction::Setting> setting;
-    const library::Library* library = nullptr;
+    base::Borrowed<pattern::NodeLayout> layout;  ///< of the patterns
+    base::Borrowed<reduction::Setting> setting;  ///< for properties that are computed
+    const library::Library* library = nullptr;   ///< for properties that are known; may be null
 };
 
 /// Paint all tiles by a choice. Throws InputError whose source is a file, or the invalid entry of the choice:

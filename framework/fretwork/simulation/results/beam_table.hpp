@@ -18,14 +18,16 @@ namespace fretwork::simulation {
 /// Forces and stresses of one beam of a surface. No loads act between its ends, so the largest stress is at
 /// one of them.
 struct BeamRow {
-    std::size_t beam = 0;  ///< its index in the full model
-    tiling::TileIndex tile;
+    std::size_t beam = 0;                     ///< its index in the full model
+    tiling::TileIndex tile;                   ///< whose beam it is
     std::array<int, 2> nodes{};               ///< indices in the full model; interface nodes come first
     std::array<Eigen::Vector3d, 2> places{};  ///< positions of its ends at rest, m
-    std::array<mechanics::SectionForces, 2> forces{};
-    std::array<double, 2> stress{};     ///< Pa, the largest normal stress at each end
-    std::array<double, 2> von_mises{};  ///< Pa, the largest von Mises stress at each end
+    std::array<mechanics::SectionForces, 2> forces{};  ///< at both ends
+    std::array<double, 2> stress{};                    ///< Pa, the largest normal stress at each end
+    std::array<double, 2> von_mises{};                 ///< Pa, the largest von Mises stress at each end
+    /// Pa, normal, of both ends.
     [[nodiscard]] double largest_stress() const { return std::max(stress[0], stress[1]); }
+    /// Pa, of both ends.
     [[nodiscard]] double largest_von_mises() const { return std::max(von_mises[0], von_mises[1]); }
 };
 

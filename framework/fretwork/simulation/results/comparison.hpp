@@ -24,14 +24,15 @@ struct Comparison {
     double mean_rotation_error = 0.0;     ///< rad
     double sd_rotation_error = 0.0;       ///< rad
     double relative_l2_error = 0.0;       ///< |full - reduced| / |full| over all translations
-    double full_seconds = 0.0;
-    double reduced_seconds = 0.0;
-    bool full_is_unstable = false;  ///< the reference is a state in which no specimen would stay
+    double full_seconds = 0.0;            ///< wall time of the full model's answer
+    double reduced_seconds = 0.0;         ///< wall time of the reduced model's
+    bool full_is_unstable = false;        ///< the reference is a state in which no specimen would stay
 };
 
 /// The largest displacement (m) and rotation (rad, length of the rotation vector) of the interface nodes.
 /// Every model of a surface has these nodes, so largest values are taken over them alone.
 double largest_displacement(const SurfaceResult& result, const mechanics::Solution& solution);
+/// The largest rotation of an interface node, rad.
 double largest_rotation(const SurfaceResult& result, const mechanics::Solution& solution);
 
 /// Compare two results of one surface; nodes are matched by id. Throws InputError if a result did not
@@ -44,6 +45,7 @@ Comparison compare(const SurfaceResult& full, const SurfaceResult& reduced);
 std::string comparison_text(const Comparison& comparison);
 /// The header and a row of a table of comparisons.
 std::string comparison_header();
+/// The row of a comparison under that name.
 std::string comparison_row(const std::string& example, const Comparison& comparison);
 
 }  // namespace fretwork::simulation

@@ -12,6 +12,7 @@ namespace fretwork::simulation {
 /// the three, the error is estimated. In experiments/error_warnings, every result with an error of 5 % at its
 /// worst node is above one of them.
 inline constexpr double kDoubtfulRotation = 0.09;
+/// The limit of a mixed answer's change, of the largest displacement.
 inline constexpr double kDoubtfulChange = 0.03;
 /// The third limit: the number of linear solves from rest. A path with more solves has passed places where
 /// small differences decide.

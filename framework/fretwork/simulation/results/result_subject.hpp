@@ -34,11 +34,12 @@ std::string subject_difference(const ResultSubject& left, const ResultSubject& r
 /// The data that the subjects of all results of a surface share. Compute it only once, because hashes take
 /// time.
 struct SurfaceIdentity {
-    std::string tessellation_hash;
-    std::string painting_hash;
-    std::string setting_hash;
-    std::size_t tiles = 0;
+    std::string tessellation_hash;  ///< of vertices, tiles and interface nodes
+    std::string painting_hash;      ///< of the tiles' patterns
+    std::string setting_hash;       ///< of material, section and joints
+    std::size_t tiles = 0;          ///< how many
 };
+/// The hashes of a surface.
 SurfaceIdentity surface_identity(const Surface& surface);
 
 /// The differences of a result's subject and a surface, under any load case; empty if there are none.

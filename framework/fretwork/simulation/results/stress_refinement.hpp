@@ -10,8 +10,8 @@ namespace fretwork::simulation {
 
 /// A solution in which all tiles around the largest stress have all of their beams.
 struct RefinedStress {
-    SurfaceResult result;
-    BeamTable table;
+    SurfaceResult result;                       ///< with the full tiles
+    BeamTable table;                            ///< its beams
     std::vector<tiling::TileIndex> full_tiles;  ///< tiles with all of their beams, ascending
     int solutions = 0;                          ///< number of solutions needed
     /// True if the tiles around the most stressed beam are in full. False if an equilibrium was not found on

@@ -17,15 +17,15 @@ struct SurfaceBeams {
     std::size_t interface_nodes = 0;  ///< number of interface nodes; they come first, with their own numbers
     std::vector<Eigen::Vector3d>
         nodes;  ///< positions at rest, m; inner nodes follow the interface nodes, tile by tile
-    std::vector<std::array<mechanics::NodeIndex, 2>> ends;
-    std::vector<tiling::TileIndex> tiles;  ///< tile of each beam
-    std::vector<double> joint_reaches;     ///< reduction::joint_reaches of each beam
+    std::vector<std::array<mechanics::NodeIndex, 2>> ends;  ///< of each beam
+    std::vector<tiling::TileIndex> tiles;                   ///< tile of each beam
+    std::vector<double> joint_reaches;                      ///< reduction::joint_reaches of each beam
     /// The first inner node and the first beam of each tile; one further entry holds the numbers of both.
     struct Start {
-        std::size_t inner_node = 0;
-        std::size_t beam = 0;
+        std::size_t inner_node = 0;  ///< the tile's first one
+        std::size_t beam = 0;        ///< the tile's first one
     };
-    std::vector<Start> starts;
+    std::vector<Start> starts;  ///< of each tile
 };
 
 /// Collect the beams of a surface. The nodes are those of the full model, in its order. Unpainted tiles have
@@ -46,7 +46,9 @@ struct BeamState {
 /// largest von Mises stress over the section (Pa).
 inline constexpr std::array<const char*, 8> kBeamFields = {"N",  "V2", "V3",     "T",
                                                            "M2", "M3", "stress", "von_mises"};
+/// The column of the largest normal stress.
 inline constexpr Eigen::Index kStressField = 6;
+/// The column of the largest von Mises stress.
 inline constexpr Eigen::Index kVonMisesField = 7;
 
 /// The state of the beams in a solution that the session gave since its last edit.

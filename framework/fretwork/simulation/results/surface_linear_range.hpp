@@ -14,6 +14,7 @@ namespace fretwork::simulation {
 /// Beyond this error, or after a loss of stability, a linear solution is reported as out of its range.
 /// experiments/large_deflections measures how often such a report is right.
 inline constexpr double kLinearRange = 0.05;
+/// True if a linear solution is out of its range.
 [[nodiscard]] inline bool is_exceeded(const mechanics::LinearRange& range) {
     return range.loses_stability || range.error > kLinearRange;
 }

@@ -10,7 +10,10 @@
 namespace fretwork::simulation {
 
 /// The kind of modes.
-enum class ModeKind { Vibration, Buckling };
+enum class ModeKind {
+    Vibration,  ///< natural frequencies
+    Buckling    ///< critical load factors
+};
 
 /// The lowest modes of a surface with all of its beams, under the supports and (for buckling) the loads of a
 /// load case. Rows of the modes are the nodes of surface_beams(). Throws as mechanics::vibration_modes, and

@@ -22,8 +22,8 @@ struct ResultSubject {
     std::string load_case;          ///< its name
     std::string load_case_text;     ///< the load case as the text of a file
     std::string tessellation_hash;  ///< SHA-256, as the hashes below
-    std::string painting_hash;
-    std::string setting_hash;
+    std::string painting_hash;      ///< of the tiles' patterns
+    std::string setting_hash;       ///< of material, section and joints
     std::optional<reduction::Joints> joints{};  ///< joints of the setting; none in older files
     std::vector<int> full_tiles{};  ///< for a mixed model, the tiles with all of their beams, ascending
     std::string stages_text{};      ///< the load stages as the text of a file; empty: none

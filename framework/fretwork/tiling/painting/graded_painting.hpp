@@ -10,8 +10,8 @@ namespace fretwork::tiling {
 
 /// A pattern and its value of some quantity, such as its mass.
 struct GradedPattern {
-    pattern::NamedPattern pattern;
-    double value = 0.0;
+    pattern::NamedPattern pattern;  ///< what is painted
+    double value = 0.0;             ///< where it belongs along the palette
 };
 
 /// The choice whether a tile passes its error, the wanted value minus the pattern's value, to its neighbours

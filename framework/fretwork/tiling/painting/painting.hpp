@@ -30,8 +30,8 @@ void paint_uniformly(Tessellation& tessellation, const pattern::NamedPattern& pa
 /// The content of a painting file: the patterns in use, and for each tile one of them (an index into
 /// `patterns`). A file without tiles is a palette.
 struct Painting {
-    std::vector<pattern::NamedPattern> patterns;
-    std::vector<int> tiles;
+    std::vector<pattern::NamedPattern> patterns;  ///< those in use
+    std::vector<int> tiles;                       ///< of each tile the number of its pattern
 };
 
 /// Parse a painting:
@@ -57,8 +57,8 @@ void paint(Tessellation& tessellation, const Painting& painting);
 
 /// A pattern and its weight in a random choice.
 struct WeightedPattern {
-    pattern::NamedPattern pattern;
-    double weight = 1.0;
+    pattern::NamedPattern pattern;  ///< what is painted
+    double weight = 1.0;            ///< above 0, over the sum of all
 };
 
 /// A random painting of this number of tiles. The same seed gives the same painting on every machine. Throws
