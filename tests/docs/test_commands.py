@@ -78,7 +78,7 @@ class Page:
     def check_lines(self, block):
         lines = self.printed.split("\n")
         for wanted in filter(str.strip, block.text.split("\n")):
-            self.test.assertTrue(any(is_line(wanted, line) for line in lines), f"{self.place(block)}: no line like\n{wanted}\nin\n{self.printed}")
+            self.test.assertTrue(any(is_line(wanted, line) for line in lines), f"{self.place(block)}: no line like\n{wanted}\n-- in --\n{self.printed}")
 
     def check_json(self, block):
         if not json.loads(block.text).get("format"):
