@@ -28,6 +28,7 @@ html_theme_options = {
     "dark_css_variables": {"color-brand-primary": "#8ab8ee", "color-brand-content": "#8ab8ee"},
 }
 copybutton_exclude = ".linenos, .gp, .go"
+copybutton_selector = "div:not(.highlight-text) > div.highlight > pre"
 pygments_style = "tango"
 pygments_dark_style = "monokai"
 suppress_warnings = ["misc.highlighting_failure"]

@@ -9,7 +9,7 @@ import re
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 NO_PAGES = {"build", "out", "node_modules", "dist", ".git", ".cache"}
 LINK = re.compile(r"(!?)\[([^\]]*)\]\(([^)\s]+)((?:\s+\"[^\"]*\")?)\)")
-MARK = re.compile(r"<!--\s*(run slow|run|prints|program|no run:[^>]*?|query)\s*-->")
+MARK = re.compile(r"<!--\s*(run slow|run|prints|program|compiled|tour|no run:[^>]*?|query)\s*-->")
 SETUP = re.compile(r"<!-- setup\n(.*?)-->", re.S)
 
 

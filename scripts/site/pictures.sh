@@ -11,11 +11,11 @@ trap 'rm -rf "$work"' EXIT
 mkdir -p "$out"
 cd "$work"
 
-"$fretwork" enumerate --sample 18 --seed 4 --svg "$out/patterns.svg" >/dev/null
+"$fretwork" enumerate --sample 17 --seed 4 --svg "$out/patterns.svg" >/dev/null
 "$fretwork" enumerate --edges 2..3 --svg "$out/rejected.svg" --reasons >/dev/null
 "$fretwork" enumerate --library library.db >/dev/null
 "$fretwork" calibrate --library library.db --patterns sample:24 >/dev/null
-"$fretwork" library export --library library.db --svg "$out/reduced.svg" --patterns sample:3 >/dev/null
+"$fretwork" library export --library library.db --svg "$out/reduced.svg" --patterns sample:4 >/dev/null
 "$fretwork" library show 0-1+3-6 --library library.db --scenarios "$out/scenarios.svg" >/dev/null
 
 # The first hour: the specimen, bent by its own weight.

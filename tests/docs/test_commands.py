@@ -8,6 +8,8 @@ Above a block of a page stands a comment that says what becomes of it:
 - `<!-- prints -->` before `text`: lines of what the block before it prints. `..` stands for what may differ.
 - `<!-- no run: why -->` before `sh` or `python`: it is not run, for that reason.
 
+- `<!-- tour -->` and `<!-- program -->` of README.md are run by tests/cli and tests/install, `<!-- compiled -->` by tests/readmes, `<!-- query -->` by tests/library.
+
 Other blocks of `json` have to be read by the program if they have a format; `python` runs where the module is built, `cpp` after `<!-- program -->` is compiled
 and run by the build (CMakeLists.txt), and `sql` is run against the page's library.
 """
@@ -102,7 +104,7 @@ class Commands(unittest.TestCase):
         self.assertGreater(count, 10)
 
     def test_every_block_says_what_becomes_of_it(self):
-        known = {"sh": {"run", "run slow"}, "cpp": {"program"}, "sql": {"query"}}
+        known = {"sh": {"run", "run slow", "tour"}, "cpp": {"program", "compiled"}, "sql": {"query"}}
         for page in support.pages():
             for block in markdown.blocks(page.read_text()):
                 if block.language in known and not block.mark.startswith("no run: ") and block.mark != "setup":

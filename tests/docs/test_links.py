@@ -35,7 +35,7 @@ class Links(unittest.TestCase):
         self.assertEqual(len(listed), len(set(listed)))
         for page in listed:
             self.assertTrue((support.SOURCE / page).exists(), page)
-        own = {page.relative_to(support.SOURCE).as_posix() for page in support.pages()} - {stage.HOME}
+        own = {page.relative_to(support.SOURCE).as_posix() for page in support.own_pages()} - {stage.HOME}
         self.assertEqual(own - set(listed), set())
 
 
