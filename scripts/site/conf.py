@@ -44,6 +44,25 @@ def displayed_equation(self, node):
     raise nodes.SkipNode
 
 
+def shorten_contents(_app, env):
+    """Keep two levels of headings in the contents of reference pages: Sphinx copies all contents for the sidebar of each page, and they have a thousand."""
+    for name, contents in env.tocs.items():
+        if name.startswith("docs/reference/") and name.count("/") == 3:
+            for item in list(contents.findall(nodes.list_item)):
+                depth = sum(isinstance(parent, nodes.list_item) for parent in parents_of(item))
+                if depth == 1:
+                    item.children[1:] = []
+    return []
+
+
+def parents_of(node):
+    """The nodes above a node."""
+    while node.parent is not None:
+        node = node.parent
+        yield node
+
+
 def setup(app):
+    app.connect("env-updated", shorten_contents)
     app.add_html_math_renderer("katex", inline_renderers=(inline_equation, None), block_renderers=(displayed_equation, None))
     return {"parallel_read_safe": True, "parallel_write_safe": True}
