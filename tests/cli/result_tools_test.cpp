@@ -52,7 +52,10 @@ TEST_F(ResultTools, BeamsListTheMostStressedFirst) {
         largest = std::max(largest, std::stod(*(base::split(lines[i], ',').end() - 2)));
     EXPECT_EQ(largest, worst);
     EXPECT_EQ(run("fretwork beams p.json full.json --out b.csv").exit_code, 0) << "its own table is replaced";
-    EXPECT_EQ(run("fretwork beams p.json condensed.json").exit_code, 0) << "inner nodes are recovered";
+    const Outcome recovered = run("fretwork beams p.json condensed.json");
+    EXPECT_EQ(recovered.exit_code, 0) << "inner nodes are recovered";
+    EXPECT_THAT(recovered.out, StartsWith("joints: stiff\n"));
+    EXPECT_EQ(json::parse(reported.out).at("joints"), "stiff");
     EXPECT_EQ(run("fretwork beams p.json full.json --strength much").exit_code, 2);
     EXPECT_EQ(run("fretwork beams p.json full.json --top 0 --json").exit_code, 0)
         << "none is shown, all are known";
@@ -63,12 +66,14 @@ TEST_F(ResultTools, BeamsListTheMostStressedFirst) {
 TEST_F(ResultTools, ComparisonsAreATableForPeopleAndCsvIfAsked) {
     const Outcome table = run("fretwork compare full.json condensed.json");
     EXPECT_THAT(table.out, AllOf(HasSubstr("translation error"), HasSubstr(" mm"), HasSubstr("relative L2")));
+    EXPECT_THAT(table.out, HasSubstr("\njoints: stiff\n"));
     const Outcome csv = run("fretwork compare full.json condensed.json --csv");
     EXPECT_EQ(std::count(csv.out.begin(), csv.out.end(), '\n'), 2);
     EXPECT_THAT(csv.out, StartsWith("example,width_m,height_m,max_displacement_m,"));
     EXPECT_THAT(csv.out, HasSubstr(",reduced_model_milliseconds\n"));
-    EXPECT_FALSE(
-        json::parse(run("fretwork compare full.json condensed.json --json").out).at("full_is_unstable"));
+    const json told = json::parse(run("fretwork compare full.json condensed.json --json").out);
+    EXPECT_FALSE(told.at("full_is_unstable"));
+    EXPECT_EQ(told.at("joints"), "stiff");
 }
 
 TEST_F(ResultTools, LinearResultsSayWhenTheyAreOutOfTheirRange) {

@@ -85,6 +85,22 @@ TEST_F(VtuFile, HasOneLineCellForEachBeam) {
     EXPECT_EQ(numbers_of<int>(array_of(piece().child("CellData"), "pattern")), lines_.patterns);
 }
 
+/// VTK writes a text as the numbers of its characters, ended by 0.
+TEST_F(VtuFile, NamesTheJointsOfTheSetting) {
+    simulation::Surface surface = sample_surface();
+    for (const auto joints : {reduction::Joints::Centreline, reduction::Joints::Stiff}) {
+        surface.setting.joints = joints;
+        pugi::xml_document document;
+        ASSERT_TRUE(document.load_string(vtu_text(beam_lines(surface, nullptr)).c_str()));
+        const auto data = document.child("VTKFile").child("UnstructuredGrid").child("FieldData");
+        std::string text;
+        for (const int code : numbers_of<int>(array_of(data, "joints"))) text += static_cast<char>(code);
+        EXPECT_EQ(text, std::string(reduction::joints_name(joints)) + '\0');
+    }
+    EXPECT_FALSE(document_.child("VTKFile").child("UnstructuredGrid").child("FieldData"))
+        << "lines of which nothing is known";
+}
+
 TEST(ObjFile, HasDisplacedVerticesAndLines) {
     const LineSet lines = sample_lines();
     const auto places = displaced_nodes(lines);

@@ -65,6 +65,7 @@ void print_stages(const simulation::SurfaceResult& result) {
 
 void print(const simulation::BeamTable& table, const simulation::Surface& surface, std::size_t top) {
     const auto& tessellation = surface.tessellation;
+    std::printf("joints: %s\n", std::string(reduction::joints_name(table.joints)).c_str());
     std::printf("%6s %6s  %-20s %9s %9s %10s %10s %10s%s\n", "beam", "tile", "pattern", "x mm", "y mm", "N",
                 "normal MPa", "Mises MPa", table.strength ? "   share of strength" : "");
     for (const simulation::BeamRow& row : simulation::most_stressed(table, top)) {

@@ -43,7 +43,9 @@ base::Json to_json(const std::string& name, const simulation::Comparison& compar
             {"relative_l2_error", comparison.relative_l2_error},
             {"full_model_seconds", comparison.full_seconds},
             {"reduced_model_seconds", comparison.reduced_seconds},
-            {"full_is_unstable", comparison.full_is_unstable}};
+            {"full_is_unstable", comparison.full_is_unstable},
+            {"joints", comparison.joints ? base::Json(reduction::joints_name(*comparison.joints))
+                                         : base::Json(nullptr)}};
 }
 
 /// A refusal names the files, which the stage does not know.

@@ -30,6 +30,7 @@ void bind_subject(py::module_& m) {
         .constant("tessellation_hash", &ResultSubject::tessellation_hash, "SHA-256")
         .constant("painting_hash", &ResultSubject::painting_hash, "SHA-256")
         .constant("setting_hash", &ResultSubject::setting_hash, "SHA-256")
+        .constant("joints", &ResultSubject::joints, "of the setting; None in older files")
         .constant("full_tiles", &ResultSubject::full_tiles, "of a mixed model: those with all of their beams")
         .constant("stages_text", &ResultSubject::stages_text, "the stages that were followed")
         .constant("stage_load_cases", &ResultSubject::stage_load_cases, "load case files that stages name")
@@ -102,6 +103,7 @@ void bind_comparison(py::module_& m) {
         .constant("full_seconds", &Comparison::full_seconds, "")
         .constant("reduced_seconds", &Comparison::reduced_seconds, "")
         .constant("full_is_unstable", &Comparison::full_is_unstable, "")
+        .constant("joints", &Comparison::joints, "of the setting; None where no file names them")
         .done(Made::ByFunctions);
     m.def("compare", &compare, "full"_a, "reduced"_a,
           "Compare two results of one surface. Raises InputError if they do not belong together.");
@@ -125,6 +127,7 @@ void bind_beams(py::module_& m) {
         .constant("rows", &BeamTable::rows, "over the beams whose tile model gives their motions")
         .constant("unknown", &BeamTable::unknown, "beams of other tiles")
         .constant("strength", &BeamTable::strength, "Pa, the reference of utilizations")
+        .constant("joints", &BeamTable::joints, "of the setting")
         .constant("is_shape_given", &BeamTable::is_shape_given, "")
         .done(Made::ByFunctions)
         .def("utilization", &BeamTable::utilization, "row"_a, "None without a strength.");

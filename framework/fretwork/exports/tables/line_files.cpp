@@ -3,6 +3,8 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/exports/tables/line_files.hpp>
 
+#include <array>
+#include <span>
 #include <string_view>
 
 namespace fretwork::exports {
@@ -25,7 +27,7 @@ class VtuWriter {
                 " -->\n"
                 "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
                 "<UnstructuredGrid>\n" +
-                pattern_names() + "<Piece NumberOfPoints=\"" + std::to_string(lines_.nodes.size()) +
+                field_data() + "<Piece NumberOfPoints=\"" + std::to_string(lines_.nodes.size()) +
                 "\" NumberOfCells=\"" + std::to_string(lines_.lines.size()) + "\">\n";
         append_points();
         append_cells();
@@ -36,17 +38,23 @@ class VtuWriter {
     }
 
   private:
-    /// The ids by index, as VTK writes texts: the numbers of their characters, each text ended by 0.
-    [[nodiscard]] std::string pattern_names() const {
-        if (lines_.pattern_names.empty()) return "";
-        std::string text =
-            "<FieldData>\n<DataArray type=\"String\" Name=\"pattern_names\" NumberOfTuples=\"" +
-            std::to_string(lines_.pattern_names.size()) + "\" format=\"ascii\">\n";
-        for (const std::string& name : lines_.pattern_names) {
-            for (const char c : name) text += std::to_string(static_cast<int>(c)) + " ";
+    /// Texts that belong to the whole: the ids of the patterns by index, and the joints.
+    [[nodiscard]] std::string field_data() const {
+        std::string text = texts("pattern_names", lines_.pattern_names);
+        if (!lines_.joints.empty()) text += texts("joints", std::array{lines_.joints});
+        return text.empty() ? "" : "<FieldData>\n" + text + "</FieldData>\n";
+    }
+
+    /// As VTK writes texts: the numbers of their characters, each text ended by 0.
+    [[nodiscard]] static std::string texts(std::string_view name, std::span<const std::string> values) {
+        if (values.empty()) return "";
+        std::string text = "<DataArray type=\"String\" Name=\"" + std::string(name) + "\" NumberOfTuples=\"" +
+                           std::to_string(values.size()) + "\" format=\"ascii\">\n";
+        for (const std::string& value : values) {
+            for (const char c : value) text += std::to_string(static_cast<int>(c)) + " ";
             text += "0\n";
         }
-        return text + "</DataArray>\n</FieldData>\n";
+        return text + "</DataArray>\n";
     }
 
     void append_points() {

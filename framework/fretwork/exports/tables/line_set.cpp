@@ -148,6 +148,7 @@ LineSet beam_lines(const Surface& surface, const simulation::SurfaceResult* resu
     LineSet set = result == nullptr ? surface_lines(surface) : result_lines(surface, *result);
     if (result != nullptr) add_beam_fields(surface, *result, {strength, models}, set);
     set.pattern_names = pattern::ids_of(surface.tessellation.patterns);
+    set.joints = reduction::joints_name(surface.setting.joints);
     set.line_fields.push_back(
         {"radius",
          std::vector<double>(set.lines.size(), std::sqrt(surface.setting.section.area / std::numbers::pi))});

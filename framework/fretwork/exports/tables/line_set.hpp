@@ -37,6 +37,7 @@ struct LineSet {
     std::vector<NodeField> fields{};                       ///< further fields at the nodes
     std::vector<LineField> line_fields{};                  ///< fields on the lines
     std::vector<std::string> pattern_names{};              ///< ids of patterns, by index
+    std::string joints{};                                  ///< name of those of the setting; empty: none
 };
 
 /// All beams of a surface, undeformed. Unpainted tiles have no beams.

@@ -40,6 +40,7 @@ base::Json end_json(const BeamRow& row, std::size_t end) {
 BeamTable table_of(const Surface& surface, const SurfaceBeams& beams, const BeamState& state) {
     BeamTable table;
     table.strength = surface.setting.strength;
+    table.joints = surface.setting.joints;
     table.shape = mechanics::shape_of(surface.setting.section);
     table.is_shape_given = surface.setting.section.shape.has_value();
     for (std::size_t b = 0; b < beams.ends.size(); ++b) {
@@ -137,7 +138,8 @@ std::string beam_table_json(const BeamTable& table, const Surface& surface) {
                         {"largest_von_mises", row.largest_von_mises()},
                         {"utilization", utilization ? base::Json(*utilization) : base::Json(nullptr)}});
     }
-    return base::json_text({{"format", "fretwork/beams/1"},
+    return base::json_text({{"format", "fretwork/beams/2"},
+                            {"joints", reduction::joints_name(table.joints)},
                             {"strength", table.strength ? base::Json(*table.strength) : base::Json(nullptr)},
                             {"utilization_formula", utilization_formula(table)},
                             {"unknown_beams", table.unknown},

@@ -36,9 +36,10 @@ struct BeamTable {
     std::vector<BeamRow> rows;         ///< the beams whose tile model gives their motions
     std::size_t unknown = 0;           ///< number of beams of other tiles
     std::optional<double> strength{};  ///< Pa, the reference of utilizations
+    reduction::Joints joints{};        ///< of the setting, in whose beams the forces act
     mechanics::SectionShape shape{};   ///< shape of the section for which stresses are computed
-    bool is_shape_given = false;  ///< true if the setting states the shape; false: it is the rectangle with
-                                  ///< the section's area and second moments
+    bool is_shape_given =
+        false;  ///< else `shape` is the rectangle with the section's area and second moments
     /// The utilization of a beam: the largest von Mises stress divided by the strength. None without a
     /// strength.
     [[nodiscard]] std::optional<double> utilization(const BeamRow& row) const;
@@ -61,7 +62,7 @@ std::string utilization_formula(const BeamTable& table);
 /// The table as CSV with LF, in SI: beam, tile, pattern, nodes, places, and section forces and stresses at
 /// both ends.
 std::string beam_table_csv(const BeamTable& table, const Surface& surface);
-/// The table as JSON: `{"strength", "utilization_formula", "unknown_beams", "beams": [..]}`.
+/// The same as JSON: `{"joints", "strength", "utilization_formula", "unknown_beams", "beams": [..]}`.
 std::string beam_table_json(const BeamTable& table, const Surface& surface);
 
 }  // namespace fretwork::simulation

@@ -157,6 +157,9 @@ Comparison compare(const SurfaceResult& full, const SurfaceResult& reduced) {
         !std::isfinite(comparison.max_rotation_error))
         throw base::InputError("the results hold displacements that are too large to be compared");
     comparison.full_is_unstable = !full.solution.stable;
+    for (const SurfaceResult* result : {&full, &reduced}) {
+        if (!comparison.joints && result->subject) comparison.joints = result->subject->joints;
+    }
     comparison.full_seconds = full.seconds;
     comparison.reduced_seconds = reduced.seconds;
     return comparison;
@@ -183,7 +186,8 @@ std::string comparison_text(const Comparison& comparison) {
         kDegrees * comparison.max_rotation_error, kDegrees * comparison.mean_rotation_error,
         kDegrees * comparison.sd_rotation_error, 100.0 * comparison.relative_l2_error,
         comparison.full_seconds, comparison.reduced_seconds);
-    return text;
+    if (!comparison.joints) return text;
+    return text + ("joints: " + std::string(reduction::joints_name(*comparison.joints))) + "\n";
 }
 
 std::string comparison_header() {

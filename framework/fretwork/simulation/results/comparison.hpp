@@ -3,6 +3,7 @@
 
 #include <fretwork/simulation/results/surface_result.hpp>
 
+#include <optional>
 #include <string>
 
 namespace fretwork::simulation {
@@ -13,20 +14,21 @@ namespace fretwork::simulation {
 /// columns of the paper are inconsistent with the errors that it prints, so they cannot be compared with
 /// these. A rotation error is the angle of the rotation between the two orientations of a node.
 struct Comparison {
-    double width = 0.0;                   ///< m, of the interface nodes' bounding box at rest
-    double height = 0.0;                  ///< m
-    double max_displacement = 0.0;        ///< m, of the full model's interface nodes
-    double max_translation_error = 0.0;   ///< m
-    double mean_translation_error = 0.0;  ///< m
-    double sd_translation_error = 0.0;    ///< m
-    double max_rotation = 0.0;            ///< rad, of the full model
-    double max_rotation_error = 0.0;      ///< rad
-    double mean_rotation_error = 0.0;     ///< rad
-    double sd_rotation_error = 0.0;       ///< rad
-    double relative_l2_error = 0.0;       ///< |full - reduced| / |full| over all translations
-    double full_seconds = 0.0;            ///< wall time of the full model's answer
-    double reduced_seconds = 0.0;         ///< wall time of the reduced model's
-    bool full_is_unstable = false;        ///< the reference is a state in which no specimen would stay
+    double width = 0.0;                         ///< m, of the interface nodes' bounding box at rest
+    double height = 0.0;                        ///< m
+    double max_displacement = 0.0;              ///< m, of the full model's interface nodes
+    double max_translation_error = 0.0;         ///< m
+    double mean_translation_error = 0.0;        ///< m
+    double sd_translation_error = 0.0;          ///< m
+    double max_rotation = 0.0;                  ///< rad, of the full model
+    double max_rotation_error = 0.0;            ///< rad
+    double mean_rotation_error = 0.0;           ///< rad
+    double sd_rotation_error = 0.0;             ///< rad
+    double relative_l2_error = 0.0;             ///< |full - reduced| / |full| over all translations
+    double full_seconds = 0.0;                  ///< wall time of the full model's answer
+    double reduced_seconds = 0.0;               ///< wall time of the reduced model's
+    bool full_is_unstable = false;              ///< the reference is a state in which no specimen would stay
+    std::optional<reduction::Joints> joints{};  ///< of both results' setting; none where no file names them
 };
 
 /// The largest displacement (m) and rotation (rad, length of the rotation vector) of the interface nodes.
