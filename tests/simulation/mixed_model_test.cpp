@@ -184,7 +184,8 @@ TEST(ModelError, IsRefusedWhereThereIsNoBetterModel) {
 
 TEST(ModelError, OfAMixedModelIsThatFromMoreTilesInFull) {
     EXPECT_EQ(better_model("corotational"), "mixed:0.3");
-    EXPECT_EQ(better_model("corotational", {.tile_rotation = 0.4}), "mixed:0.6");
+    EXPECT_EQ(better_model("corotational", {.tile_rotation = 0.4}), "mixed:1");
+    EXPECT_EQ(better_model("mixed:0.1", {.tile_rotation = 0.4}), "mixed:1");
     EXPECT_EQ(better_model("mixed:0.1"), "mixed:0.7");
     EXPECT_EQ(better_model("mixed:0.8"), "mixed:1");
     const auto result = simulate(surface(), heavy(), {.model = "mixed:0.1", .estimate_model_error = true});
@@ -239,11 +240,35 @@ TEST(ModelDoubt, HasTheErrorEstimatedWhereItIsLarge) {
     EXPECT_FALSE(doubted("condensed", far).model_doubt) << "a linear solution has a range";
 }
 
+/// A better solution follows the same branch.
+TEST(ModelDoubt, HasTheErrorEstimatedOnEveryBranch) {
+    const LoadCase far = cantilever({0, 0, -3.0});
+    const auto primary = doubted("corotational", far);
+    const auto stable = doubted("corotational", far, mechanics::Branch::Stable);
+    ASSERT_TRUE(primary.solution.stable) << "else the branches differ";
+    ASSERT_TRUE(primary.model_error && stable.model_error);
+    EXPECT_NEAR(stable.model_error->largest, primary.model_error->largest, 1e-6);
+}
+
 TEST(ModelDoubt, IsWarnedOfWhereNoErrorIsEstimated) {
-    const auto result = doubted("corotational", cantilever({0, 0, -3.0}), mechanics::Branch::Stable);
-    ASSERT_TRUE(result.solution.converged());
-    EXPECT_FALSE(result.model_error);
+    SurfaceResult result;
+    result.solution.termination = mechanics::Termination::Converged;
+    result.model_doubt = ModelDoubt{.tile_rotation = 2.0 * kDoubtfulRotation};
     EXPECT_THAT(model_warning(result), HasSubstr("nothing was estimated"));
+}
+
+TEST(ModelDoubt, HasTheErrorOfTheStressEstimated) {
+    const LoadCase far = cantilever({0, 0, -3.0});
+    const auto largest = [](const SurfaceResult& result) {
+        return most_stressed(beam_table(surface(), result), 1).front().largest_von_mises();
+    };
+    const double truth = largest(solved("full", far));
+    for (const char* model : {"corotational", "mixed:0.1"}) {
+        const auto result = doubted(model, far);
+        ASSERT_TRUE(result.model_error && result.model_error->largest_stress) << model;
+        const double error = std::abs(largest(result) - truth) / truth;
+        EXPECT_NEAR(*result.model_error->largest_stress, error, 0.5 * error + 1e-3) << model;
+    }
 }
 
 TEST(ModelDoubt, IsLargeWhereThePathTookManySolves) {
@@ -261,8 +286,15 @@ TEST(ModelWarning, NamesAnErrorThatMayBeFivePercent) {
     result.solution.termination = mechanics::Termination::Converged;
     result.model_error = ModelError{.mean = 0.01, .largest = 0.029};
     EXPECT_EQ(model_warning(result), "");
+    result.model_error->largest = 0.049;
+    EXPECT_NE(model_warning(result), "") << "it may be larger than it was estimated";
+    result.model_doubt = ModelDoubt{.tile_rotation = 1.01 * kFarRotation};
+    EXPECT_EQ(model_warning(result), "") << "it was not estimated: all tiles were in full";
     result.model_error->largest = 0.17;
     EXPECT_THAT(model_warning(result), HasSubstr("about 17 % of the largest displacement"));
+    EXPECT_THAT(model_warning(result), testing::Not(HasSubstr("stress"))) << "it is not known";
+    result.model_error->largest_stress = 0.24;
+    EXPECT_THAT(model_warning(result), HasSubstr("by 24 % of the largest stress"));
 }
 
 TEST(MixedModel, DiscretizationErrorIsRefusedByItsName) {

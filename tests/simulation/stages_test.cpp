@@ -2,6 +2,8 @@
 #include "honeycomb.hpp"
 #include "support.hpp"
 
+#include <fretwork/simulation/results/beam_table.hpp>
+#include <fretwork/simulation/results/comparison.hpp>
 #include <fretwork/simulation/results/model_doubt.hpp>
 #include <fretwork/simulation/results/result_subject.hpp>
 #include <fretwork/simulation/simulate.hpp>
@@ -100,6 +102,88 @@ TEST(Stages, AreAPartOfWhatAResultIsAResultOf) {
     broken.stages_text = R"({"format": "fretwork/stages/1", "stages": []})";
     EXPECT_THAT(complaint_of([&] { check_subject(broken, "r.json"); }),
                 testing::StartsWith("r.json: /subject/stages"));
+}
+
+constexpr const char* kPress = R"({"format": "fretwork/stages/1", "stages": [
+    {"name": "press", "loads": [{"load_case": "tip", "factor": 1}]}]})";
+constexpr const char* kPressAndLetGo = R"({"format": "fretwork/stages/1", "stages": [
+    {"name": "press", "loads": [{"load_case": "tip", "factor": 1}]},
+    {"name": "off", "loads": [{"load_case": "tip", "factor": 0}]}]})";
+
+/// Bends the strip upwards, so that its tiles turn by more than the limit themselves.
+LoadCase far() {
+    return named("tip", -1.0);
+}
+
+TEST(StagesDoubt, IsNotThatOfManyShortSteps) {
+    const auto result = staged({named("tip", -0.01)}, kPress);
+    ASSERT_TRUE(result.model_doubt);
+    EXPECT_GT(result.solution.iterations, kDoubtfulIterations) << "which would be doubtful without stages";
+    EXPECT_FALSE(is_doubtful(result));
+    EXPECT_FALSE(result.model_error);
+    EXPECT_EQ(model_warning(result), "");
+}
+
+TEST(StagesDoubt, IsLargeWhereTheSurfaceHasJumped) {
+    SurfaceResult result;
+    result.model_doubt = ModelDoubt{};
+    result.subject.emplace().stages_text = kPress;
+    result.load_steps.resize(2);
+    EXPECT_FALSE(is_doubtful(result));
+    result.load_steps.front().stability_losses.emplace_back();
+    EXPECT_TRUE(is_doubtful(result)) << "also in an earlier stage";
+}
+
+/// Within half of the truth, as for results without stages.
+TEST(StagesError, IsThatAgainstTheFullModelAtTheEndOfAnyStage) {
+    const std::vector<LoadCase> cases = {far()};
+    const auto result = staged(cases, kPressAndLetGo);
+    ASSERT_TRUE(is_doubtful(result));
+    ASSERT_TRUE(result.model_error);
+    const std::vector<Stage> stages = parse_stages(kPressAndLetGo, "stages.json");
+    const auto full = simulate_stages(strip(), {cases.front(), cases, stages}, {.model = "full"});
+    SurfaceResult pressed = result;
+    pressed.solution = result.load_steps.front();
+    SurfaceResult truth = full;
+    truth.solution = full.load_steps.front();
+    const Comparison comparison = compare(truth, pressed);
+    const auto expect_near = [](double estimate, double error) { EXPECT_NEAR(estimate, error, 0.5 * error); };
+    expect_near(result.model_error->largest, comparison.max_translation_error / comparison.max_displacement);
+    expect_near(result.model_error->mean, comparison.mean_translation_error / comparison.max_displacement);
+    expect_near(result.model_error->relative_l2, comparison.relative_l2_error);
+    const auto largest = [](const SurfaceResult& of) {
+        return most_stressed(beam_table(strip(), of), 1).front().largest_von_mises();
+    };
+    ASSERT_TRUE(result.model_error->largest_stress);
+    const double error = std::abs(largest(pressed) - largest(truth)) / largest(truth);
+    EXPECT_NEAR(*result.model_error->largest_stress, error, 0.5 * error + 1e-3);
+}
+
+/// Without the load nothing is left, neither of the displacements nor of their error.
+TEST(StagesError, OfAStageThatEndsAtRestIsNotARatioOfRoundings) {
+    const auto pressed = staged({far()}, kPress);
+    const auto let_go = staged({far()}, kPressAndLetGo);
+    ASSERT_TRUE(pressed.model_error && let_go.model_error);
+    EXPECT_NEAR(let_go.model_error->largest, pressed.model_error->largest, 1e-6);
+    EXPECT_NEAR(let_go.model_error->mean, pressed.model_error->mean, 1e-6);
+    EXPECT_NEAR(let_go.model_error->relative_l2, pressed.model_error->relative_l2, 1e-6);
+}
+
+TEST(StagesError, IsEstimatedIfAskedForAndOfCorotationalTilesAlone) {
+    const std::vector<LoadCase> cases = {named("tip", -0.01)};
+    const std::vector<Stage> stages = parse_stages(kPress, "stages.json");
+    const StagePlan plan{cases.front(), cases, stages};
+    const auto result =
+        simulate_stages(strip(), plan, {.model = "corotational", .estimate_model_error = true});
+    ASSERT_TRUE(result.model_error);
+    EXPECT_GT(result.model_error->largest, 0.0);
+    EXPECT_TRUE(result.buckled_tiles);
+    for (const char* model : {"full", "mixed:0.1"})
+        EXPECT_NE(complaint_of([&] {
+                      (void)simulate_stages(strip(), plan, {.model = model, .estimate_model_error = true});
+                  }),
+                  "")
+            << model;
 }
 
 TEST(Stages, NoneIsRefused) {

@@ -343,8 +343,8 @@ void add_simulate(CLI::App& app, ExitCode& exit_code) {
     verb->add_flag("--estimate-model-error", options->simulation.estimate_model_error,
                    "Estimate the error of a reduced model relative to the full one, in displacement and in "
                    "the largest stress, by a solution with more of the tiles in full: 30 %, for mixed models "
-                   "60 % more. Without this option, the error of the displacement is estimated if "
-                   "corotational and mixed tiles are themselves strongly deformed");
+                   "60 % more. Without this option, both errors are estimated if corotational and "
+                   "mixed tiles are themselves strongly deformed");
     verb->add_option("--threads", options->simulation.threads, "Threads to use; 0: one for each processor")
         ->check(thread_check())
         ->capture_default_str();

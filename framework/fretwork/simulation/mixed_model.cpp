@@ -23,4 +23,15 @@ std::vector<tiling::TileIndex> worst_tiles(std::span<const TileDeformation> tile
     return worst;
 }
 
+std::vector<tiling::TileIndex> worst_tiles(const Surface& surface, std::span<const TileDeformation> tiles,
+                                           double share) {
+    std::vector<TileDeformation> free(tiles.begin(), tiles.end());
+    for (std::size_t t = 0; t < surface.tile_models.size(); ++t) {
+        if (!surface.tile_models[t].empty()) free[t] = {};
+    }
+    std::vector<tiling::TileIndex> worst = worst_tiles(free, share);
+    std::ranges::sort(worst);
+    return worst;
+}
+
 }  // namespace fretwork::simulation

@@ -15,5 +15,8 @@ namespace fretwork::simulation {
 /// The tiles with the largest products of energy and rotation, worst first. Their number is `share` of all
 /// tiles, rounded up; a tile with a product of zero is left out.
 std::vector<tiling::TileIndex> worst_tiles(std::span<const TileDeformation> tiles, double share);
+/// The same of the tiles without a model of their own, which others keep; ascending.
+std::vector<tiling::TileIndex> worst_tiles(const Surface& surface, std::span<const TileDeformation> tiles,
+                                           double share);
 
 }  // namespace fretwork::simulation

@@ -8,6 +8,7 @@
 #include <fretwork/simulation/simulate.hpp>
 
 #include <span>
+#include <utility>
 
 namespace fretwork::simulation {
 namespace {
@@ -52,44 +53,41 @@ class Simulation {
 
     void add_doubt(Session& session, SurfaceResult& result) {
         result.model_doubt = model_doubt(session, result);
-        const bool can_estimate =
-            options_.branch == mechanics::Branch::Primary && is_turning(surface_, options_);
-        if (!is_doubtful(result) || !can_estimate) return;
-        session.set_model(better_model(options_.model, *result.model_doubt));
-        result.model_error = model_error(result, session.solve(control_));
+        if (is_doubtful(result) && is_turning(surface_, options_))
+            estimate(session, result, *result.model_doubt, result);
     }
 
     SurfaceResult solve_with_estimate() {
         SimulationOptions plain = options_;
         plain.estimate_model_error = false;
-        SimulationOptions better = plain;
-        better.analysis = Analysis::OfTheModel;
-        better.model = better_model(options_.model);
-        Session session(surface_, load_case_, is_turning(surface_, options_) ? plain : better);
-        SurfaceResult result;
-        if (is_turning(surface_, options_)) {
-            result = session.solve(control_);
-            full_tiles_ = numbers(session.full_tiles());
-            session.set_model(better.model);
-        } else {
-            result = Session(surface_, load_case_, plain).solve(control_);
+        SimulationOptions turning = plain;
+        if (!is_turning(surface_, options_)) {
+            turning.analysis = Analysis::OfTheModel;
+            turning.model = kMixedTiles;
         }
-        result.model_error = model_error(result, session.solve(control_));
-        if (result.model_error) estimate_stress(session.full_tiles(), better, result);
+        Session session(surface_, load_case_, turning);
+        const SurfaceResult turned = session.solve(control_);
+        full_tiles_ = numbers(session.full_tiles());
+        SurfaceResult result =
+            is_turning(surface_, options_) ? turned : Session(surface_, load_case_, plain).solve(control_);
+        estimate(session, turned, {}, result);
         if (result.solution.converged())
             result.buckled_tiles = numbers(buckled_tiles(surface_, result.solution, options_, control_));
         return result;
     }
 
-    void estimate_stress(std::vector<tiling::TileIndex> full_tiles, SimulationOptions options,
-                         SurfaceResult& result) {
-        options.model = kMixedTiles;
-        Session refining(surface_, load_case_, options);
-        const RefinedStress refined = refine_stress(refining, std::move(full_tiles), control_);
+    /// The error of a result against a better solution than `turned`, which the session has just given.
+    void estimate(Session& session, const SurfaceResult& turned, const ModelDoubt& doubt,
+                  SurfaceResult& result) const {
+        BetterSolution better = better_solution(session, turned, doubt, control_);
+        result.model_error = model_error(result, better.result);
+        if (!result.model_error) return;
         result.subject = result_subject(surface_, load_case_, options_);
         result.subject->full_tiles = full_tiles_;
-        result.model_error->largest_stress =
-            stress_error(beam_table(surface_, result, options_.models), refined);
+        const BeamTable table = beam_table(surface_, result, options_.models);
+        if (table.unknown > 0) return;
+        result.model_error->largest_stress = stress_error(
+            table, refine_stress(session, std::move(better.result), std::move(better.full_tiles), control_));
     }
 
     const Surface& surface_;

@@ -24,8 +24,8 @@ struct SimulationOptions {
                                   ///< beams
     bool estimate_model_error = false;  ///< fill SurfaceResult::model_error, for reduced models
                                         ///< (model_error.hpp)
-    /// For nonlinear solutions: fill SurfaceResult::model_doubt. If it is large and the branch is primary,
-    /// also fill model_error, for displacements only.
+    /// SurfaceResult::model_doubt of nonlinear solutions; and model_error, where that is large, of
+    /// corotational and mixed tiles.
     bool estimate_where_doubtful = false;
     int load_steps = 1;  ///< number of equal steps of the load, each with a result; nonlinear only
     /// The equilibria to follow when the path becomes unstable. A branch other than the primary one needs a

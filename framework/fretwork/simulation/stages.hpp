@@ -43,17 +43,19 @@ std::vector<Stage> read_stages(const std::filesystem::path& path);
 
 /// Load stages with the load cases that they need.
 struct StagePlan {
-    base::Borrowed<LoadCase> supports;  ///< its supports hold the surface; its loads act only if a load stage
-                                        ///< names it
-    std::span<const LoadCase> cases;    ///< the load cases that load stages may name
-    std::span<const Stage> stages;      ///< one after the other
+    base::Borrowed<LoadCase>
+        supports;                     ///< its supports hold the surface; its loads act where a stage names it
+    std::span<const LoadCase> cases;  ///< the load cases that load stages may name
+    std::span<const Stage> stages;    ///< one after the other
 };
 
-/// Simulate load stages, each from the equilibrium at the end of the previous one (mechanics::StagedPath),
-/// with a model for large displacements. With Branch::Snapping a load stage continues beyond limit loads;
-/// with other branches it ends there. Result::load_steps has one solution for each load stage that was begun.
-/// The result's subject has the load stages and their load cases. Throws InputError if the model is for small
-/// displacements, if there is no load stage, if a selection has no node, or if a load case is missing.
+/// Simulate stage after stage, each from the equilibrium that the one before has led to
+/// (mechanics::StagedPath), with a model for large displacements. With Branch::Snapping a stage goes on
+/// beyond limit loads; with the others it ends there. Result::load_steps has one solution for each stage that
+/// was begun; its subject names the stages and the load cases that they name. The error of corotational tiles
+/// is estimated by the same stages with the worst tiles in full; the doubt and the error are the largest at
+/// the end of any stage. Throws InputError for other models, for no stage, for a place that no node lies at,
+/// and for a load case that is not there.
 SurfaceResult simulate_stages(const Surface& surface, const StagePlan& plan, const SimulationOptions& options,
                               const base::Control& control = {});
 

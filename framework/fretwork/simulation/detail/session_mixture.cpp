@@ -16,14 +16,9 @@ Session::Mixture::Mixture(const Impl& plain, const SimulationOptions& options)
 
 /// Tiles with their own model keep it.
 void Session::Mixture::choose(const Impl& plain) {
-    const std::vector<std::string>& own = plain.surface().tile_models;
-    std::vector<TileDeformation> deformations = plain.tile_deformations(corotational_.solution);
-    for (std::size_t t = 0; t < own.size(); ++t) {
-        if (!own[t].empty()) deformations[t] = {};
-    }
-    full_tiles_ = worst_tiles(deformations, share_);
-    std::ranges::sort(full_tiles_);
-    std::vector<std::string> wanted = own;
+    const std::vector<TileDeformation> deformations = plain.tile_deformations(corotational_.solution);
+    full_tiles_ = worst_tiles(plain.surface(), deformations, share_);
+    std::vector<std::string> wanted = plain.surface().tile_models;
     wanted.resize(deformations.size());
     for (const TileIndex tile : full_tiles_) wanted[tile] = reference_choice(options_).name;
     std::vector<std::string> present = impl_.surface().tile_models;

@@ -1,11 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/simulation/results/comparison.hpp>
 #include <fretwork/simulation/results/model_doubt.hpp>
+#include <fretwork/simulation/results/model_error.hpp>
 
 #include <algorithm>
 #include <cstdio>
 
 namespace fretwork::simulation {
+namespace {
+
+/// Whether small differences may have decided where the path leads. Stages take many short steps on any path;
+/// there, it is a jump that shows it.
+bool has_critical_places(const SurfaceResult& result) {
+    const bool is_staged = result.subject && !result.subject->stages_text.empty();
+    if (!is_staged) return result.solution.iterations > kDoubtfulIterations;
+    return std::ranges::any_of(result.load_steps,
+                               [](const mechanics::Solution& end) { return !end.stability_losses.empty(); });
+}
+
+}  // namespace
 
 ModelDoubt model_doubt(std::span<const TileDeformation> tiles) {
     ModelDoubt doubt;
@@ -27,7 +40,7 @@ ModelDoubt model_doubt(const Session& session, const SurfaceResult& result) {
 bool is_doubtful(const SurfaceResult& result) {
     if (!result.model_doubt) return false;
     return result.model_doubt->tile_rotation > kDoubtfulRotation ||
-           result.model_doubt->change > kDoubtfulChange || result.solution.iterations > kDoubtfulIterations;
+           result.model_doubt->change > kDoubtfulChange || has_critical_places(result);
 }
 
 std::string model_warning(const SurfaceResult& result) {
@@ -35,13 +48,18 @@ std::string model_warning(const SurfaceResult& result) {
     const auto& error = result.model_error;
     if (!error)
         return is_doubtful(result) ? "this model may be off by more than 5 %; nothing was estimated" : "";
-    if (error->largest <= kWarnedError) return "";
+    const bool is_with_all_beams = result.model_doubt && result.model_doubt->tile_rotation > kFarRotation;
+    if (error->largest <= (is_with_all_beams ? kWarnedError : kWarnedEstimate)) return "";
     char text[160];
     std::snprintf(text, sizeof text,
                   "this model is off by about %.2g %% of the largest displacement at the worst node, %.2g %% "
                   "on average",
                   100.0 * error->largest, 100.0 * error->mean);
-    return text;
+    if (!error->largest_stress) return text;
+    char stress[60];
+    std::snprintf(stress, sizeof stress, ", and by %.2g %% of the largest stress",
+                  100.0 * *error->largest_stress);
+    return std::string(text) + stress;
 }
 
 }  // namespace fretwork::simulation

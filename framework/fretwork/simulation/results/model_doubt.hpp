@@ -14,12 +14,13 @@ namespace fretwork::simulation {
 inline constexpr double kDoubtfulRotation = 0.09;
 /// The limit of a mixed answer's change, of the largest displacement.
 inline constexpr double kDoubtfulChange = 0.03;
-/// The third limit: the number of linear solves from rest. A path with more solves has passed places where
-/// small differences decide.
+/// Linear solves from rest. A path with more of them has passed places where small differences decide. Of
+/// stages they say nothing: there, a jump is such a place.
 inline constexpr int kDoubtfulIterations = 40;
-/// The estimated error at the worst node, as a share of the largest displacement, above which a warning is
-/// given. It is less than 5 %, because an estimate may be too small by a third.
-inline constexpr double kWarnedError = 0.03;
+/// An error above this gives a warning: at the worst node, as a share of the largest displacement. If it was
+/// estimated with some of the tiles in full, less does, since the estimate may be too small by a third.
+inline constexpr double kWarnedError = 0.05;
+inline constexpr double kWarnedEstimate = 0.03;
 
 /// The indicators of the last solution of a session, which must be nonlinear.
 ModelDoubt model_doubt(const Session& session, const SurfaceResult& result);

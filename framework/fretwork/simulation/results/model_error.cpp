@@ -8,12 +8,55 @@
 
 namespace fretwork::simulation {
 
+namespace {
+
+/// The solution at the end of one stage; without the subject, which is that of the whole path.
+SurfaceResult end_of_stage(const SurfaceResult& result, std::size_t stage) {
+    SurfaceResult end;
+    end.nodes = result.nodes;
+    end.solver = result.solver;
+    end.solution = result.load_steps[stage];
+    return end;
+}
+
+/// m, of all interface nodes.
+double translation_norm(const SurfaceResult& result) {
+    double squares = 0.0;
+    for (std::size_t i = 0; i < result.nodes.size(); ++i) {
+        if (result.nodes[i].is_interface)
+            squares +=
+                result.solution.displacements.row(static_cast<Eigen::Index>(i)).head<3>().squaredNorm();
+    }
+    return std::sqrt(squares);
+}
+
+double largest_von_mises(const BeamTable& table) {
+    return most_stressed(table, 1).front().largest_von_mises();
+}
+
+}  // namespace
+
 std::string better_model(const std::string& model, const ModelDoubt& doubt) {
+    if (doubt.tile_rotation > kFarRotation) return "mixed:1";
     const auto own = mixed_share(model);
-    const bool needs_more = own || doubt.tile_rotation > kFarRotation;
-    const double share =
-        needs_more ? std::min(1.0, own.value_or(0.0) + kEstimatingShareOfMixed) : kEstimatingShare;
+    const double share = own ? std::min(1.0, *own + kEstimatingShareOfMixed) : kEstimatingShare;
     return "mixed:" + base::format_number(share);
+}
+
+BetterSolution better_solution(Session& session, const SurfaceResult& own, const ModelDoubt& doubt,
+                               const base::Control& control) {
+    const double share = mixed_share(better_model(session.options().model, doubt)).value();
+    const SurfaceResult* plain = session.corotational_result();
+    const SurfaceResult corotational = plain == nullptr ? own : *plain;
+    if (!corotational.solution.converged()) return {corotational, {}};
+    if (plain != nullptr) session.set_model(kMixedTiles);
+    BetterSolution better;
+    better.full_tiles =
+        worst_tiles(session.surface(), session.tile_deformations(corotational.solution), share);
+    if (!better.full_tiles.empty())
+        session.set_tile_model(better.full_tiles, reference_choice(session.options()).name);
+    better.result = session.solve(control);
+    return better;
 }
 
 std::optional<ModelError> model_error(const SurfaceResult& result, const SurfaceResult& better) {
@@ -25,11 +68,44 @@ std::optional<ModelError> model_error(const SurfaceResult& result, const Surface
                       .relative_l2 = comparison.relative_l2_error};
 }
 
+std::optional<ModelError> staged_model_error(const SurfaceResult& result, const SurfaceResult& better) {
+    ModelError error;
+    double largest_displacement = 0.0;
+    double largest_norm = 0.0;
+    if (result.load_steps.size() != better.load_steps.size()) return std::nullopt;
+    for (std::size_t i = 0; i < result.load_steps.size(); ++i) {
+        const SurfaceResult own = end_of_stage(result, i);
+        const SurfaceResult reference = end_of_stage(better, i);
+        if (!own.solution.converged() || !reference.solution.converged()) return std::nullopt;
+        const Comparison comparison = compare(reference, own);
+        const double norm = translation_norm(reference);
+        largest_displacement = std::max(largest_displacement, comparison.max_displacement);
+        largest_norm = std::max(largest_norm, norm);
+        error.mean = std::max(error.mean, comparison.mean_translation_error);
+        error.largest = std::max(error.largest, comparison.max_translation_error);
+        error.relative_l2 = std::max(error.relative_l2, comparison.relative_l2_error * norm);
+    }
+    if (largest_displacement == 0.0) return ModelError{};
+    return ModelError{.mean = error.mean / largest_displacement,
+                      .largest = error.largest / largest_displacement,
+                      .relative_l2 = error.relative_l2 / largest_norm};
+}
+
+std::optional<double> staged_stress_error(std::span<const BeamTable> tables,
+                                          std::span<const BeamTable> refined) {
+    double error = 0.0;
+    double reference = 0.0;
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+        if (tables[i].rows.empty() || tables[i].unknown > 0 || refined[i].rows.empty()) return std::nullopt;
+        reference = std::max(reference, largest_von_mises(refined[i]));
+        error = std::max(error, std::abs(largest_von_mises(tables[i]) - largest_von_mises(refined[i])));
+    }
+    return reference == 0.0 ? 0.0 : error / reference;
+}
+
 std::optional<double> stress_error(const BeamTable& table, const RefinedStress& refined) {
-    if (!refined.is_settled || table.rows.empty() || table.unknown > 0) return std::nullopt;
-    const auto largest = [](const BeamTable& of) { return most_stressed(of, 1).front().largest_von_mises(); };
-    const double reference = largest(refined.table);
-    return reference == 0.0 ? 0.0 : std::abs(largest(table) - reference) / reference;
+    if (!refined.is_settled) return std::nullopt;
+    return staged_stress_error({&table, 1}, {&refined.table, 1});
 }
 
 }  // namespace fretwork::simulation

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace fretwork::simulation {
 
@@ -28,27 +29,31 @@ std::vector<TileIndex> tiles_around(const Surface& surface, const BeamRow& beam)
 
 RefinedStress refine_stress(Session& session, std::vector<TileIndex> full_tiles,
                             const base::Control& control) {
-    const std::string full = reference_choice(session.options()).name;
-    RefinedStress refined;
-    refined.full_tiles = std::move(full_tiles);
-    std::ranges::sort(refined.full_tiles);
-    std::vector<TileIndex> missing = refined.full_tiles;
-    do {
-        if (!missing.empty()) session.set_tile_model(missing, full);
-        refined.result = session.solve(control);
-        ++refined.solutions;
+    std::ranges::sort(full_tiles);
+    if (!full_tiles.empty()) session.set_tile_model(full_tiles, reference_choice(session.options()).name);
+    SurfaceResult first = session.solve(control);
+    return refine_stress(session, std::move(first), std::move(full_tiles), control);
+}
+
+RefinedStress refine_stress(Session& session, SurfaceResult first, std::vector<TileIndex> full_tiles,
+                            const base::Control& control) {
+    RefinedStress refined{.result = std::move(first), .full_tiles = std::move(full_tiles), .solutions = 1};
+    while (true) {
+        if (!refined.result.solution.converged()) return refined;
         refined.table = beam_table(session, refined.result.solution);
-        if (!refined.result.solution.converged() || refined.table.rows.empty()) return refined;
+        if (refined.table.rows.empty()) return refined;
         const std::vector<TileIndex> around =
             tiles_around(session.surface(), most_stressed(refined.table, 1).front());
-        missing.clear();
+        std::vector<TileIndex> missing;
         std::ranges::set_difference(around, refined.full_tiles, std::back_inserter(missing));
-        std::vector<TileIndex> all;
-        std::ranges::set_union(refined.full_tiles, missing, std::back_inserter(all));
-        refined.full_tiles = std::move(all);
-    } while (!missing.empty());
-    refined.is_settled = true;
-    return refined;
+        refined.is_settled = missing.empty();
+        if (refined.is_settled) return refined;
+        refined.full_tiles.insert(refined.full_tiles.end(), missing.begin(), missing.end());
+        std::ranges::sort(refined.full_tiles);
+        session.set_tile_model(missing, reference_choice(session.options()).name);
+        refined.result = session.solve(control);
+        ++refined.solutions;
+    }
 }
 
 RefinedStress refine_stress(const Surface& surface, const SurfaceResult& result,

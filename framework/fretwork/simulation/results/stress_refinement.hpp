@@ -10,10 +10,10 @@ namespace fretwork::simulation {
 
 /// A solution in which all tiles around the largest stress have all of their beams.
 struct RefinedStress {
-    SurfaceResult result;                       ///< with the full tiles
-    BeamTable table;                            ///< its beams
-    std::vector<tiling::TileIndex> full_tiles;  ///< tiles with all of their beams, ascending
-    int solutions = 0;                          ///< number of solutions needed
+    SurfaceResult result;  ///< with the full tiles
+    BeamTable table{};
+    std::vector<tiling::TileIndex> full_tiles{};  ///< tiles with all of their beams, ascending
+    int solutions = 0;                            ///< number of solutions needed
     /// True if the tiles around the most stressed beam are in full. False if an equilibrium was not found on
     /// the way.
     bool is_settled = false;
@@ -28,6 +28,9 @@ std::vector<tiling::TileIndex> tiles_around(const Surface& surface, const BeamRo
 ///
 /// @param full_tiles  the tiles in full at the beginning
 RefinedStress refine_stress(Session& session, std::vector<tiling::TileIndex> full_tiles,
+                            const base::Control& control = {});
+/// The same of a session whose last solution, with these tiles in full, is `first`: it is not solved again.
+RefinedStress refine_stress(Session& session, SurfaceResult first, std::vector<tiling::TileIndex> full_tiles,
                             const base::Control& control = {});
 
 /// Refine the stress of a nonlinear result of corotational or mixed tiles from a file. It solves from rest

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/mechanics/paths/staged_path.hpp>
+#include <fretwork/simulation/detail/joined_tiles.hpp>
+#include <fretwork/simulation/detail/tile_deformations.hpp>
+#include <fretwork/simulation/detail/wanted.hpp>
+#include <fretwork/simulation/load_cases/combination.hpp>
+#include <fretwork/simulation/load_cases/conditions.hpp>
+#include <fretwork/simulation/load_cases/load_case_file.hpp>
+#include <fretwork/simulation/mixed_model.hpp>
+#include <fretwork/simulation/results/model_doubt.hpp>
+#include <fretwork/simulation/results/model_error.hpp>
+#include <fretwork/simulation/results/result_subject.hpp>
+#include <fretwork/simulation/results/tile_stability.hpp>
+#include <fretwork/simulation/stages.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <set>
+
+namespace fretwork::simulation {
+namespace {
+
+using tiling::TileIndex;
+
+using Place = std::pair<int, int>;  // node and dof
+
+/// The state between stages: which components are held beside the supports, and how much of each load case
+/// acts.
+class Stages {
+  public:
+    Stages(const Surface& surface, const LoadCase& load_case, std::span<const LoadCase> cases,
+           std::size_t nodes)
+        : surface_(surface), load_case_(load_case), cases_(cases), nodes_(nodes) {
+        LoadCase supports;
+        supports.name = load_case.name;
+        supports.supports = load_case.supports;
+        supports_ = resolve(supports, surface).supports;
+    }
+
+    mechanics::StageTarget target(const Stage& stage, const mechanics::NodeValues& displacements) {
+        for (const LoadCase::Share& share : stage.loads) factors_[share.load_case] = share.factor;
+        for (const Place& place : places_of(stage.free)) held_.erase(place);
+        for (const Place& place : places_of(stage.keep))
+            held_[place] = displacements(place.first, place.second);
+        LoadCase prescribed;
+        prescribed.name = stage.name;
+        prescribed.prescribed = stage.prescribed;
+        for (const auto& given : resolve(prescribed, surface_).prescribed)
+            held_[{given.node.value, static_cast<int>(given.dof)}] = given.value;
+        mechanics::StageTarget target{supports_, {}, loads()};
+        for (const auto& [place, value] : held_)
+            target.prescribed.push_back(
+                {mechanics::NodeIndex(place.first), static_cast<mechanics::Dof>(place.second), value});
+        return target;
+    }
+
+  private:
+    [[nodiscard]] std::vector<Place> places_of(const std::vector<LoadCase::Support>& entries) const {
+        LoadCase picked;
+        picked.name = "stage";
+        picked.supports = entries;
+        std::vector<Place> places;
+        for (const mechanics::Support& support : resolve(picked, surface_).supports) {
+            for (int d = 0; d < mechanics::kDofsPerNode; ++d)
+                if (support.fixed.contains[d]) places.emplace_back(support.node.value, d);
+        }
+        return places;
+    }
+
+    [[nodiscard]] mechanics::NodeValues loads() const {
+        mechanics::NodeValues sum =
+            mechanics::NodeValues::Zero(static_cast<Eigen::Index>(nodes_), mechanics::kDofsPerNode);
+        for (const auto& [name, factor] : factors_) {
+            LoadCase part = case_of(name);
+            part.supports.clear();
+            part.prescribed.clear();
+            sum += factor * load_rows(resolve(part, surface_), nodes_);
+        }
+        return sum;
+    }
+
+    [[nodiscard]] LoadCase case_of(const std::string& name) const {
+        if (name == load_case_.name) return load_case_;
+        return combined(load_case_of(name, cases_), cases_);
+    }
+
+    const Surface& surface_;
+    const LoadCase& load_case_;
+    std::span<const LoadCase> cases_;
+    std::size_t nodes_;
+    std::vector<mechanics::Support> supports_;
+    std::map<Place, double> held_;
+    std::map<std::string, double> factors_;
+};
+
+/// The load cases that stages name, as files, in the order of their names.
+std::vector<std::string> named_cases(std::span<const Stage> stages, std::span<const LoadCase> cases,
+                                     const LoadCase& own) {
+    std::map<std::string, std::string> texts;
+    for (const Stage& stage : stages) {
+        for (const LoadCase::Share& share : stage.loads) {
+            const bool is_own = share.load_case == own.name;
+            texts[share.load_case] =
+                load_case_text(is_own ? own : combined(load_case_of(share.load_case, cases), cases));
+        }
+    }
+    std::vector<std::string> result;
+    for (const auto& [name, text] : texts) result.push_back(text);
+    return result;
+}
+
+/// The ends of the stages as one surface reaches them.
+struct FollowedStages {
+    SurfaceResult result;
+    std::vector<TileDeformation> tiles;  ///< each at the end where its energy times its rotation is largest
+    ModelDoubt doubt;                    ///< the largest of all ends
+};
+
+/// Surface after surface through the same stages.
+class StagedSimulation {
+  public:
+    StagedSimulation(const Surface& surface, const StagePlan& plan, const SimulationOptions& options,
+                     const base::Control& control)
+        : surface_(surface), plan_(plan), options_(options), control_(control) {}
+
+    SurfaceResult run() {
+        FollowedStages own = follow(surface_);
+        SurfaceResult& result = own.result;
+        const bool is_reduced = !is_reference(surface_, options_);
+        const bool has_ended = result.solution.converged();
+        if (options_.estimate_where_doubtful && has_ended && is_reduced) result.model_doubt = own.doubt;
+        const bool is_doubted = options_.model == kMixedTiles && is_doubtful(result);
+        if (has_ended && (options_.estimate_model_error || is_doubted)) estimate(own);
+        if (has_ended && options_.estimate_model_error) add_buckled_tiles(result);
+        detail::add_wanted(surface_, plan_.supports, options_, control_, result);
+        return std::move(result);
+    }
+
+  private:
+    FollowedStages follow(const Surface& surface) {
+        const auto started = std::chrono::steady_clock::now();
+        const auto tiles = builder_.build_all(surface, model_choice(options_), {options_.threads, control_});
+        const detail::JoinedTiles joined = detail::join_tiles(surface, tiles, control_);
+        const mechanics::Assembly assembly = reduction::assemble(joined.parts, control_);
+        FollowedStages followed;
+        SurfaceResult& result = followed.result;
+        const auto interface_count = static_cast<int>(surface.tessellation.interface_nodes.size());
+        for (int i = 0; i < assembly.reported_nodes; ++i)
+            result.nodes.push_back({i, assembly.nodes[i], i < interface_count});
+        result.load_steps = ends_of(surface, assembly);
+        result.solution = result.load_steps.back();
+        result.solver = "newton";
+        result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+        for (const mechanics::Solution& end : result.load_steps)
+            add_deformations(detail::tile_deformations(assembly, joined.starts, end), followed);
+        result.subject = result_subject(surface, plan_.supports, options_);
+        result.subject->stages_text = stages_text(plan_.stages);
+        result.subject->stage_load_cases = named_cases(plan_.stages, plan_.cases, plan_.supports);
+        return followed;
+    }
+
+    [[nodiscard]] std::vector<mechanics::Solution> ends_of(const Surface& surface,
+                                                           const mechanics::Assembly& assembly) const {
+        Stages state(surface, plan_.supports, plan_.cases, assembly.nodes.size());
+        mechanics::StagedPath path(
+            assembly, {.branch = options_.branch, .threads = options_.threads, .control = control_});
+        mechanics::NodeValues displacements =
+            mechanics::NodeValues::Zero(assembly.reported_nodes, mechanics::kDofsPerNode);
+        std::vector<mechanics::Solution> ends;
+        for (const Stage& stage : plan_.stages) {
+            ends.push_back(path.advance(state.target(stage, displacements)));
+            if (!ends.back().converged()) break;
+            displacements = ends.back().displacements;
+        }
+        return ends;
+    }
+
+    static void add_deformations(const std::vector<TileDeformation>& end, FollowedStages& followed) {
+        followed.doubt.tile_rotation = std::max(followed.doubt.tile_rotation, model_doubt(end).tile_rotation);
+        followed.tiles.resize(end.size());
+        for (std::size_t t = 0; t < end.size(); ++t) {
+            TileDeformation& worst = followed.tiles[t];
+            if (end[t].energy * end[t].rotation > worst.energy * worst.rotation) worst = end[t];
+        }
+    }
+
+    /// With the worst tiles in full through all stages.
+    void estimate(FollowedStages& own) {
+        SurfaceResult& result = own.result;
+        const double share = mixed_share(better_model(options_.model, own.doubt)).value();
+        Surface better = surface_;
+        put_in_full(worst_tiles(surface_, own.tiles, share), better);
+        FollowedStages reference = follow(better);
+        result.model_error = staged_model_error(result, reference.result);
+        if (!result.model_error) return;
+        result.model_error->largest_stress = stress_error(better, std::move(reference), result);
+    }
+
+    void put_in_full(std::span<const TileIndex> tiles, Surface& surface) const {
+        surface.tile_models.resize(surface.tessellation.tiles.size());
+        for (const TileIndex tile : tiles) surface.tile_models[tile] = reference_choice(options_).name;
+    }
+
+    /// The stages are followed again until the tiles around the most stressed beam of each end are in full.
+    [[nodiscard]] std::optional<double> stress_error(Surface better, FollowedStages reference,
+                                                     const SurfaceResult& result) {
+        const std::vector<BeamTable> tables = tables_of(surface_, result);
+        while (true) {
+            if (!reference.result.solution.converged()) return std::nullopt;
+            const std::vector<BeamTable> refined = tables_of(better, reference.result);
+            const std::vector<TileIndex> missing = reduced_around_worst(better, refined);
+            if (missing.empty()) return staged_stress_error(tables, refined);
+            put_in_full(missing, better);
+            reference = follow(better);
+        }
+    }
+
+    [[nodiscard]] std::vector<BeamTable> tables_of(const Surface& surface,
+                                                   const SurfaceResult& result) const {
+        std::vector<BeamTable> tables;
+        SurfaceResult end = result;
+        end.load_steps.clear();
+        for (const mechanics::Solution& solution : result.load_steps) {
+            end.solution = solution;
+            tables.push_back(beam_table(surface, end, options_.models));
+        }
+        return tables;
+    }
+
+    [[nodiscard]] static std::vector<TileIndex> reduced_around_worst(const Surface& surface,
+                                                                     std::span<const BeamTable> tables) {
+        std::set<TileIndex> reduced;
+        for (const BeamTable& table : tables) {
+            if (table.rows.empty()) continue;
+            for (const TileIndex tile : tiles_around(surface, most_stressed(table, 1).front())) {
+                if (surface.tile_models[tile].empty()) reduced.insert(tile);
+            }
+        }
+        return {reduced.begin(), reduced.end()};
+    }
+
+    void add_buckled_tiles(SurfaceResult& result) const {
+        result.buckled_tiles.emplace();
+        for (const TileIndex tile : buckled_tiles(surface_, result.solution, options_, control_))
+            result.buckled_tiles->push_back(tile.value);
+    }
+
+    const Surface& surface_;
+    const StagePlan& plan_;
+    const SimulationOptions& options_;
+    const base::Control& control_;
+    detail::TileBuilder builder_;
+};
+
+/// Full and corotational tiles, and what can be told of them.
+void check(const Surface& surface, const StagePlan& plan, const SimulationOptions& options) {
+    options.validate(surface);
+    if (plan.stages.empty()) throw base::InputError("there is no stage to simulate");
+    if (!is_nonlinear(surface, options) || mixed_share(options.model) || options.load_steps > 1 ||
+        options.estimate_error)
+        throw base::InputError(
+            "stages are followed by full and corotational tiles, without load steps and estimates of the "
+            "discretization error");
+    if (options.estimate_model_error && options.model != kMixedTiles)
+        throw base::InputError("through stages, the error of " + std::string(kMixedTiles) +
+                               " tiles is estimated, not that of " + options.model);
+}
+
+}  // namespace
+
+SurfaceResult simulate_stages(const Surface& surface, const StagePlan& plan, const SimulationOptions& options,
+                              const base::Control& control) {
+    check(surface, plan, options);
+    return StagedSimulation(surface, plan, options, control).run();
+}
+
+}  // namespace fretwork::simulation
