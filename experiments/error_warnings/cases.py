@@ -126,6 +126,14 @@ KINDS = [
 ]
 
 
+def stages(load_case):
+    """The same loads and displacements in one stage, whose supports are those of the load case."""
+    stage = {"name": "all", "loads": [{"load_case": load_case["name"], "factor": 1}]}
+    if "prescribed" in load_case:
+        stage["prescribed"] = load_case["prescribed"]
+    return {"format": "fretwork/stages/1", "stages": [stage]}
+
+
 def cases(paintings):
     """Of each kind, amount and seed of a painting: name, outline and load case."""
     for name, boundary, holes, load_case, amounts in KINDS:

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Solve surfaces of many kinds with reduced models, and record how far each is from the full one and what it said by itself.
 
-Usage: rows.py PROGRAM OUT [--paintings 8] [--kinds NAME,..] [--random 126] [--seed 2]
+Usage: rows.py PROGRAM OUT [--paintings 8] [--kinds NAME,..] [--random 126] [--seed 2] [--staged 2]
 The kinds of cases.py, and random surfaces of ../large_deflections with another seed than there. Needs OUT/library.db with calibrations of
 paper6, and OUT/patterns.txt. Rows go to OUT/rows.csv; those that are there are kept, so it goes on when started again.
 """
@@ -22,24 +22,35 @@ from program import Failed, Fretwork  # noqa: E402
 
 TURNING = ("corotational", "mixed:0.05", "mixed:0.1")
 LINEAR = ("condensed", "paper6")
-FIELDS = ["kind", "painting", "amount", "tiles", "deflection", "model", "full", "reached", "mean", "largest", "tile_rotation", "change",
-          "doubtful", "estimate", "fit_error", "warned", "seconds", "command_seconds", "full_seconds"]
+STAGES = "corotational in stages"
+FIELDS = ["kind", "painting", "amount", "tiles", "deflection", "model", "full", "reached", "mean", "largest", "stress", "tile_rotation",
+          "change", "doubtful", "estimate", "estimate_mean", "stress_estimate", "fit_error", "warned", "seconds", "command_seconds",
+          "full_seconds"]
 
 
 class Surface(Fretwork):
     """The program on one surface under one load case, in one folder."""
 
-    def simulate(self, model):
+    def simulate(self, model, out, *options):
         """What the program tells, and how long the command took. A path that does not reach its load is an answer, too."""
         started = time.perf_counter()
-        told = json.loads(self("simulate", "project.json", "--case", "./case.json", "--model", model, "--json", "--out",
-                               f"{model.replace(':', '-')}.json", accepted=(0, 1)))
+        told = json.loads(self("simulate", "project.json", "--case", "./case.json", "--model", model, "--json", "--out", out, *options,
+                               accepted=(0, 1)))
         return told | {"command_seconds": time.perf_counter() - started}
 
-    def errors(self, model):
-        told = json.loads(self("compare", "full.json", f"{model.replace(':', '-')}.json", "--json"))
+    def errors(self, full, reduced):
+        told = json.loads(self("compare", full, reduced, "--json"))
         return {"mean": told["mean_translation_error_m"] / told["max_displacement_m"],
-                "largest": told["max_translation_error_m"] / told["max_displacement_m"]}
+                "largest": told["max_translation_error_m"] / told["max_displacement_m"], "stress": self.stress_error(full, reduced)}
+
+    def stress_error(self, full, reduced):
+        """Of the largest von Mises stress, as a share of it; none where the beams are not known."""
+        largest = [json.loads(self("beams", "project.json", name, "--top", "1", "--json", accepted=(0, 1)))["beams"]
+                   for name in (full, reduced)]
+        if not all(largest):
+            return None
+        truth, found = (beams[0]["largest_von_mises"] for beams in largest)
+        return abs(found - truth) / truth
 
 
 def tile(fretwork, case):
@@ -54,7 +65,8 @@ def own_kinds(fretwork, options):
     for case in cases.cases(range(1, options.paintings + 1)):
         def prepare(case=case):
             (fretwork.folder / "case.json").write_text(json.dumps(case["load_case"]))
-            return tile(fretwork, case), TURNING + LINEAR
+            (fretwork.folder / "stages.json").write_text(json.dumps(cases.stages(case["load_case"])))
+            return tile(fretwork, case), TURNING + LINEAR + ((STAGES,) if case["painting"] <= options.staged else ())
         if not options.kinds or case["kind"] in options.kinds.split(","):
             yield case, prepare
 
@@ -74,15 +86,20 @@ def random_surfaces(fretwork, options):
 
 
 def row_of(fretwork, case, full, model):
-    told = fretwork.simulate(model)
+    if model == STAGES:
+        full = fretwork.simulate("full", "full-stages.json", "--stages", "stages.json")
+        told = fretwork.simulate("corotational", "reduced.json", "--stages", "stages.json")
+    else:
+        told = fretwork.simulate(model, "reduced.json")
     doubt, estimate = told["model_doubt"] or {}, told["model_error_estimate"] or {}
     row = {"kind": case["kind"], "painting": case["painting"], "amount": case["amount"], "model": model, "full": full["termination"],
            "reached": told["termination"], "deflection": full["largest_displacement"], "tile_rotation": doubt.get("tile_rotation"),
            "change": doubt.get("change"), "doubtful": doubt.get("is_large"), "estimate": estimate.get("largest"),
-           "fit_error": told["fit_error"], "warned": int(bool(told["warnings"])), "seconds": told["seconds"],
-           "command_seconds": told["command_seconds"], "full_seconds": full["seconds"]}
+           "estimate_mean": estimate.get("mean"), "stress_estimate": estimate.get("largest_stress"), "fit_error": told["fit_error"],
+           "warned": int(bool(told["warnings"])), "seconds": told["seconds"], "command_seconds": told["command_seconds"],
+           "full_seconds": full["seconds"]}
     if full["converged"] and told["converged"]:
-        row |= fretwork.errors(model)
+        row |= fretwork.errors("full-stages.json" if model == STAGES else "full.json", "reduced.json")
     return row
 
 
@@ -96,7 +113,7 @@ def new_rows(fretwork, options, done):
         if (case["kind"], str(case["painting"]), str(case["amount"])) in done:
             continue
         tiles, models = prepare()
-        full = fretwork.simulate("full") if models else None
+        full = fretwork.simulate("full", "full.json") if models else None
         yield [row_of(fretwork, case, full, model) | {"tiles": tiles} for model in models]
 
 
@@ -105,6 +122,7 @@ def main():
     parser.add_argument("program", type=pathlib.Path)
     parser.add_argument("out", type=pathlib.Path)
     parser.add_argument("--paintings", type=int, default=8, help="of each kind")
+    parser.add_argument("--staged", type=int, default=2, help="as many of these also in stages")
     parser.add_argument("--kinds", default="", help="these alone")
     parser.add_argument("--random", type=int, default=126, help="random surfaces")
     parser.add_argument("--seed", type=int, default=2, help="of the random surfaces")
