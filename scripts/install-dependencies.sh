@@ -12,7 +12,7 @@ demo=(g++ cmake ninja-build git ca-certificates
 test=("${demo[@]}" libgtest-dev libgmock-dev libbenchmark-dev clang-format gringo groff-base python3-jsonschema sqlite3)
 python=("${demo[@]}" pybind11-dev python3-dev python3-numpy python3-pip python3-venv)
 docs=("${demo[@]}" doxygen furo libjs-katex node-normalize.css python3-myst-parser python3-sphinx python3-sphinx-copybutton)
-check=("${test[@]}" "${python[@]}" "${docs[@]}" codespell mypy python3-pandas python3-torch clang-tidy-16 calculix-ccx gmsh python3-gmsh slurm-wlm munge snakemake python3-numpy python3-scipy python3-matplotlib python3-ezdxf python3-vtk9 admesh prusa-slicer inkscape chromium)
+check=("${test[@]}" "${python[@]}" "${docs[@]}" codespell mypy python3-pandas python3-torch clang-tidy-16 calculix-ccx gmsh python3-gmsh slurm-wlm munge snakemake python3-numpy python3-scipy python3-cvxopt python3-matplotlib python3-ezdxf python3-vtk9 admesh prusa-slicer inkscape chromium)
 
 # A Node.js of 18.18 or newer, wherever it comes from, and npm.
 has_fitting_node() {

@@ -50,25 +50,6 @@ std::vector<double> smooth_field(const std::vector<geometry::Point2>& places, ba
     return field;
 }
 
-/// Places in the palette from the softest pattern to the stiffest, by the trace of the bending stiffness.
-std::vector<std::size_t> from_soft_to_stiff(const simulation::Project& project,
-                                            const std::vector<pattern::NamedPattern>& palette) {
-    simulation::Surface surface = simulation::make_surface(project, nullptr);
-    surface.tessellation.tiles = {surface.tessellation.tiles.front()};
-    const simulation::CandidateTiles candidates(surface, palette);
-    std::vector<double> traces;
-    for (std::size_t p = 0; p < palette.size(); ++p) {
-        const Eigen::MatrixXd stiffness = candidates.stiffness(0, p);
-        double trace = 0.0;
-        for (Eigen::Index i = 0; i < stiffness.rows(); i += 6) trace += stiffness(i + 2, i + 2);
-        traces.push_back(trace);
-    }
-    std::vector<std::size_t> order(palette.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::sort(order, {}, [&](std::size_t p) { return traces[p]; });
-    return order;
-}
-
 /// Each tile gets the patch of the nearest of some random tiles.
 std::vector<std::size_t> patches(const std::vector<geometry::Point2>& places, base::SplitMix64& random) {
     std::vector<std::size_t> seeds;
@@ -158,6 +139,24 @@ Hidden find_hidden(const std::string& name) {
     throw base::InputError("'" + name + "' is no kind of hidden painting: expected graded, patchy or random");
 }
 
+std::vector<std::size_t> from_soft_to_stiff(const simulation::Project& project,
+                                            const std::vector<pattern::NamedPattern>& palette) {
+    simulation::Surface surface = simulation::make_surface(project, nullptr);
+    surface.tessellation.tiles = {surface.tessellation.tiles.front()};
+    const simulation::CandidateTiles candidates(surface, palette);
+    std::vector<double> traces;
+    for (std::size_t p = 0; p < palette.size(); ++p) {
+        const Eigen::MatrixXd stiffness = candidates.stiffness(0, p);
+        double trace = 0.0;
+        for (Eigen::Index i = 0; i < stiffness.rows(); i += 6) trace += stiffness(i + 2, i + 2);
+        traces.push_back(trace);
+    }
+    std::vector<std::size_t> order(palette.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::sort(order, {}, [&](std::size_t p) { return traces[p]; });
+    return order;
+}
+
 void paint(simulation::Project& project, const HiddenOptions& options) {
     base::SplitMix64 random(base::SplitMix64::mix(options.seed));
     tiling::Tessellation& tessellation = project.tessellation;
@@ -227,6 +226,29 @@ design::Target arc(const simulation::Project& project, double angle) {
                                    radius * (1.0 - std::cos(along)));
     }
     return of_all_nodes(project, "arc", displacements);
+}
+
+design::Target bent(const simulation::Project& project, const Bend& bend) {
+    const geometry::Box box = tiling::bounding_box(project.tessellation);
+    const double middle = 0.5 * (box.ymin + box.ymax);
+    std::vector<Eigen::Vector3d> displacements;
+    for (const geometry::Point2& place : project.tessellation.interface_nodes) {
+        const double end = (place.x - box.xmin) / box.width();
+        Eigen::Vector3d bent = Eigen::Vector3d::Zero();
+        constexpr int kSteps = 200;
+        constexpr double kPi = 3.14159265358979323846;
+        for (int i = 0; i < kSteps; ++i) {
+            const double s = end * (i + 0.5) / kSteps;
+            const double slope = bend.angle * (s + bend.first * std::sin(kPi * s) / kPi +
+                                               bend.second * std::sin(2.0 * kPi * s) / (2.0 * kPi));
+            bent += Eigen::Vector3d(std::cos(slope), 0.0, std::sin(slope)) * box.width() * end / kSteps;
+        }
+        const double across = place.y - middle;
+        displacements.emplace_back(bent.x() - (place.x - box.xmin),
+                                   across * (std::cos(bend.twist * end) - 1.0),
+                                   bent.z() + across * std::sin(bend.twist * end));
+    }
+    return of_all_nodes(project, "bent", displacements);
 }
 
 }  // namespace fretwork::experiments

@@ -17,6 +17,10 @@ simulation::Project lattice(int columns, int rows);
 /// Patterns of the paper's layout: all of them, or so many, drawn at random.
 std::vector<pattern::NamedPattern> palette(const std::string& count, std::uint64_t seed);
 
+/// Places in the palette from the softest pattern to the stiffest, by the trace of the bending stiffness.
+std::vector<std::size_t> from_soft_to_stiff(const simulation::Project& project,
+                                            const std::vector<pattern::NamedPattern>& palette);
+
 /// How a hidden painting looks.
 enum class Hidden {
     Graded,  ///< a smooth random field chooses along the palette, from soft to stiff
@@ -41,5 +45,14 @@ double span_of(const simulation::Project& project);
 design::Target reached_by(const simulation::Project& project);
 /// The surface bent to a cylinder of this angle (rad) along x.
 design::Target arc(const simulation::Project& project, double angle);
+/// A strip that is bent along x, with a curvature of angle / length * (1 + first cos(pi s) + second cos(2 pi
+/// s)) at the share s of its length, and twisted about its middle.
+struct Bend {
+    double angle = 0.0;  ///< rad, of the whole length
+    double first = 0.0;
+    double second = 0.0;
+    double twist = 0.0;  ///< rad, of the whole length
+};
+design::Target bent(const simulation::Project& project, const Bend& bend);
 
 }  // namespace fretwork::experiments

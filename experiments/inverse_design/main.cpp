@@ -2,11 +2,12 @@
 // One design and its baselines, as a row of a table: README.md.
 #include "baselines.hpp"
 #include "instances.hpp"
+#include "rows.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/random.hpp>
 #include <fretwork/design/search/full_check.hpp>
 #include <fretwork/design/search/preparation.hpp>
+#include <fretwork/design/search/search.hpp>
 #include <fretwork/simulation/simulate.hpp>
 
 #include <CLI/CLI.hpp>
@@ -32,7 +33,7 @@ struct Arguments {
     double share = 0.5;  ///< of the span: the largest displacement
     double angle = 0.0;  ///< deg; an arc is the target instead of a hidden painting
     double seconds = 0.0;
-    int solutions = 60;
+    int solutions = 40;
     std::uint64_t seed = 1;
     int threads = 2;
     bool free_factor = false;
@@ -94,93 +95,98 @@ double unit_seconds(const Instance& instance, int threads) {
     return best;
 }
 
-void print_design(const Arguments& arguments, const Instance& instance) {
-    const double unit = unit_seconds(instance, arguments.threads);
-    const design::DesignReport report =
-        design::design(instance.project, nullptr, instance.target, options_of(arguments, instance));
-    const double error = report.error ? report.error->mean : NAN;
-    const double uniform = report.best_uniform ? report.best_uniform->mean : NAN;
-    double half = NAN;  // time to half of the first misfit
-    for (const design::DesignProgress& own : report.history) {
-        if (std::isnan(half) && own.misfit <= 0.5 * std::min(1.0, uniform)) half = own.seconds;
-    }
-    std::printf("design,%d,%s,%s,%llu,%.3f,%.6f,%.6f,%.4f,%d,%d,%zu,%.3f,%.5f,%.0f,%.0f,%.6f,%s\n",
-                arguments.columns * arguments.rows, arguments.angle > 0.0 ? "arc" : arguments.hidden.c_str(),
-                arguments.patterns.c_str(), static_cast<unsigned long long>(arguments.seed), instance.bent,
-                uniform, error, error / uniform, report.solutions, report.full_solutions,
-                report.patterns.size(), report.seconds, unit, report.seconds / unit, half / unit,
-                report.model_error, std::string(design::design_end_name(report.end)).c_str());
-}
-
-/// The same instance by another search, which begins with the best of the same uniform paintings.
-void print_baseline(const Arguments& arguments, const Instance& instance) {
-    const auto started = std::chrono::steady_clock::now();
+/// The mean distance, with all beams, of the best of 24 single patterns as different as can be: of the whole
+/// palette if it has no more. A design tries fewer.
+double best_uniform(const Arguments& arguments, const Instance& instance) {
     design::detail::Preparation preparation =
         design::detail::prepare(instance.project, nullptr, instance.target, options_of(arguments, instance));
     Trials trials(std::move(preparation.parts));
-    Point start;
-    double best = std::numeric_limits<double>::infinity();
+    double least = std::numeric_limits<double>::infinity();
+    Point best;
     for (std::size_t p = 0; p < std::min<std::size_t>(24, preparation.palette.size()); ++p) {
         const Point point = trials.uniform(preparation.palette[p]);
         const design::detail::Trial trial = trials.solve(point, {});
-        if (!trial.is_found || trial.objective >= best) continue;
-        best = trial.objective;
-        start = point;
+        if (!trial.is_found || trial.objective >= least) continue;
+        least = trial.objective;
+        best = point;
     }
-    const double uniform =
-        design::detail::check_in_full(trials, start, design::detail::BeamDemand::None, {}).error.mean;
-    const int left = arguments.solutions - trials.solutions();
-    experiments::Baseline found;
-    if (arguments.baseline == "random") {
-        found = experiments::random_paintings(trials, left, arguments.seed);
-    } else if (arguments.baseline == "greedy") {
-        found = experiments::greedy_swaps(trials, start, left);
-    } else if (arguments.baseline == "annealing") {
-        found = experiments::annealing(trials, start, left, arguments.seed);
-    } else {
-        throw base::InputError("'" + arguments.baseline +
-                               "' is no baseline: expected random, greedy or annealing");
-    }
-    const double error =
-        design::detail::check_in_full(trials, found.point, design::detail::BeamDemand::None, {}).error.mean;
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-    std::printf("%s,%d,%s,%s,%llu,%.3f,%.6f,%.6f,%.4f,%d,2,,%.3f,,,,,\n", arguments.baseline.c_str(),
-                arguments.columns * arguments.rows, arguments.hidden.c_str(), arguments.patterns.c_str(),
-                static_cast<unsigned long long>(arguments.seed), instance.bent, uniform, error,
-                error / uniform, trials.solutions(), seconds);
+    return design::detail::check_in_full(trials, best, design::detail::BeamDemand::None, {}).error.mean;
 }
 
-/// Every painting of a small instance, and the design on the same reduced model.
-void print_enumeration(const Arguments& arguments) {
-    Arguments small = arguments;
-    Instance instance = instance_of(small);
-    // A target that no painting reaches: an arc whose size a random painting has.
-    instance.target = experiments::arc(
-        instance.project, 2.0 * instance.bent * (0.6 + 0.4 * base::SplitMix64(arguments.seed).share()));
-    design::DesignOptions options = options_of(small, instance);
+experiments::Row row_of(const Arguments& arguments, const Instance& instance, const std::string& method) {
+    experiments::Row row;
+    row.method = method;
+    row.tiles = instance.project.tessellation.tiles.size();
+    row.target = arguments.angle > 0.0 ? "arc" : arguments.hidden;
+    row.palette = arguments.patterns;
+    row.seed = arguments.seed;
+    row.bent = instance.bent;
+    row.uniform = best_uniform(arguments, instance);
+    return row;
+}
+
+void print_design(const Arguments& arguments, const Instance& instance) {
+    experiments::Row row = row_of(arguments, instance, "design");
+    row.unit = unit_seconds(instance, arguments.threads);
+    const design::DesignReport report =
+        design::design(instance.project, nullptr, instance.target, options_of(arguments, instance));
+    if (report.error) row.error = report.error->mean;
+    if (report.best_uniform) row.uniform = std::min(row.uniform, report.best_uniform->mean);
+    for (const design::DesignProgress& own : report.history) {
+        if (std::isnan(row.half) && own.misfit <= 0.5 * std::min(1.0, row.uniform)) row.half = own.seconds;
+    }
+    row.solutions = report.solutions;
+    row.full_solutions = report.full_solutions;
+    row.patterns = report.patterns.size();
+    row.swaps = report.swaps_scored;
+    row.seconds = report.seconds;
+    row.model_error = report.model_error;
+    row.end = design::design_end_name(report.end);
+    experiments::print(row);
+}
+
+experiments::Baseline search_otherwise(const Arguments& arguments, const Instance& instance, Trials& trials,
+                                       const Point& start) {
+    const int left = arguments.solutions - trials.solutions();
+    if (arguments.baseline == "random") return experiments::random_paintings(trials, left, arguments.seed);
+    if (arguments.baseline == "greedy") return experiments::greedy_swaps(trials, start, left);
+    if (arguments.baseline == "annealing") return experiments::annealing(trials, start, left, arguments.seed);
+    if (arguments.baseline == "table") {
+        const long swaps =
+            design::design(instance.project, nullptr, instance.target, options_of(arguments, instance))
+                .swaps_scored;
+        return experiments::table_annealing(trials, start, {left, swaps}, arguments.seed);
+    }
+    if (arguments.baseline == "cmaes") {
+        const auto order =
+            experiments::from_soft_to_stiff(instance.project, trials.parts().candidates.patterns());
+        return experiments::cma_es(trials, order, left, arguments.seed);
+    }
+    throw base::InputError("'" + arguments.baseline +
+                           "' is no baseline: expected random, greedy, annealing, table or cmaes");
+}
+
+/// The same instance by another search, which begins with the same uniform paintings, and has as many
+/// solutions.
+void print_baseline(const Arguments& arguments, const Instance& instance) {
+    experiments::Row row = row_of(arguments, instance, arguments.baseline);
+    const auto started = std::chrono::steady_clock::now();
+    const design::DesignOptions options = options_of(arguments, instance);
     design::detail::Preparation preparation =
         design::detail::prepare(instance.project, nullptr, instance.target, options);
     Trials trials(std::move(preparation.parts));
-    const std::size_t patterns = trials.parts().candidates.patterns().size();
-    Point point = trials.uniform(0);
-    double best = std::numeric_limits<double>::infinity();
-    const auto total = static_cast<std::size_t>(
-        std::pow(static_cast<double>(patterns), static_cast<double>(point.patterns.size())));
-    for (std::size_t number = 0; number < total; ++number) {
-        std::size_t rest = number;
-        for (std::size_t& pattern : point.patterns) {
-            pattern = rest % patterns;
-            rest /= patterns;
-        }
-        const design::detail::Trial trial = trials.solve(point, {});
-        if (trial.is_found) best = std::min(best, trial.objective);
-    }
-    const design::DesignReport report = design::design(instance.project, nullptr, instance.target, options);
-    const double misfit = std::ranges::min(report.starts);  // before the aim is moved by the model's error
-    const double found = misfit * misfit;
-    std::printf("enumerate,%zu,arc,%s,%llu,%.3f,,,%.6f,%d,%d,,%.3f,,,,,\n", point.patterns.size(),
-                arguments.patterns.c_str(), static_cast<unsigned long long>(arguments.seed), instance.bent,
-                found / best, report.solutions, report.full_solutions, report.seconds);
+    const design::detail::Stopwatch watch(0.0);
+    design::DesignReport report;
+    design::detail::Search search(trials, options, watch, report);
+    const Point start = search.try_uniform(preparation.palette, preparation.coordinates).front().point;
+    const experiments::Baseline found = search_otherwise(arguments, instance, trials, start);
+    row.error =
+        design::detail::check_in_full(trials, found.point, design::detail::BeamDemand::None, {}).error.mean;
+    row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+    row.solutions = trials.solutions();
+    row.swaps = found.swaps;
+    row.full_solutions = 1;
+    experiments::print(row);
 }
 
 }  // namespace
@@ -197,7 +203,7 @@ int main(int argc, char** argv) {
                    "The largest displacement of the hidden painting over the span");
     app.add_option("--angle", arguments.angle, "deg; the target is an arc of this angle");
     app.add_option("--baseline", arguments.baseline,
-                   "Another search: random, greedy, annealing; or enumerate");
+                   "Another search: random, greedy, annealing, table, cmaes");
     app.add_option("--solutions", arguments.solutions, "Most nonlinear solutions");
     app.add_option("--seconds", arguments.seconds, "Wall time; 0: any");
     app.add_option("--seed", arguments.seed, "Of the instance and of the search");
@@ -206,9 +212,7 @@ int main(int argc, char** argv) {
     app.add_flag("--free-factor", arguments.free_factor, "Search the load's factor, too");
     CLI11_PARSE(app, argc, argv);
     try {
-        if (arguments.baseline == "enumerate") {
-            print_enumeration(arguments);
-        } else if (arguments.baseline.empty()) {
+        if (arguments.baseline.empty()) {
             print_design(arguments, instance_of(arguments));
         } else {
             print_baseline(arguments, instance_of(arguments));

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Designs for hidden paintings and arcs, and the same by other searches: rows.csv and tables. Goes on where it was
-# stopped. Usage: run.sh [PROGRAM] [OUTPUT FOLDER] [all|small]
+# Designs for hidden paintings, arcs and other shapes, and the same by other searches: rows.csv and tables. Goes on where
+# it was stopped. Usage: run.sh [FOLDER OF PROGRAMS] [OUTPUT FOLDER] [all|small]
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
-program=$(realpath "${1:-$here/../../build/release/experiments/inverse_design/inverse_design}")
+programs=$(realpath "${1:-$here/../../build/release/experiments/inverse_design}")
 out=${2:-$here/../../out/inverse_design}
 extent=${3:-all}
 mkdir -p "$out/rows"
@@ -12,36 +12,56 @@ mkdir -p "$out/rows"
 # A row is kept by its name.
 row() {
   local file="$out/rows/$1.csv"
-  shift
+  local program="$programs/$2"
+  shift 2
   [ -s "$file" ] && return
   "$program" "$@" >"$file.part" && mv "$file.part" "$file"
 }
+design() {
+  local name=$1
+  shift
+  row "$name" inverse_design "$@"
+}
 
-seeds="1 2 3 4 5"
-[ "$extent" = small ] && seeds="1 2"
-for seed in $seeds; do
+ten=$(seq 1 10)
+five=$(seq 1 5)
+three="1 2 3"
+[ "$extent" = small ] && ten="1 2" five="1" three="1"
+for seed in $ten; do
   for hidden in graded patchy; do
-    row "44_${hidden}_$seed" --columns 11 --rows 4 --hidden $hidden --patterns 24 --seed "$seed"
-    for other in random greedy annealing; do
-      row "44_${hidden}_${seed}_$other" --columns 11 --rows 4 --hidden $hidden --patterns 24 --seed "$seed" --baseline $other
+    design "44_${hidden}_$seed" --columns 11 --rows 4 --hidden $hidden --patterns 24 --seed "$seed"
+    for other in random greedy annealing table cmaes; do
+      design "44_${hidden}_${seed}_$other" --columns 11 --rows 4 --hidden $hidden --patterns 24 --seed "$seed" --baseline $other
     done
   done
 done
-for seed in $seeds; do
+for seed in $ten; do
   for hidden in graded patchy; do
-    row "128_${hidden}_$seed" --columns 16 --rows 8 --hidden $hidden --patterns 24 --seed "$seed"
+    design "128_${hidden}_$seed" --columns 16 --rows 8 --hidden $hidden --patterns 24 --seed "$seed"
+    design "128_${hidden}_${seed}_table" --columns 16 --rows 8 --hidden $hidden --patterns 24 --seed "$seed" --baseline table
   done
 done
-for seed in $(seq 1 20); do
-  row "5_enumerate_$seed" --columns 5 --rows 1 --patterns 5 --share 0.3 --baseline enumerate --seed "$seed"
+for seed in $five; do
+  for shape in field two arch dome; do
+    row "${shape}_$seed" inverse_design_shapes --shape $shape --seed "$seed"
+  done
 done
-for seed in 1 2 3; do
-  row "44_arc30_$seed" --columns 11 --rows 4 --angle 30 --share 0.26 --patterns all --seed "$seed"
-  row "44_arc60_$seed" --columns 11 --rows 4 --angle 60 --share 0.5 --patterns all --seed "$seed"
-  row "44_arc90_$seed" --columns 11 --rows 4 --angle 90 --share 0.72 --patterns all --seed "$seed"
-  row "44_arc60free_$seed" --columns 11 --rows 4 --angle 60 --share 0.2 --free-factor --patterns all --seed "$seed"
+for seed in $three; do
+  design "44_arc30_$seed" --columns 11 --rows 4 --angle 30 --share 0.26 --patterns all --seed "$seed"
+  design "44_arc60_$seed" --columns 11 --rows 4 --angle 60 --share 0.5 --patterns all --seed "$seed"
+  design "44_arc90_$seed" --columns 11 --rows 4 --angle 90 --share 0.72 --patterns all --seed "$seed"
+  design "44_arc60free_$seed" --columns 11 --rows 4 --angle 60 --share 0.2 --free-factor --patterns all --seed "$seed"
 done
-for seed in 1 2 3; do
-  row "200_graded_$seed" --columns 25 --rows 8 --hidden graded --patterns 64 --seed "$seed"
+for seed in $five; do
+  design "200_linear_graded_$seed" --columns 25 --rows 8 --hidden graded --patterns 24 --share 0.01 --seed "$seed"
+  design "200_linear_graded_${seed}_table" --columns 25 --rows 8 --hidden graded --patterns 24 --share 0.01 --seed "$seed" --baseline table
 done
+for seed in $three; do
+  design "200_graded_64_$seed" --columns 25 --rows 8 --hidden graded --patterns 64 --seed "$seed"
+  design "200_graded_all_$seed" --columns 25 --rows 8 --hidden graded --patterns all --seed "$seed"
+  for hidden in graded patchy; do
+    design "500_${hidden}_$seed" --columns 50 --rows 10 --hidden $hidden --patterns 24 --seed "$seed"
+  done
+done
+[ "$extent" = small ] || design "2000_graded_1" --columns 100 --rows 20 --hidden graded --patterns 24 --seed 1
 python3 "$here/tables.py" "$out/rows" | tee "$out/tables.md"

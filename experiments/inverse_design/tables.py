@@ -6,7 +6,7 @@ import pathlib
 import statistics
 import sys
 
-COLUMNS = ("method tiles target patterns seed bent uniform error ratio solutions full_solutions used_patterns seconds unit "
+COLUMNS = ("method tiles target patterns seed bent uniform error ratio solutions full_solutions used_patterns swaps seconds unit "
            "units half_units model_error end").split()
 
 
@@ -15,8 +15,10 @@ def read_rows(folder):
     for path in sorted(pathlib.Path(folder).glob("*.csv")):
         values = path.read_text().strip().split(",")
         row = dict(zip(COLUMNS, values))
-        if "arc" in path.stem:
+        if "arc" in path.stem.split("_")[1]:
             row["target"] = path.stem.split("_")[1]
+        if "linear" in path.stem:
+            row["target"] += ", linear"
         rows.append(row)
     return rows
 
@@ -38,15 +40,15 @@ def main():
     groups = collections.defaultdict(list)
     for row in rows:
         groups[(row["method"], int(row["tiles"]), row["target"], row["patterns"])].append(row)
-    print("| search | tiles | target | patterns | runs | u_max / span | best uniform, % | error, % | ratio | worst ratio | solutions | units | units to half |")
-    print("|---|---|---|---|---|---|---|---|---|---|---|---|---|")
+    print("| search | tiles | target | patterns | runs | u_max / span | best uniform, % | error, % | ratio | worst ratio | solutions | swaps scored | units | units to half |")
+    print("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|")
     for key in sorted(groups, key=lambda k: (k[1], k[2], k[0])):
         group = groups[key]
         ratios = [float(row["ratio"]) for row in group]
         uniform, error = median(group, "uniform"), median(group, "error")
         print(f"| {key[0]} | {key[1]} | {key[2]} | {key[3]} | {len(group)} | {text(median(group, 'bent'), 2)} | "
               f"{text(uniform and 100 * uniform)} | {text(error and 100 * error)} | {text(statistics.median(ratios))} | "
-              f"{text(max(ratios))} | {text(median(group, 'solutions'))} | {text(median(group, 'units'))} | "
+              f"{text(max(ratios))} | {text(median(group, 'solutions'))} | {text(median(group, 'swaps') or None)} | {text(median(group, 'units'))} | "
               f"{text(median(group, 'half_units'))} |")
 
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -116,7 +117,67 @@ TEST(Swaps, SweepsFindTheBestChoiceOfSmallTables) {
         EXPECT_GE(choice.objective - table.unreached, best * (1.0 - 1e-9));
         found_best += choice.objective - table.unreached <= best * 1.001;
     }
-    EXPECT_GE(found_best, 7) << "of 10";
+    EXPECT_EQ(found_best, 10) << "of 10";
+}
+
+/// The residual norm of a choice, from the table alone.
+double objective_of(const SwapTable& table, const Choice& choice) {
+    Eigen::VectorXd residual = table.residual;
+    for (std::size_t g = 0; g < choice.columns.size(); ++g)
+        residual += table.responses[g].col(static_cast<Eigen::Index>(choice.columns[g]));
+    if (choice.steps.size() > 0) residual += table.by_factors * choice.steps;
+    return table.unreached + residual.squaredNorm();
+}
+
+TEST(Swaps, AnnealingIsNoWorseThanSweepsAndStaysWithinTheRadius) {
+    const simulation::Project project = test::cantilever_project(6, 4, 0.05);
+    int better = 0;
+    for (const FreeUnknowns& free : {FreeUnknowns{}, FreeUnknowns{.factor = true}}) {
+        Trials trials = make_trials(project, anything(2.0), free);
+        const Point point = random_point(trials, 7);
+        const SwapTable table = trials.table(point, trials.solve(point, {}), kColumns, 1, {});
+        for (const double radius : {0.02, 0.2, 4.0}) {
+            SweepOptions options{.allowed = std::vector<bool>(5, true), .radius = radius, .proposals = 0};
+            const Choice swept = sweep(table, point.patterns, options);
+            options.proposals = 1000;
+            const Choice annealed = sweep(table, point.patterns, options);
+            EXPECT_LE(annealed.energy, radius * table.energy);
+            EXPECT_LE(annealed.objective, swept.objective);
+            EXPECT_NEAR(annealed.objective, objective_of(table, annealed), 1e-9 * swept.objective);
+            better += annealed.objective < 0.999 * swept.objective;
+        }
+    }
+    EXPECT_GE(better, 1) << "of 6: otherwise it is worth nothing";
+}
+
+/// Against every choice that differs in one or two places.
+TEST(Swaps, NeighboursAreTheBestOfAllThatDifferInOneOrTwoPlaces) {
+    const simulation::Project project = test::cantilever_project(5, 1, 0.05);
+    Trials trials = make_trials(project, anything(2.0));
+    const Point point = random_point(trials, 4);
+    const SwapTable table = trials.table(point, trials.solve(point, {}), kColumns, 1, {});
+    std::vector<std::vector<double>> objectives(6);
+    for (int number = 0; number < 3125; ++number) {
+        Choice choice{point.patterns, Eigen::VectorXd()};
+        std::size_t changes = 0;
+        for (std::size_t g = 0, rest = static_cast<std::size_t>(number); g < 5; ++g, rest /= 5) {
+            choice.columns[g] = rest % 5;
+            changes += choice.columns[g] != point.patterns[g];
+        }
+        objectives[changes].push_back(objective_of(table, choice));
+    }
+    for (auto& own : objectives) std::ranges::sort(own);
+    ASSERT_EQ(objectives[1].size(), 20U);
+    ASSERT_EQ(objectives[2].size(), 160U);
+    const auto found = neighbours(table, point.patterns, std::vector<bool>(5, true), 30, {});
+    ASSERT_EQ(found.size(), 50U);
+    for (std::size_t i = 0; i < found.size(); ++i)
+        EXPECT_NEAR(found[i].objective, i < 20 ? objectives[1][i] : objectives[2][i - 20],
+                    1e-12 * objectives[2].back());
+    for (const Choice& choice : neighbours(table, point.patterns, {true, false, true, false, true}, 30, {})) {
+        for (std::size_t g = 0; g < 5; ++g)
+            EXPECT_TRUE(choice.columns[g] % 2 == 0 || choice.columns[g] == point.patterns[g]);
+    }
 }
 
 TEST(Swaps, KeepTheRadiusTheMassAndTheColumns) {

@@ -19,6 +19,7 @@ using detail::Point;
 using detail::Search;
 using detail::Solved;
 using detail::Stopwatch;
+using detail::Trial;
 using detail::Trials;
 using mechanics::NodeValues;
 
@@ -35,6 +36,7 @@ class Designer {
              DesignReport& report)
         : trials_(std::move(preparation.parts), options.control.silent()),
           palette_(std::move(preparation.palette)),
+          coordinates_(std::move(preparation.coordinates)),
           options_(options),
           watch_(watch),
           report_(report),
@@ -47,9 +49,7 @@ class Designer {
             throw base::InputError("the lightest painting weighs " + base::format_number(least) +
                                    " kg, more than the " + base::format_number(options_.max_mass) +
                                    " kg that it may");
-        const std::size_t uniform = std::min(palette_.size(), options_.uniform_paintings);
-        std::vector<Solved> starts =
-            search_.try_uniform({palette_.begin(), palette_.begin() + static_cast<std::ptrdiff_t>(uniform)});
+        std::vector<Solved> starts = search_.try_uniform(palette_, coordinates_);
         if (starts.empty())
             throw base::InputError(
                 "no single pattern of the palette has a stable equilibrium under this load: a smaller load "
@@ -60,6 +60,7 @@ class Designer {
         const std::size_t listed = std::min(palette_.size(), options_.shortlist);
         search_.set_columns({palette_.begin(), palette_.begin() + static_cast<std::ptrdiff_t>(listed)},
                             palette_);
+        aim_beside(starts);
         Solved found = search_.improve(starts.front(), reserve());
         best_ = found.point;
         report_.starts.push_back(std::sqrt(found.trial.objective));
@@ -124,6 +125,25 @@ class Designer {
         report_.wanted_of_stiffest = least > 0.0 ? wanted / least : 0.0;
     }
 
+    /// Aim beside the target by what the reduced model is off at the uniform painting that was checked.
+    void aim_beside(std::vector<Solved>& starts) {
+        const auto known = std::ranges::find_if(
+            starts, [this](const Solved& start) { return checked_ && start.point == checked_->point; });
+        if (known == starts.end()) return;
+        trials_.set_aims(defect(known->trial, checked_->check));
+        for (Solved& start : starts) start.trial.objective = trials_.misfit(start.trial.displacements);
+        std::ranges::stable_sort(starts, {}, [](const Solved& start) { return start.trial.objective; });
+        search_.forget_best();
+    }
+
+    /// By how much the reduced model is off.
+    static std::vector<NodeValues> defect(const Trial& trial, const FullCheck& full) {
+        std::vector<NodeValues> difference;
+        for (std::size_t c = 0; c < trial.displacements.size(); ++c)
+            difference.push_back(trial.displacements[c] - full.displacements[c]);
+        return difference;
+    }
+
     [[nodiscard]] bool is_allowed(const Point& point, const FullCheck& check) const {
         if (!check.is_found) return false;
         if (options_.max_mass > 0.0 && trials_.mass_of(point) > options_.max_mass) return false;
@@ -162,10 +182,7 @@ class Designer {
         for (int round = 0; checked_ && round < kDefectRounds && search_.may_go_on(reserve()); ++round) {
             Solved solved{checked_->point, trials_.solve(checked_->point, options_.control)};
             if (!solved.trial.is_found) return;
-            std::vector<NodeValues> aims;
-            for (std::size_t c = 0; c < solved.trial.displacements.size(); ++c)
-                aims.push_back(solved.trial.displacements[c] - checked_->check.displacements[c]);
-            trials_.set_aims(std::move(aims));
+            trials_.set_aims(defect(solved.trial, checked_->check));
             search_.forget_best();
             const double before = checked_->check.error.mean;
             check_and_keep_best(search_.improve(std::move(solved), reserve()));
@@ -175,6 +192,7 @@ class Designer {
 
     Trials trials_;
     std::vector<std::size_t> palette_;
+    Eigen::MatrixXd coordinates_;
     const DesignOptions& options_;
     const Stopwatch& watch_;
     DesignReport& report_;
@@ -228,7 +246,9 @@ DesignReport design(const simulation::Project& project, const library::Library* 
                     const DesignOptions& options) {
     options.validate(project);
     const Stopwatch watch(options.seconds);
-    const base::Task task(options.control, "design", static_cast<std::size_t>(options.most_solutions));
+    const base::Task task(
+        options.control, "design",
+        static_cast<std::size_t>(detail::solution_limit(options, project.tessellation.tiles.size())));
     DesignReport report;
     report.project = project;
     report.seed = options.seed;

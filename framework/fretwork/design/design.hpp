@@ -33,16 +33,19 @@ struct DesignOptions {
     std::vector<tiling::TileIndex> keep;  ///< tiles that keep their patterns
     Symmetry symmetry;                    ///< that the painting keeps
     double max_mass = 0.0;                ///< kg, of all beams; 0: any
-    double max_utilization = 0.0;        ///< largest share of the setting's strength, checked with all beams;
-                                         ///< 0: any
-    bool free_factor = false;            ///< the factor on each load case's loads is searched, too
-    bool free_prescribed = false;        ///< the values of its prescribed displacements are searched, too
-    double seconds = 0.0;                ///< wall time, checks included; 0: any
-    int most_solutions = 60;             ///< most nonlinear solutions of the search; checks take further ones
-    std::size_t uniform_paintings = 24;  ///< number of uniform paintings, of very different stiffness, with
-                                         ///< which the search begins
-    std::size_t shortlist = 64;          ///< number of patterns that one step of the search chooses from
-    std::uint64_t seed = 1;              ///< of all random choices
+    double max_utilization = 0.0;  ///< largest share of the setting's strength, checked with all beams;
+                                   ///< 0: any
+    bool free_factor = false;      ///< the factor on each load case's loads is searched, too
+    bool free_prescribed = false;  ///< the values of its prescribed displacements are searched, too
+    double seconds = 0.0;          ///< wall time, checks included; 0: any
+    /// Most nonlinear solutions of the search; checks take further ones. 0: 40, and of surfaces of fewer than
+    /// 44 tiles, whose solutions are cheaper, as many more as there are fewer tiles, up to 320.
+    int most_solutions = 0;
+    /// The search begins with this number of them: two thirds of very different stiffness, and then those
+    /// that are predicted from these to be the best.
+    std::size_t uniform_paintings = 12;
+    std::size_t shortlist = 64;  ///< number of patterns that one step of the search chooses from
+    std::uint64_t seed = 1;      ///< of all random choices
     int threads = 0;          ///< 0: one for each processor. The number does not change a bit of the result.
     base::Control control{};  ///< how the caller follows and stops the work
     std::function<void(const DesignProgress&)> on_better{};  ///< called on the calling thread; may be empty
@@ -96,6 +99,7 @@ struct DesignReport {
     double seconds = 0.0;                       ///< wall time, checks included
     int solutions = 0;                          ///< nonlinear solutions of the search
     int full_solutions = 0;                     ///< nonlinear solutions with all beams, of the checks
+    long swaps_scored = 0;                      ///< swaps of a pattern that were scored by superposed answers
     std::uint64_t seed = 0;                     ///< of all random choices
     /// True if the painting's mean error is below that of the best single pattern by a share of at least
     /// kLeastDesignGain, and below the largest displacement wanted. False if this is not known.

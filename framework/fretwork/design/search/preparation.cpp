@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/design/search/preparation.hpp>
+#include <fretwork/design/search/uniform_guess.hpp>
 #include <fretwork/pattern/mirror.hpp>
 
 #include <algorithm>
@@ -28,23 +29,31 @@ Surface reference_surface(const Surface& surface) {
     return reference;
 }
 
-/// The palette in an order in which its first members differ the most.
-std::vector<NamedPattern> spread_palette(const Surface& surface, const std::vector<NamedPattern>& palette,
-                                         std::size_t count, const DesignOptions& options) {
+/// The palette in an order in which its first members differ the most, and the coordinates of these
+/// (leading_coordinates).
+struct SpreadPalette {
+    std::vector<NamedPattern> patterns;
+    Eigen::MatrixXd coordinates;
+};
+
+SpreadPalette spread_palette(const Surface& surface, const std::vector<NamedPattern>& palette,
+                             std::size_t count, const DesignOptions& options) {
     const CandidateTiles tile(reference_surface(surface), palette, {options.threads, options.control});
     const base::Control control = options.control.silent();
     const TileStrains strains(tile, options.threads, control);
     const Eigen::MatrixXd logs =
         stiffness_logarithms(strains, 0, tiling::mean_tile_side(surface.tessellation), control);
-    std::vector<NamedPattern> spread;
+    SpreadPalette spread;
     std::vector<bool> is_taken(palette.size(), false);
-    for (const std::size_t place : spread_choice(logs, std::min(count, palette.size()), control)) {
-        spread.push_back(palette[place]);
+    const auto chosen = spread_choice(logs, std::min(count, palette.size()), control);
+    for (const std::size_t place : chosen) {
+        spread.patterns.push_back(palette[place]);
         is_taken[place] = true;
     }
     for (std::size_t p = 0; p < palette.size(); ++p) {
-        if (!is_taken[p]) spread.push_back(palette[p]);
+        if (!is_taken[p]) spread.patterns.push_back(palette[p]);
     }
+    spread.coordinates = leading_coordinates(logs(Eigen::all, chosen));
     return spread;
 }
 
@@ -163,8 +172,8 @@ Preparation prepare(const simulation::Project& project, const library::Library* 
     const std::vector<NamedPattern> allowed = needs_mirror_images(options.symmetry)
                                                   ? with_mirror_image(surface.layout, options.palette)
                                                   : options.palette;
-    std::vector<NamedPattern> candidates =
-        spread_palette(surface, allowed, std::min(most, std::size_t{128}), options);
+    SpreadPalette spread = spread_palette(surface, allowed, std::min(most, std::size_t{128}), options);
+    std::vector<NamedPattern> candidates = std::move(spread.patterns);
     candidates.resize(std::min(candidates.size(), most));
     paint_whole(surface, groups, candidates.front());
     std::vector<std::size_t> palette(candidates.size());
@@ -182,7 +191,8 @@ Preparation prepare(const simulation::Project& project, const library::Library* 
              {options.free_factor, options.free_prescribed},
              options.threads},
             std::move(names),
-            std::move(palette)};
+            std::move(palette),
+            std::move(spread.coordinates)};
 }
 
 }  // namespace fretwork::design::detail

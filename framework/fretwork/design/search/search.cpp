@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/random.hpp>
 #include <fretwork/design/search/search.hpp>
+#include <fretwork/design/search/uniform_guess.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 namespace fretwork::design::detail {
@@ -15,7 +17,9 @@ constexpr double kLargestRadius = 4.0;
 /// Proposals of one table, each with a smaller radius.
 constexpr int kMostProposals = 4;
 /// Steps that gain less than this share of the objective are no gain.
-constexpr double kLeastGain = 1e-4;
+constexpr double kLeastGain = 0.005;
+/// Before the last steps, a gain of less is not worth a solution.
+constexpr double kWorthwhileGain = 0.02;
 /// Objectives (squares of shares) below this are the reduced model's rounding.
 constexpr double kReached = 1e-14;
 /// Uniform paintings from which the search begins, as long as there are solutions left; then the best
@@ -23,10 +27,48 @@ constexpr double kReached = 1e-14;
 constexpr std::size_t kOtherStarts = 3;
 constexpr std::uint64_t kMostKicks = 100;
 constexpr double kKickedShare = 0.2;
-/// Solutions that are left for the defect correction.
-constexpr int kLeftForDefect = 10;
+/// Of small surfaces, where all changes of two groups are near.
+constexpr double kKickedShareOfSmall = 0.45;
+/// The share of the solutions that is left for the defect correction, and the most of them.
+constexpr double kLeftForDefect = 0.35;
+constexpr int kMostLeftForDefect = 14;
+/// Surfaces of fewer tiles than this have as many more solutions as these are cheaper, up to a factor.
+constexpr double kSmallSurface = 44.0;
+constexpr double kMostFactor = 8.0;
+constexpr int kSolutions = 40;
+/// A start is given up if its table promises this many times the best misfit.
+constexpr double kHopeless = 1.3;
+/// Where groups x columns are so few, every change of one group or of two may be solved.
+constexpr std::size_t kSmallTable = 300;
+/// Changes of one group, and so many of two, that are solved around one painting.
+constexpr std::size_t kMostNeighbours = 60;
+
+/// The weighted sum of the displacements of solutions.
+std::vector<mechanics::NodeValues> superposed(const std::vector<Solved>& solved,
+                                              const Eigen::VectorXd& weights) {
+    std::vector<mechanics::NodeValues> sum = solved.front().trial.displacements;
+    for (std::size_t c = 0; c < sum.size(); ++c) {
+        sum[c] *= weights[0];
+        for (std::size_t i = 1; i < solved.size(); ++i)
+            sum[c] += weights[static_cast<Eigen::Index>(i)] * solved[i].trial.displacements[c];
+    }
+    return sum;
+}
 
 }  // namespace
+
+int solution_limit(const DesignOptions& options, std::size_t groups) {
+    if (options.most_solutions > 0) return options.most_solutions;
+    const double tiles = static_cast<double>(std::max<std::size_t>(1, groups));
+    return static_cast<int>(kSolutions * std::clamp(kSmallSurface / tiles, 1.0, kMostFactor));
+}
+
+Search::Search(Trials& trials, const DesignOptions& options, const Stopwatch& watch, DesignReport& report)
+    : trials_(trials),
+      options_(options),
+      watch_(watch),
+      report_(report),
+      most_solutions_(solution_limit(options, trials.parts().groups.size())) {}
 
 void Search::set_columns(std::vector<std::size_t> shortlist, std::vector<std::size_t> all) {
     shortlist_ = std::move(shortlist);
@@ -34,7 +76,7 @@ void Search::set_columns(std::vector<std::size_t> shortlist, std::vector<std::si
 }
 
 bool Search::may_go_on(double reserve) const {
-    return trials_.solutions() < options_.most_solutions && watch_.has_left(reserve + step_seconds_);
+    return trials_.solutions() < most_solutions_ && watch_.has_left(reserve + step_seconds_);
 }
 
 void Search::tell(const Solved& solved) {
@@ -47,16 +89,31 @@ void Search::tell(const Solved& solved) {
     if (options_.on_better) options_.on_better(progress);
 }
 
-std::vector<Solved> Search::try_uniform(const std::vector<std::size_t>& patterns) {
+void Search::try_one_uniform(std::size_t pattern, std::vector<Solved>& found) {
+    const Point point = trials_.uniform(pattern);
+    Trial trial = solve(point);
+    ++report_.uniform_tried;
+    if (!trial.is_found) return;
+    found.push_back({point, std::move(trial)});
+    tell(found.back());
+}
+
+std::vector<Solved> Search::try_uniform(const std::vector<std::size_t>& palette,
+                                        const Eigen::MatrixXd& coordinates) {
     std::vector<Solved> found;
-    for (const std::size_t pattern : patterns) {
-        if (!found.empty() && !watch_.has_left(0.7 * options_.seconds)) break;
-        const Point point = trials_.uniform(pattern);
-        Trial trial = trials_.solve(point, options_.control);
-        ++report_.uniform_tried;
-        if (!trial.is_found) continue;
-        found.push_back({point, std::move(trial)});
-        tell(found.back());
+    const auto has_time = [&] { return found.empty() || watch_.has_left(0.7 * options_.seconds); };
+    const std::size_t most = std::min(palette.size(), options_.uniform_paintings);
+    const std::size_t spread = std::min(most, std::max<std::size_t>(2, (2 * most) / 3));
+    std::vector<bool> is_tried(palette.size(), false);
+    for (std::size_t p = 0; p < most && (p < spread || found.size() < 2) && has_time(); ++p) {
+        try_one_uniform(palette[p], found);
+        is_tried[p] = true;
+    }
+    while (report_.uniform_tried < most && has_time()) {
+        const std::size_t next = predicted_best(found, palette, coordinates, is_tried);
+        if (next == palette.size()) break;
+        try_one_uniform(palette[next], found);
+        is_tried[next] = true;
     }
     std::ranges::stable_sort(found, {}, [](const Solved& solved) { return solved.trial.objective; });
     if (options_.max_mass > 0.0)
@@ -64,6 +121,30 @@ std::vector<Solved> Search::try_uniform(const std::vector<std::size_t>& patterns
             return trials_.mass_of(solved.point) <= options_.max_mass;
         });
     return found;
+}
+
+/// The place of the palette's member whose uniform painting is predicted to be the best of those that are not
+/// tried; the palette's size if there is none.
+std::size_t Search::predicted_best(const std::vector<Solved>& found, const std::vector<std::size_t>& palette,
+                                   const Eigen::MatrixXd& coordinates,
+                                   const std::vector<bool>& is_tried) const {
+    std::vector<Eigen::Index> places;
+    for (const Solved& solved : found)
+        places.push_back(std::ranges::find(palette, solved.point.patterns.front()) - palette.begin());
+    const Eigen::MatrixXd known = coordinates(Eigen::all, places);
+    std::size_t best = palette.size();
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t p = 0; p < static_cast<std::size_t>(coordinates.cols()) && p < palette.size(); ++p) {
+        if (is_tried[p]) continue;
+        const Eigen::VectorXd weights =
+            prediction_weights(known, coordinates.col(static_cast<Eigen::Index>(p)));
+        const double misfit = trials_.misfit(superposed(found, weights));
+        if (misfit < least) {
+            least = misfit;
+            best = p;
+        }
+    }
+    return best;
 }
 
 /// The first round takes the shortlist; later ones take others at random, beside those that are used.
@@ -119,7 +200,7 @@ void Search::limit_patterns(const Point& point, const SwapTable& table, const st
     limited_.assign(chosen.begin(), chosen.end());
 }
 
-bool Search::step(Solved& current, double& radius, int round) {
+Search::Step Search::step(Solved& current, double& radius, int round, const Demand& demand) {
     const std::vector<std::size_t> columns = columns_for(current.point, round);
     const auto column_of = [&columns](std::size_t pattern) {
         return static_cast<std::size_t>(std::ranges::lower_bound(columns, pattern) - columns.begin());
@@ -129,6 +210,7 @@ bool Search::step(Solved& current, double& radius, int round) {
     const SwapTable table =
         trials_.table(current.point, current.trial, columns,
                       options_.seed + static_cast<std::uint64_t>(round), options_.control);
+    report_.swaps_scored += static_cast<long>(table.groups() * table.columns());
     SweepOptions sweeps{.allowed = std::vector<bool>(columns.size(), true),
                         .most_mass = mass_for_groups(current.point, table, start),
                         .control = options_.control.silent()};
@@ -142,29 +224,49 @@ bool Search::step(Solved& current, double& radius, int round) {
         sweeps.radius = radius;
         sweeps.seed = options_.seed + static_cast<std::uint64_t>(100 * round + proposal);
         const Choice choice = sweep(table, start, sweeps);
+        report_.swaps_scored += choice.scored;
         const double promised = current.trial.objective - choice.objective;
         const bool is_too_heavy =
             options_.max_mass > 0.0 && trials_.mass_of(current.point) > options_.max_mass;
-        if (!is_too_heavy && !(promised > kLeastGain * current.trial.objective)) return false;
+        if (!is_too_heavy && !(promised > demand.gain * current.trial.objective)) return Step::NoBetter;
+        if (round > 1 && demand.rival > 0.0 && choice.objective > kHopeless * demand.rival)
+            return Step::Hopeless;
         Point next = current.point;
         for (std::size_t g = 0; g < start.size(); ++g) next.patterns[g] = columns[choice.columns[g]];
         next.unknowns += choice.steps;
-        Trial trial = trials_.solve(next, options_.control);
+        radius = std::min(radius, kLargestRadius);
+        Trial trial;
+        if (!is_seen(next)) trial = solve(next);
         const double gained = trial.is_found ? current.trial.objective - trial.objective : -1.0;
-        if (gained > kLeastGain * current.trial.objective || (is_too_heavy && trial.is_found)) {
+        if (gained > 0.5 * demand.gain * current.trial.objective || (is_too_heavy && trial.is_found)) {
             if (gained > 0.75 * promised) radius = std::min(kLargestRadius, 2.0 * radius);
             if (gained < 0.25 * promised) radius *= 0.5;
             current = {std::move(next), std::move(trial)};
             tell(current);
-            return true;
+            return Step::Better;
         }
         radius = 0.25 * std::min(radius, choice.energy / table.energy);
-        if (trials_.solutions() >= options_.most_solutions) return false;
+        if (trials_.solutions() >= most_solutions_) return Step::NoBetter;
     }
-    return false;
+    return Step::NoBetter;
+}
+
+bool Search::is_seen(const Point& point) const {
+    return point.unknowns.size() == 0 && seen_.contains(point.patterns);
+}
+
+Trial Search::solve(const Point& point) {
+    Trial trial = trials_.solve(point, options_.control);
+    if (point.unknowns.size() == 0)
+        seen_[point.patterns] = trial.is_found ? trial.objective : std::numeric_limits<double>::infinity();
+    return trial;
 }
 
 Solved Search::improve(Solved start, double reserve) {
+    return descend(std::move(start), reserve, {kLeastGain, 0.0});
+}
+
+Solved Search::descend(Solved start, double reserve, const Demand& demand) {
     Solved current = std::move(start);
     double radius = kFirstRadius;
     int failures = 0;
@@ -175,19 +277,20 @@ Solved Search::improve(Solved start, double reserve) {
             return current;
         }
         if (failures > 0 || round == 0) {
-            current.trial = trials_.solve(current.point, options_.control);
+            current.trial = solve(current.point);
             if (!current.trial.is_found) break;
         }
         const double before = watch_.seconds();
-        const bool is_better = step(current, radius, round);
+        const Step taken = step(current, radius, round, demand);
         step_seconds_ = std::max(step_seconds_, watch_.seconds() - before);
-        if (is_better) {
+        if (taken == Step::Better) {
             failures = 0;
             continue;
         }
         // Once more with other patterns, if there are any.
         radius = std::max(radius, 0.05);
-        if (++failures >= (limited_.empty() && all_.size() > shortlist_.size() ? 2 : 1)) {
+        const int most = limited_.empty() && all_.size() > shortlist_.size() ? 2 : 1;
+        if (taken == Step::Hopeless || ++failures >= most) {
             end_ = DesignEnd::NoSwapImproves;
             return current;
         }
@@ -197,34 +300,79 @@ Solved Search::improve(Solved start, double reserve) {
 }
 
 /// A painting with some of its groups painted at random.
-Point Search::kicked(const Point& point, std::uint64_t number) const {
+Point Search::kicked(const Point& point, double share, std::uint64_t number) const {
     base::SplitMix64 random(base::SplitMix64::mix(options_.seed) ^ base::SplitMix64::mix(number));
     const std::vector<std::size_t>& patterns = limited_.empty() ? shortlist_ : limited_;
     Point kicked = point;
     const std::size_t changes = std::max<std::size_t>(
-        1, static_cast<std::size_t>(kKickedShare * static_cast<double>(point.patterns.size())));
+        1, static_cast<std::size_t>(share * static_cast<double>(point.patterns.size())));
     for (std::size_t i = 0; i < changes; ++i)
         kicked.patterns[random.below(point.patterns.size())] = patterns[random.below(patterns.size())];
     return kicked;
 }
 
+bool Search::is_small() const {
+    return trials_.parts().groups.size() * all_.size() <= kSmallTable && options_.max_patterns == 0;
+}
+
+Solved Search::try_neighbours(Solved best, double reserve, int last_solution) {
+    const std::vector<bool> allowed(all_.size(), true);
+    const auto has_budget = [&] { return may_go_on(reserve) && trials_.solutions() < last_solution; };
+    for (bool is_better = true; is_better && has_budget() && best.trial.objective > kReached;) {
+        is_better = false;
+        best.trial = solve(best.point);
+        std::vector<std::size_t> columns = all_;
+        std::ranges::sort(columns);
+        std::vector<std::size_t> start;
+        for (const std::size_t pattern : best.point.patterns)
+            start.push_back(
+                static_cast<std::size_t>(std::ranges::lower_bound(columns, pattern) - columns.begin()));
+        const SwapTable table =
+            trials_.table(best.point, best.trial, columns, options_.seed, options_.control);
+        for (const Choice& choice :
+             neighbours(table, start, allowed, kMostNeighbours, options_.control.silent())) {
+            Point next = best.point;
+            for (std::size_t g = 0; g < start.size(); ++g) next.patterns[g] = columns[choice.columns[g]];
+            if (is_seen(next)) continue;
+            if (!has_budget()) break;
+            if (options_.max_mass > 0.0 && trials_.mass_of(next) > options_.max_mass) continue;
+            Trial trial = solve(next);
+            if (!trial.is_found || trial.objective >= best.trial.objective) continue;
+            best = {std::move(next), std::move(trial)};
+            tell(best);
+            is_better = true;
+            break;
+        }
+    }
+    return best;
+}
+
 Solved Search::improve_from_others(Solved best, const std::vector<Solved>& starts, double reserve) {
     const DesignEnd end = end_;
+    const int for_defect = std::min(kMostLeftForDefect, static_cast<int>(kLeftForDefect * most_solutions_));
+    const int last_solution = most_solutions_ - for_defect;
     const auto has_budget = [&] {
-        return may_go_on(reserve) && trials_.solutions() + kLeftForDefect < options_.most_solutions &&
-               best.trial.objective > kReached;
+        return may_go_on(reserve) && trials_.solutions() < last_solution && best.trial.objective > kReached;
     };
     const auto try_from = [&](const Solved& start) {
-        const Solved found = improve(start, reserve);
+        const double gain = is_small() ? kLeastGain : kWorthwhileGain;
+        Solved found = descend(start, reserve, {gain, is_small() ? 0.0 : best.trial.objective});
         report_.starts.push_back(std::sqrt(found.trial.objective));
-        if (found.trial.is_found && found.trial.objective < best.trial.objective) best = found;
+        if (!found.trial.is_found || found.trial.objective >= best.trial.objective) return false;
+        best = std::move(found);
+        return true;
     };
     for (std::size_t i = 1; i < std::min(starts.size(), kOtherStarts) && has_budget(); ++i)
-        try_from(starts[i]);
+        (void)try_from(starts[i]);
+    if (is_small()) best = try_neighbours(std::move(best), reserve, last_solution);
     for (std::uint64_t kick = 0; kick < kMostKicks && has_budget(); ++kick) {
-        Solved start{kicked(best.point, kick), {}};
-        start.trial = trials_.solve(start.point, options_.control);
-        if (start.trial.is_found) try_from(start);
+        // On small surfaces every second start is all at random.
+        const double share = !is_small() ? kKickedShare : kick % 2 == 0 ? kKickedShareOfSmall : 1.0;
+        Solved start{kicked(best.point, share, kick), {}};
+        if (is_seen(start.point)) continue;
+        start.trial = solve(start.point);
+        if (start.trial.is_found && try_from(start) && is_small())
+            best = try_neighbours(std::move(best), reserve, last_solution);
     }
     end_ = end;
     return best;

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -32,17 +33,22 @@ struct Solved {
     Trial trial;
 };
 
+/// The most nonlinear solutions of a search over so many groups: DesignOptions::most_solutions.
+int solution_limit(const DesignOptions& options, std::size_t groups);
+
 /// The search for a painting with the reduced model.
 class Search {
   public:
-    Search(Trials& trials, const DesignOptions& options, const Stopwatch& watch, DesignReport& report)
-        : trials_(trials), options_(options), watch_(watch), report_(report) {}
+    Search(Trials& trials, const DesignOptions& options, const Stopwatch& watch, DesignReport& report);
 
-    /// Solve the uniform painting of each of these candidates. Returns them with the best first, without
-    /// those that have no stable equilibrium.
-    std::vector<Solved> try_uniform(const std::vector<std::size_t>& patterns);
-    /// Improve a painting until no swap improves it, or only `reserve` s are left. Returns the best point
-    /// found.
+    /// Solve uniform paintings, at most DesignOptions::uniform_paintings: first of the first, most different
+    /// members of the palette, then of those that these predict to be the best. Returns them with the best
+    /// first; those without a stable equilibrium are left out.
+    /// @param coordinates  of the palette's first members (Preparation)
+    std::vector<Solved> try_uniform(const std::vector<std::size_t>& palette,
+                                    const Eigen::MatrixXd& coordinates);
+    /// Improve a painting until no swap is predicted to improve its mean square distance by a share of
+    /// kLeastGain, or only `reserve` s are left. Returns the best point found.
     Solved improve(Solved start, double reserve);
     /// Improve other starts, and the best painting with a random part of it painted at random, until the
     /// budget is spent or only `reserve` s are left.
@@ -57,14 +63,33 @@ class Search {
     void forget_best() {
         best_ = -1.0;
         best_point_.reset();
+        seen_.clear();
     }
     [[nodiscard]] bool may_go_on(double reserve) const;
 
   private:
+    void try_one_uniform(std::size_t pattern, std::vector<Solved>& found);
+    [[nodiscard]] std::size_t predicted_best(const std::vector<Solved>& found,
+                                             const std::vector<std::size_t>& palette,
+                                             const Eigen::MatrixXd& coordinates,
+                                             const std::vector<bool>& is_tried) const;
     [[nodiscard]] std::vector<std::size_t> columns_for(const Point& point, int round) const;
-    [[nodiscard]] Point kicked(const Point& point, std::uint64_t number) const;
-    /// Take one step. Returns false if no proposal is better than the current point.
-    bool step(Solved& current, double& radius, int round);
+    [[nodiscard]] Point kicked(const Point& point, double share, std::uint64_t number) const;
+    /// What a descent has to promise to go on.
+    struct Demand {
+        double gain = 0.0;   ///< a share of the misfit
+        double rival = 0.0;  ///< the misfit that is to be beaten; 0: any
+    };
+    enum class Step { Better, NoBetter, Hopeless };
+    /// Take one step. Hopeless: what it promises is far from the rival.
+    Step step(Solved& current, double& radius, int round, const Demand& demand);
+    Solved descend(Solved start, double reserve, const Demand& demand);
+    [[nodiscard]] bool is_seen(const Point& point) const;
+    Trial solve(const Point& point);
+    [[nodiscard]] bool is_small() const;
+    /// On small surfaces: solve changes of one group and of two, those that are predicted to be the best
+    /// first, and go on from each that is better.
+    Solved try_neighbours(Solved best, double reserve, int last_solution);
     [[nodiscard]] double mass_for_groups(const Point& point, const SwapTable& table,
                                          const std::vector<std::size_t>& start) const;
     void limit_patterns(const Point& point, const SwapTable& table, const std::vector<std::size_t>& start,
@@ -82,6 +107,8 @@ class Search {
     double best_ = -1.0;  ///< objective; below zero: none
     std::optional<Point> best_point_;
     DesignEnd end_ = DesignEnd::NoSwapImproves;
+    std::map<std::vector<std::size_t>, double> seen_;  ///< the misfits of paintings, without further unknowns
+    int most_solutions_;
     double step_seconds_ = 0.0;  ///< time of the longest step so far; the next may take as long
 };
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/random.hpp>
+#include <fretwork/design/search/annealing.hpp>
 #include <fretwork/design/search/swap_table.hpp>
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -32,7 +34,11 @@ class Sweeper {
         squares_.resize(table.energies.rows(), table.energies.cols());
         for (std::size_t g = 0; g < table.groups(); ++g)
             squares_.col(static_cast<Index>(g)) = table.responses[g].colwise().squaredNorm().transpose();
-        if (table.by_factors.cols() > 0) factors_.compute(table.by_factors);
+        if (table.by_factors.cols() > 0) {
+            factors_.compute(table.by_factors);
+            unknowns_ =
+                factors_.householderQ() * MatrixXd::Identity(table.by_factors.rows(), factors_.rank());
+        }
     }
 
     [[nodiscard]] Choice run(const std::vector<std::size_t>& start, const Prices& prices,
@@ -51,11 +57,24 @@ class Sweeper {
             step_factors(choice, residual);
             if (!is_changed) break;
         }
-        choice.objective = table_.unreached + residual.squaredNorm();
-        choice.energy = 0.0;
-        for (std::size_t g = 0; g < choice.columns.size(); ++g) choice.energy += energy(g, choice.columns[g]);
-        return choice;
+        return judged(std::move(choice), residual);
     }
+
+    /// From a choice that is within the limit: annealing (annealing.hpp).
+    [[nodiscard]] Choice anneal(const Choice& start, double most_energy) const {
+        Annealed found = anneal_choice(table_, unknowns_,
+                                       {.start = start,
+                                        .allowed = options_.allowed,
+                                        .most_energy = most_energy,
+                                        .proposals = options_.proposals,
+                                        .seed = options_.seed,
+                                        .control = options_.control});
+        scored_ += found.scored;
+        return finished(found.columns);
+    }
+
+    /// Swaps that were scored so far.
+    [[nodiscard]] long scored() const { return scored_; }
 
     [[nodiscard]] double mass(const Choice& choice) const {
         double sum = 0.0;
@@ -65,6 +84,19 @@ class Sweeper {
     }
 
   private:
+    [[nodiscard]] Choice judged(Choice choice, const VectorXd& residual) const {
+        choice.objective = table_.unreached + residual.squaredNorm();
+        choice.energy = 0.0;
+        for (std::size_t g = 0; g < choice.columns.size(); ++g) choice.energy += energy(g, choice.columns[g]);
+        return choice;
+    }
+    /// These columns with the best steps of the unknowns.
+    [[nodiscard]] Choice finished(const std::vector<std::size_t>& columns) const {
+        Choice choice{columns, VectorXd::Zero(table_.by_factors.cols())};
+        VectorXd residual = residual_of(choice);
+        step_factors(choice, residual);
+        return judged(std::move(choice), residual);
+    }
     [[nodiscard]] double energy(std::size_t group, std::size_t column) const {
         return table_.energies(static_cast<Index>(column), static_cast<Index>(group));
     }
@@ -81,6 +113,7 @@ class Sweeper {
         const MatrixXd& responses = table_.responses[group];
         const auto old = static_cast<Index>(choice.columns[group]);
         residual -= responses.col(old);
+        scored_ += responses.cols();
         VectorXd costs = 2.0 * (responses.transpose() * residual) + squares_.col(g);
         costs += prices.energy * table_.energies.col(g) + prices.mass * table_.masses.col(g);
         Index best = old;
@@ -113,6 +146,8 @@ class Sweeper {
     const SweepOptions& options_;
     MatrixXd squares_;
     Eigen::ColPivHouseholderQR<MatrixXd> factors_;
+    MatrixXd unknowns_;  ///< an orthonormal basis of by_factors
+    mutable long scored_ = 0;
 };
 
 /// The best of several orders under these prices.
@@ -158,27 +193,103 @@ Choice within_radius(const Sweeper& sweeper, const SwapTable& table, const std::
         if (is_within) best_price = std::min(best_price, price);
         return std::pair(std::move(choice), is_within);
     });
-    Choice better = best_of_orders(sweeper, start, options, {best_price, mass_price});
-    const bool is_better = better.energy <= most && better.objective < found.objective;
-    return mass_price == 0.0 && is_better ? better : found;
+    if (mass_price > 0.0) return found;
+    const auto take_better = [&](Choice&& other) {
+        if (other.energy <= most && other.objective < found.objective) found = std::move(other);
+    };
+    take_better(best_of_orders(sweeper, start, options, {best_price, 0.0}));
+    if (options.proposals > 0) take_better(sweeper.anneal(found, most));
+    return found;
+}
+
+struct OneSwap {
+    std::size_t group = 0;
+    std::size_t column = 0;
+    VectorXd change;
+    double energy = 0.0;
+};
+
+std::vector<OneSwap> single_swaps(const SwapTable& table, const std::vector<std::size_t>& start,
+                                  const std::vector<bool>& allowed) {
+    std::vector<OneSwap> swaps;
+    for (std::size_t g = 0; g < start.size(); ++g) {
+        const VectorXd own = table.responses[g].col(static_cast<Index>(start[g]));
+        for (std::size_t c = 0; c < table.columns(); ++c) {
+            const auto column = static_cast<Index>(c);
+            if (allowed[c] && c != start[g])
+                swaps.push_back({g, c, table.responses[g].col(column) - own,
+                                 table.energies(column, static_cast<Index>(g))});
+        }
+    }
+    return swaps;
+}
+
+VectorXd residual_of(const SwapTable& table, const std::vector<std::size_t>& start) {
+    VectorXd residual = table.residual;
+    for (std::size_t g = 0; g < start.size(); ++g)
+        residual += table.responses[g].col(static_cast<Index>(start[g]));
+    return residual;
+}
+
+void keep_best(std::vector<Choice>& choices, std::size_t count) {
+    std::ranges::stable_sort(choices, {}, &Choice::objective);
+    if (choices.size() > count)
+        choices.erase(choices.begin() + static_cast<std::ptrdiff_t>(count), choices.end());
 }
 
 }  // namespace
 
 Choice sweep(const SwapTable& table, const std::vector<std::size_t>& start, const SweepOptions& options) {
     const Sweeper sweeper(table, options);
-    if (options.most_mass <= 0.0) return within_radius(sweeper, table, start, options, 0.0);
-    const double scale = (table.residual.squaredNorm() + 1e-300) / options.most_mass;
-    return at_least_price(1e4 * scale, [&](double price) {
-        Choice choice = within_radius(sweeper, table, start, options, price);
-        const bool is_within = sweeper.mass(choice) <= options.most_mass;
-        return std::pair(std::move(choice), is_within);
-    });
+    Choice found;
+    if (options.most_mass <= 0.0) {
+        found = within_radius(sweeper, table, start, options, 0.0);
+    } else {
+        const double scale = (table.residual.squaredNorm() + 1e-300) / options.most_mass;
+        found = at_least_price(1e4 * scale, [&](double price) {
+            Choice choice = within_radius(sweeper, table, start, options, price);
+            const bool is_within = sweeper.mass(choice) <= options.most_mass;
+            return std::pair(std::move(choice), is_within);
+        });
+    }
+    found.scored = sweeper.scored();
+    return found;
+}
+
+std::vector<Choice> neighbours(const SwapTable& table, const std::vector<std::size_t>& start,
+                               const std::vector<bool>& allowed, std::size_t count,
+                               const base::Control& control) {
+    const std::vector<OneSwap> swaps = single_swaps(table, start, allowed);
+    const VectorXd residual = residual_of(table, start);
+    std::vector<Choice> singles;
+    std::vector<Choice> pairs;
+    for (std::size_t i = 0; i < swaps.size(); ++i) {
+        control.check();
+        Choice single{start, VectorXd::Zero(table.by_factors.cols())};
+        single.columns[swaps[i].group] = swaps[i].column;
+        const VectorXd left = residual + swaps[i].change;
+        single.objective = table.unreached + left.squaredNorm();
+        single.energy = swaps[i].energy;
+        for (std::size_t j = i + 1; j < swaps.size(); ++j) {
+            if (swaps[i].group == swaps[j].group) continue;
+            Choice pair = single;
+            pair.columns[swaps[j].group] = swaps[j].column;
+            pair.objective = table.unreached + (left + swaps[j].change).squaredNorm();
+            pair.energy += swaps[j].energy;
+            pairs.push_back(std::move(pair));
+        }
+        singles.push_back(std::move(single));
+    }
+    keep_best(singles, count);
+    keep_best(pairs, count);
+    std::ranges::move(pairs, std::back_inserter(singles));
+    return singles;
 }
 
 std::vector<bool> fewer_columns(const SwapTable& table, const std::vector<std::size_t>& start,
                                 SweepOptions options, std::size_t most) {
     options.orders = 1;
+    options.proposals = 0;
     const auto used_by = [&](const Choice& choice) {
         std::vector<bool> used(table.columns(), false);
         for (const std::size_t column : choice.columns) used[column] = true;

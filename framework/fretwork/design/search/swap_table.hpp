@@ -33,6 +33,7 @@ struct Choice {
     Eigen::VectorXd steps;
     double objective = 0.0;  ///< the predicted sum of squares
     double energy = 0.0;     ///< elastic energy of the change, J
+    long scored = 0;         ///< swaps that were scored on the way
 };
 
 struct SweepOptions {
@@ -40,15 +41,25 @@ struct SweepOptions {
     double radius = 0.5;        ///< the energy of the change is at most this share of the surface's
     double most_mass = 0.0;     ///< kg, of all groups; 0: any
     std::uint64_t seed = 1;
-    int orders = 3;  ///< random orders of the groups that are tried
+    int proposals = 4000;  ///< of annealing on the table, for each group; 0: none
+    int orders = 3;        ///< random orders of the groups that are tried
     base::Control control{};
 };
 
 /// Solve the integer least squares problem by sweeps. Each group in turn takes its best column while the
 /// other groups stay; then the continuous unknowns take their best values. A price on the energy of the
-/// change keeps it within the radius. Sweeps run in several random orders. Returns the best choice found.
-/// Throws Stopped.
+/// change keeps it within the radius. Sweeps run in several random orders. From the best choice, annealing
+/// with single changes goes on within the radius, if there is no limit on the mass. Returns the best choice
+/// found. Throws Stopped.
 Choice sweep(const SwapTable& table, const std::vector<std::size_t>& start, const SweepOptions& options);
+
+/// The choices that differ from the start in one group, and then those that differ in two, each in the order
+/// of their predicted objectives, the least first: at most `count` of each, without steps of the unknowns.
+/// Cost: (groups x columns)^2. Throws Stopped.
+/// @param allowed  for each column, whether it may be chosen
+std::vector<Choice> neighbours(const SwapTable& table, const std::vector<std::size_t>& start,
+                               const std::vector<bool>& allowed, std::size_t count,
+                               const base::Control& control);
 
 /// Remove columns until a choice has at most `most` different ones. Each time, the column goes whose loss
 /// worsens the sweep least. Returns for each column whether it is left.

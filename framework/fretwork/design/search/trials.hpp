@@ -70,6 +70,11 @@ class Trials {
     /// candidates.
     SwapTable table(const Point& point, const Trial& trial, const std::vector<std::size_t>& columns,
                     std::uint64_t seed, const base::Control& control);
+    /// The misfit of displacements (Trial::objective) with the goals as they are wanted, or with the moved
+    /// aims.
+    [[nodiscard]] double misfit(const std::vector<mechanics::NodeValues>& displacements) const {
+        return objective(displacements, aims_);
+    }
     [[nodiscard]] int solutions() const { return solutions_; }
     /// Count solutions that were made elsewhere.
     void count_solutions(int more) { solutions_ += more; }
