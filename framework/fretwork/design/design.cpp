@@ -140,7 +140,8 @@ class Designer {
     static std::vector<NodeValues> defect(const Trial& trial, const FullCheck& full) {
         std::vector<NodeValues> difference;
         for (std::size_t c = 0; c < trial.displacements.size(); ++c)
-            difference.push_back(trial.displacements[c] - full.displacements[c]);
+            difference.push_back(trial.displacements[c] -
+                                 full.displacements[c].topRows(trial.displacements[c].rows()));
         return difference;
     }
 

@@ -37,7 +37,7 @@ constexpr double kSmallSurface = 44.0;
 constexpr double kMostFactor = 8.0;
 constexpr int kSolutions = 40;
 /// A start is given up if its table promises this many times the best misfit.
-constexpr double kHopeless = 1.3;
+constexpr double kHopelessPromise = 1.3;
 /// Where groups x columns are so few, every change of one group or of two may be solved.
 constexpr std::size_t kSmallTable = 300;
 /// Changes of one group, and so many of two, that are solved around one painting.
@@ -229,7 +229,7 @@ Search::Step Search::step(Solved& current, double& radius, int round, const Dema
         const bool is_too_heavy =
             options_.max_mass > 0.0 && trials_.mass_of(current.point) > options_.max_mass;
         if (!is_too_heavy && !(promised > demand.gain * current.trial.objective)) return Step::NoBetter;
-        if (round > 1 && demand.rival > 0.0 && choice.objective > kHopeless * demand.rival)
+        if (round > 1 && demand.rival > 0.0 && choice.objective > kHopelessPromise * demand.rival)
             return Step::Hopeless;
         Point next = current.point;
         for (std::size_t g = 0; g < start.size(); ++g) next.patterns[g] = columns[choice.columns[g]];
