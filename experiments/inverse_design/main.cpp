@@ -44,7 +44,8 @@ struct Instance {
     simulation::Project project;
     design::Target target;
     std::vector<pattern::NamedPattern> palette;
-    double bent = 0.0;  ///< the largest displacement of the target over the span
+    double bent = 0.0;                ///< the largest displacement of the target over the span
+    std::vector<std::string> hidden;  ///< the pattern of each tile
 };
 
 double largest_of(const design::Target& target) {
@@ -63,6 +64,8 @@ Instance instance_of(const Arguments& arguments) {
                        {experiments::find_hidden(arguments.hidden), instance.palette, arguments.seed});
     const double force = experiments::force_for(hidden, arguments.share);
     instance.project.load_cases = hidden.load_cases = {experiments::tip_load(force)};
+    for (const tiling::TileIndex tile : hidden.tessellation.tiles.indices())
+        instance.hidden.push_back(tiling::pattern_of(hidden.tessellation, tile)->id);
     instance.target =
         arguments.angle > 0.0
             ? experiments::arc(instance.project, arguments.angle * 3.14159265358979323846 / 180.0)
@@ -142,6 +145,13 @@ void print_design(const Arguments& arguments, const Instance& instance) {
     row.seconds = report.seconds;
     row.model_error = report.model_error;
     row.end = design::design_end_name(report.end);
+    if (arguments.angle <= 0.0) {
+        row.equal = 0.0;
+        const tiling::Tessellation& found = report.project.tessellation;
+        for (const tiling::TileIndex tile : found.tiles.indices())
+            row.equal +=
+                tiling::pattern_of(found, tile)->id == instance.hidden[static_cast<std::size_t>(tile.value)];
+    }
     experiments::print(row);
 }
 

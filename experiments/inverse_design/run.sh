@@ -26,22 +26,23 @@ design() {
 ten=$(seq 1 10)
 five=$(seq 1 5)
 three="1 2 3"
-[ "$extent" = small ] && ten="1 2" five="1" three="1"
+two="1 2"
+[ "$extent" = small ] && ten="1 2" five="1" three="1" two="1"
 for seed in $ten; do
   for hidden in graded patchy; do
     design "44_${hidden}_$seed" --columns 11 --rows 4 --hidden $hidden --patterns 24 --seed "$seed"
-    for other in random greedy annealing table cmaes; do
-      design "44_${hidden}_${seed}_$other" --columns 11 --rows 4 --hidden $hidden --patterns 24 --seed "$seed" --baseline $other
-    done
+    design "44_${hidden}_${seed}_table" --columns 11 --rows 4 --hidden $hidden --patterns 24 --seed "$seed" --baseline table
   done
 done
 for seed in $ten; do
   for hidden in graded patchy; do
     design "128_${hidden}_$seed" --columns 16 --rows 8 --hidden $hidden --patterns 24 --seed "$seed"
-    design "128_${hidden}_${seed}_table" --columns 16 --rows 8 --hidden $hidden --patterns 24 --seed "$seed" --baseline table
   done
 done
-for seed in $five; do
+for seed in $three; do
+  for hidden in graded patchy; do
+    design "128_${hidden}_${seed}_table" --columns 16 --rows 8 --hidden $hidden --patterns 24 --seed "$seed" --baseline table
+  done
   for shape in field two arch dome; do
     row "${shape}_$seed" inverse_design_shapes --shape $shape --seed "$seed"
   done
@@ -54,13 +55,24 @@ for seed in $three; do
 done
 for seed in $five; do
   design "200_linear_graded_$seed" --columns 25 --rows 8 --hidden graded --patterns 24 --share 0.01 --seed "$seed"
+done
+for seed in $three; do
   design "200_linear_graded_${seed}_table" --columns 25 --rows 8 --hidden graded --patterns 24 --share 0.01 --seed "$seed" --baseline table
 done
 for seed in $three; do
   design "200_graded_64_$seed" --columns 25 --rows 8 --hidden graded --patterns 64 --seed "$seed"
   design "200_graded_all_$seed" --columns 25 --rows 8 --hidden graded --patterns all --seed "$seed"
+done
+for seed in $two; do
   for hidden in graded patchy; do
     design "500_${hidden}_$seed" --columns 50 --rows 10 --hidden $hidden --patterns 24 --seed "$seed"
+  done
+done
+for seed in $five; do
+  for hidden in graded patchy; do
+    for other in random greedy annealing cmaes; do
+      design "44_${hidden}_${seed}_$other" --columns 11 --rows 4 --hidden $hidden --patterns 24 --seed "$seed" --baseline $other
+    done
   done
 done
 [ "$extent" = small ] || design "2000_graded_1" --columns 100 --rows 20 --hidden graded --patterns 24 --seed 1

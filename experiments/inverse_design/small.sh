@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Strips of seven tiles, five patterns: all 78,125 paintings for a hundred targets, and the search beside them. The
-# enumeration takes some minutes for each of ten palettes and is kept. Usage: small.sh [FOLDER OF PROGRAMS] [OUTPUT FOLDER]
+# enumeration takes some minutes for each of five palettes and is kept. Usage: small.sh [FOLDER OF PROGRAMS] [OUTPUT FOLDER]
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 program=$(realpath "${1:-$here/../../build/release/experiments/inverse_design}")/inverse_design_small
 out=${2:-$here/../../out/inverse_design_small}
 mkdir -p "$out"
-for seed in $(seq 1 10); do
-  [ -s "$out/best_$seed.csv" ] || { "$program" --enumerate --seed "$seed" >"$out/part" && mv "$out/part" "$out/best_$seed.csv"; }
-  "$program" --seed "$seed" >"$out/found_$seed.csv"
+for seed in $(seq 1 5); do
+  [ -s "$out/best_$seed.csv" ] || { "$program" --enumerate --targets 20 --seed "$seed" >"$out/part" && mv "$out/part" "$out/best_$seed.csv"; }
+  "$program" --targets 20 --seed "$seed" >"$out/found_$seed.csv"
 done
 cat "$out"/best_*.csv >"$out/rows_small_best.csv"
 cat "$out"/found_*.csv >"$out/rows_small_found.csv"

@@ -7,7 +7,7 @@ import statistics
 import sys
 
 COLUMNS = ("method tiles target patterns seed bent uniform error ratio solutions full_solutions used_patterns swaps seconds unit "
-           "units half_units model_error end").split()
+           "units half_units model_error end equal").split()
 
 
 def read_rows(folder):
@@ -40,8 +40,8 @@ def main():
     groups = collections.defaultdict(list)
     for row in rows:
         groups[(row["method"], int(row["tiles"]), row["target"], row["patterns"])].append(row)
-    print("| search | tiles | target | patterns | runs | u_max / span | best uniform, % | error, % | ratio | worst ratio | solutions | swaps scored | units | units to half |")
-    print("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|")
+    print("| search | tiles | target | patterns | runs | u_max / span | best uniform, % | error, % | ratio | worst ratio | solutions | swaps scored | units | units to half | tiles as hidden |")
+    print("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|")
     for key in sorted(groups, key=lambda k: (k[1], k[2], k[0])):
         group = groups[key]
         ratios = [float(row["ratio"]) for row in group]
@@ -49,7 +49,7 @@ def main():
         print(f"| {key[0]} | {key[1]} | {key[2]} | {key[3]} | {len(group)} | {text(median(group, 'bent'), 2)} | "
               f"{text(uniform and 100 * uniform)} | {text(error and 100 * error)} | {text(statistics.median(ratios))} | "
               f"{text(max(ratios))} | {text(median(group, 'solutions'))} | {text(median(group, 'swaps') or None)} | {text(median(group, 'units'))} | "
-              f"{text(median(group, 'half_units'))} |")
+              f"{text(median(group, 'half_units'))} | {text(median(group, 'equal'))} |")
 
 
 main()
