@@ -55,20 +55,28 @@ def strain_basis(places, side):
     return np.linalg.qr(rigid, mode="complete")[0][:, 3:]
 
 
-def projectors(strains):
-    """Onto the four irreducible parts under a sixth of a turn."""
+def sixth_of_a_turn(strains):
     turn = np.zeros((18, 18))
     c, s = 0.5, np.sqrt(0.75)
     block = np.array([[1, 0, 0], [0, c, -s], [0, s, c]])
     for i in range(6):
         j = (i + 1) % 6
         turn[3 * j:3 * j + 3, 3 * i:3 * i + 3] = block
-    turn = strains.T @ turn @ strains
+    return strains.T @ turn @ strains
+
+
+def projectors(turn):
+    """Onto the four irreducible parts under a sixth of a turn."""
     parts = []
     for k in range(4):
         total = sum(np.exp(-2j * np.pi * k * j / 6) * np.linalg.matrix_power(turn, j) for j in range(6)) / 6
         parts.append((1 if k in (0, 3) else 2) * total.real)
     return parts
+
+
+def turned_mean(matrix, turn):
+    powers = [np.linalg.matrix_power(turn, j) for j in range(6)]
+    return sum(power.T @ matrix @ power for power in powers) / 6
 
 
 def symmetric_units(size):
@@ -94,40 +102,52 @@ def loewner_bound(family, weight, sign):
     return x + sign * min(0.0, worst) * 1.0001 * np.eye(size)
 
 
-def interval(family):
-    """A <= K <= B for all K: in coordinates in which their mean is the unit matrix."""
+def intervals(family, turn, count, random):
+    """Pairs A <= K <= B for all K. In coordinates in which their mean is the unit matrix, the first pair has the largest
+    and the least trace, the others are the tightest along random directions."""
     mean = sum(family) / len(family)
     values, vectors = np.linalg.eigh(mean)
     root = vectors * np.sqrt(values) @ vectors.T
     inverse = np.linalg.inv(root)
     own = [inverse @ k @ inverse for k in family]
     unit = np.eye(len(mean))
-    low, high = loewner_bound(own, unit, 1), loewner_bound(own, unit, -1)
-    # Wider by a hair, so that B - A can be inverted where all patterns agree.
-    return root @ (low - 1e-6 * unit) @ root, root @ (high + 1e-6 * unit) @ root
+    pairs = []
+    for i in range(count):
+        weight = unit
+        if i > 0:
+            direction = random.standard_normal(len(mean))
+            weight = turned_mean(np.outer(direction, direction), turn) + 0.02 * unit
+        low, high = (turned_mean(loewner_bound(own, weight, sign), turn) for sign in (1, -1))
+        # Wider by a hair, so that B - A can be inverted where all patterns agree.
+        pairs.append((root @ (low - 1e-6 * unit) @ root, root @ (high + 1e-6 * unit) @ root))
+    return pairs
 
 
 class Bounds:
-    """Lagrangian bounds of |C u - y|^2 over K_A u + sum B_t^T s_t = F with s_t . M^-1 s_t <= s_t . e_t, e_t = B_t u, on
-    every irreducible part of every tile. With x = x0 + N z for the equilibrium, all are quadratic in z."""
+    """Lagrangian bounds of |C u - y|^2 over K_A u + sum B_t^T s_t = F with s_t . M^-1 s_t <= s_t . e_t, e_t = B_t u, for
+    every interval, on every irreducible part of every tile. With x = x0 + N z for the equilibrium, all are quadratic in z."""
 
-    def __init__(self, slopes, loads, low, high, parts):
+    def __init__(self, slopes, loads, pairs, parts):
         self.size = slopes[0].shape[1]
         strains = slopes[0].shape[0]
-        stiffness = sum(b.T @ low @ b for b in slopes)
+        base = pairs[0][0]
+        stiffness = sum(b.T @ base @ b for b in slopes)
         equilibrium = np.hstack([stiffness] + [b.T for b in slopes])
         self.offset = np.linalg.lstsq(equilibrium, loads, rcond=None)[0]
         self.directions = np.linalg.svd(equilibrium)[2][self.size:].T
-        inverse = np.linalg.inv(high - low)
-        self.limits = []
+        self.limits = {}
         for t, b in enumerate(slopes):
-            for part in parts:
-                matrix = np.zeros((equilibrium.shape[1],) * 2)
-                place = slice(self.size + strains * t, self.size + strains * (t + 1))
-                matrix[place, place] = part.T @ inverse @ part
-                matrix[place, :self.size] -= 0.5 * part.T @ part @ b
-                matrix[:self.size, place] -= 0.5 * (part.T @ part @ b).T
-                self.limits.append(self.reduced(matrix))
+            strain = np.zeros((strains, equilibrium.shape[1]))
+            strain[:, :self.size] = b
+            excess = np.zeros_like(strain)
+            excess[:, self.size + strains * t:self.size + strains * (t + 1)] = np.eye(strains)
+            for i, (low, high) in enumerate(pairs):
+                inverse = np.linalg.inv(high - low)
+                own = excess + (base - low) @ strain
+                for k, part in enumerate(parts):
+                    answer, cause = part @ own, part @ strain
+                    product = cause.T @ answer
+                    self.limits[t, i, k] = self.reduced(answer.T @ inverse @ answer - 0.5 * (product + product.T))
 
     def reduced(self, matrix, vector=None, constant=0.0):
         """x . matrix x + 2 vector . x + constant as one symmetric matrix of (z, 1)."""
@@ -196,15 +216,15 @@ def main():
     for painting in itertools.product(range(len(family)), repeat=arguments.tiles):
         stiffness = sum(b.T @ family[p] @ b for b, p in zip(slopes, painting))
         shapes[painting] = observe @ np.linalg.solve(stiffness, strip.loads)
-    low, high = interval(family)
-    parts = projectors(strains)
-    bounds = Bounds(slopes, strip.loads, low, high, parts)
-    count = len(parts)
-    all_limits = range(count * arguments.tiles)
-    one = [list(all_limits)]
-    per_tile = [list(range(count * t, count * t + count)) for t in range(arguments.tiles)]
-    per_part = [[i] for i in all_limits]
+    turn = sixth_of_a_turn(strains)
     random = np.random.default_rng(arguments.seed)
+    bounds = Bounds(slopes, strip.loads, intervals(family, turn, 6, np.random.default_rng(arguments.seed)), projectors(turn))
+    keys = list(bounds.limits)
+    first = [key for key in keys if key[1] == 0]
+    one = [first]
+    per_tile = [[key for key in first if key[0] == t] for t in range(arguments.tiles)]
+    per_part = [[key] for key in first]
+    per_interval = [[key for key in keys if key[:2] == (t, i)] for t in range(arguments.tiles) for i in range(6)]
     x = strip.at[strip.free.reshape(-1, 3)[:, 0]][:, 0] / (1.5 * side * arguments.tiles)
     middle = np.median([shape[-1] for shape in shapes.values()])
     for target in range(arguments.targets):
@@ -215,7 +235,7 @@ def main():
         best = min(np.sum((shape - wanted) ** 2) for shape in shapes.values()) / scale
         uniform = min(np.sum((shapes[(p,) * arguments.tiles] - wanted) ** 2) for p in range(len(family))) / scale
         row = [f"{value:.6g}" for value in (uniform, best)]
-        for groups in (one, per_tile, per_part):
+        for groups in (one, per_tile, per_part, per_interval):
             value, status = bounds.bound(observe, wanted, groups)
             row.append(f"{value:.6g}")
         print(",".join([str(arguments.tiles), str(len(family)), str(arguments.seed), str(target)] + row), flush=True)

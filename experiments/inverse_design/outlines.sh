@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# irregular.sh on four outlines with holes, five hidden paintings each: rows_outlines.csv and a table. Goes on where it was
+# irregular.sh on four outlines with holes, three hidden paintings each: rows_outlines.csv and a table. Goes on where it was
 # stopped. Usage: outlines.sh [PROGRAM] [OUTPUT FOLDER]
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
@@ -8,7 +8,7 @@ program=$(realpath "${1:-$here/../../build/release/apps/fretwork/fretwork}")
 out=${2:-$here/../../out/inverse_design_outlines}
 mkdir -p "$out/rows"
 while read -r outline force; do
-  for seed in 1 2 3 4 5; do
+  for seed in 1 2 3; do
     file="$out/rows/${outline}_$seed.csv"
     [ -s "$file" ] && continue
     "$here/irregular.sh" "$program" "$out/work_${outline}_$seed" "$seed" "$outline" "$force" >"$file.part" && mv "$file.part" "$file"

@@ -31,7 +31,6 @@ two="1 2"
 for seed in $ten; do
   for hidden in graded patchy; do
     design "44_${hidden}_$seed" --columns 11 --rows 4 --hidden $hidden --patterns 24 --seed "$seed"
-    design "44_${hidden}_${seed}_table" --columns 11 --rows 4 --hidden $hidden --patterns 24 --seed "$seed" --baseline table
   done
 done
 for seed in $ten; do
@@ -39,41 +38,35 @@ for seed in $ten; do
     design "128_${hidden}_$seed" --columns 16 --rows 8 --hidden $hidden --patterns 24 --seed "$seed"
   done
 done
-for seed in $three; do
+for seed in $five; do
   for hidden in graded patchy; do
-    design "128_${hidden}_${seed}_table" --columns 16 --rows 8 --hidden $hidden --patterns 24 --seed "$seed" --baseline table
+    for other in table greedy annealing cmaes random; do
+      design "44_${hidden}_${seed}_$other" --columns 11 --rows 4 --hidden $hidden --patterns 24 --seed "$seed" --baseline $other
+    done
   done
+done
+for seed in $two; do
   for shape in field two arch dome; do
     row "${shape}_$seed" inverse_design_shapes --shape $shape --seed "$seed"
   done
+  for hidden in graded patchy; do
+    design "128_${hidden}_${seed}_table" --columns 16 --rows 8 --hidden $hidden --patterns 24 --seed "$seed" --baseline table
+  done
+  design "200_graded_64_$seed" --columns 25 --rows 8 --hidden graded --patterns 64 --seed "$seed"
+  design "200_graded_all_$seed" --columns 25 --rows 8 --hidden graded --patterns all --seed "$seed"
+done
+for hidden in graded patchy; do
+  design "500_${hidden}_1" --columns 50 --rows 10 --hidden $hidden --patterns 24 --seed 1
 done
 for seed in $three; do
+  design "200_linear_graded_$seed" --columns 25 --rows 8 --hidden graded --patterns 24 --share 0.01 --seed "$seed"
+done
+for seed in $two; do
   design "44_arc30_$seed" --columns 11 --rows 4 --angle 30 --share 0.26 --patterns all --seed "$seed"
   design "44_arc60_$seed" --columns 11 --rows 4 --angle 60 --share 0.5 --patterns all --seed "$seed"
   design "44_arc90_$seed" --columns 11 --rows 4 --angle 90 --share 0.72 --patterns all --seed "$seed"
   design "44_arc60free_$seed" --columns 11 --rows 4 --angle 60 --share 0.2 --free-factor --patterns all --seed "$seed"
 done
-for seed in $five; do
-  design "200_linear_graded_$seed" --columns 25 --rows 8 --hidden graded --patterns 24 --share 0.01 --seed "$seed"
-done
-for seed in $three; do
-  design "200_linear_graded_${seed}_table" --columns 25 --rows 8 --hidden graded --patterns 24 --share 0.01 --seed "$seed" --baseline table
-done
-for seed in $three; do
-  design "200_graded_64_$seed" --columns 25 --rows 8 --hidden graded --patterns 64 --seed "$seed"
-  design "200_graded_all_$seed" --columns 25 --rows 8 --hidden graded --patterns all --seed "$seed"
-done
-for seed in $two; do
-  for hidden in graded patchy; do
-    design "500_${hidden}_$seed" --columns 50 --rows 10 --hidden $hidden --patterns 24 --seed "$seed"
-  done
-done
-for seed in $five; do
-  for hidden in graded patchy; do
-    for other in random greedy annealing cmaes; do
-      design "44_${hidden}_${seed}_$other" --columns 11 --rows 4 --hidden $hidden --patterns 24 --seed "$seed" --baseline $other
-    done
-  done
-done
+design "200_linear_graded_1_table" --columns 25 --rows 8 --hidden graded --patterns 24 --share 0.01 --seed 1 --baseline table
 [ "$extent" = small ] || design "2000_graded_1" --columns 100 --rows 20 --hidden graded --patterns 24 --seed 1
 python3 "$here/tables.py" "$out/rows" | tee "$out/tables.md"

@@ -45,6 +45,21 @@ Point random_point(const Trials& trials, std::uint64_t seed) {
     return point;
 }
 
+TEST(Trials, KnowThePointOfTheirLastSolution) {
+    const simulation::Project project = test::cantilever_project(3, 2, 0.05);
+    Trials trials = make_trials(project, anything(1.0), {.factor = true});
+    const Point point = random_point(trials, 1);
+    Point other = point;
+    other.unknowns[0] = 0.9;
+    EXPECT_FALSE(trials.is_at(point));
+    const Trial trial = trials.solve(point, {});
+    EXPECT_TRUE(trials.is_at(point));
+    EXPECT_FALSE(trials.is_at(other));
+    EXPECT_DOUBLE_EQ(trials.misfit(trial.displacements), trial.objective);
+    (void)trials.solve(other, {});
+    EXPECT_FALSE(trials.is_at(point));
+}
+
 /// So little load that the surface is linear: then the answer to one swap is exact, however large.
 TEST(Swaps, PredictTheObjectiveOfASingleSwapExactlyWhereTheSurfaceIsLinear) {
     const simulation::Project project = test::cantilever_project(4, 3, 1e-7);

@@ -270,13 +270,14 @@ Solved Search::descend(Solved start, double reserve, const Demand& demand) {
     Solved current = std::move(start);
     double radius = kFirstRadius;
     int failures = 0;
-    // Tables are of the last equilibrium.
+    // The aims may have moved since it was solved. Tables are of the last equilibrium.
+    if (trials_.is_at(current.point)) current.trial.objective = trials_.misfit(current.trial.displacements);
     for (int round = 0; may_go_on(reserve); ++round) {
         if (current.trial.objective <= kReached) {
             end_ = DesignEnd::NoSwapImproves;
             return current;
         }
-        if (failures > 0 || round == 0) {
+        if (!trials_.is_at(current.point)) {
             current.trial = solve(current.point);
             if (!current.trial.is_found) break;
         }
@@ -320,7 +321,7 @@ Solved Search::try_neighbours(Solved best, double reserve, int last_solution) {
     const auto has_budget = [&] { return may_go_on(reserve) && trials_.solutions() < last_solution; };
     for (bool is_better = true; is_better && has_budget() && best.trial.objective > kReached;) {
         is_better = false;
-        best.trial = solve(best.point);
+        if (!trials_.is_at(best.point)) best.trial = solve(best.point);
         std::vector<std::size_t> columns = all_;
         std::ranges::sort(columns);
         std::vector<std::size_t> start;

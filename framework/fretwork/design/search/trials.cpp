@@ -166,6 +166,7 @@ void Trials::paint(const std::vector<std::size_t>& wanted) {
 }
 
 Trial Trials::solve(const Point& point, const base::Control& control) {
+    at_.reset();
     paint(painting(point));
     Trial trial;
     trial.is_found = true;
@@ -177,7 +178,9 @@ Trial Trials::solve(const Point& point, const base::Control& control) {
         trial.is_found = trial.is_found && result.solution.converged() && result.solution.stable;
         trial.displacements.push_back(std::move(result.solution.displacements));
     }
-    if (trial.is_found) trial.objective = objective(trial.displacements, aims_);
+    if (!trial.is_found) return trial;
+    trial.objective = objective(trial.displacements, aims_);
+    at_ = point;
     return trial;
 }
 

@@ -7,6 +7,7 @@
 #include <fretwork/simulation/session.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace fretwork::design::detail {
@@ -66,6 +67,8 @@ class Trials {
 
     /// Throws Stopped.
     Trial solve(const Point& point, const base::Control& control);
+    /// Whether the last solution was that of this point, and was found.
+    [[nodiscard]] bool is_at(const Point& point) const { return at_ == point; }
     /// The table of swaps at the point of the last trial, whose equilibria were found. Columns are
     /// candidates.
     SwapTable table(const Point& point, const Trial& trial, const std::vector<std::size_t>& columns,
@@ -118,6 +121,7 @@ class Trials {
     std::vector<mechanics::NodeValues> aims_;
     double largest_ = 0.0;
     double scale_ = 0.0;
+    std::optional<Point> at_;  ///< of the last solution; none if it was not found
     int solutions_ = 0;
 };
 
