@@ -54,9 +54,8 @@ def option_text(name, lines):
     """An option as an entry of a definition list; choices, which are `name: words` lines, as a list."""
     body = [escape(lines[0].strip())] if lines else [""]
     for line in lines[1:]:
-        choice, colon, words = line.strip().partition(": ")
-        is_choice = colon and " " not in choice.replace(" CONTENT", "").replace(" --content", "")[:60]
-        body.append(f"- `{choice}`: {escape(words)}" if is_choice else f"- {escape(line.strip())}")
+        choice = re.fullmatch(r"(\S+(?: --content \w+)?): (.*)", line.strip())
+        body.append(f"- `{choice[1]}`: {escape(choice[2])}" if choice else f"- {escape(line.strip())}")
     listing = "\n".join([body[0]] + ([""] + body[1:] if body[1:] else []))
     return f"`{name}`\n: " + listing.replace("\n", "\n  ")
 

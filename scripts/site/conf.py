@@ -13,6 +13,7 @@ myst_heading_anchors = 4
 myst_dmath_allow_labels = False
 source_suffix = {".md": "markdown"}
 exclude_patterns = ["_static"]
+smartquotes = False  # they would make a dash of the two hyphens of an option
 html_theme = "furo"
 html_title = "Fretwork"
 html_static_path = ["_static"]

@@ -8,6 +8,7 @@ import markdown_pages as markdown
 
 SCHEMAS = markdown.ROOT / "docs/schemas"
 NAMES = {"minimum": ">=", "exclusiveMinimum": ">", "maximum": "<=", "exclusiveMaximum": "<"}
+PLURALS = {"number": "numbers", "integer": "integers", "string": "strings", "object": "objects"}
 DEPTH = 5
 
 
@@ -32,12 +33,12 @@ def kind_of(node, file):
         return f"`{json.dumps(node['const'])}`"
     if "enum" in node:
         return ", ".join(f"`{json.dumps(value)}`" for value in node["enum"])
-    kind = node.get("type", "object" if "properties" in node else "any value")
+    kind = node.get("type", "object" if rows(node, file) else "any value")
     kind = " or ".join(kind) if isinstance(kind, list) else kind
     if kind == "array":
         count = "" if "minItems" not in node else f"at least {node['minItems']} " if node["minItems"] != node.get("maxItems") else f"{node['minItems']} "
         inner = kind_of(node["items"], file) if isinstance(node.get("items"), dict) else "values"
-        return f"list of {count}({inner})"
+        return f"list of {count}{PLURALS.get(inner, f'({inner})')}"
     limits = " and ".join(f"{sign} {node[name]}" for name, sign in NAMES.items() if name in node)
     return f"{kind} {limits}".strip()
 

@@ -41,7 +41,7 @@ std::set<std::string> cited_keys(const std::string& text) {
 std::map<std::string, std::string> citations() {
     const std::set<std::string> endings = {".hpp", ".cpp", ".md", ".py"};
     std::map<std::string, std::string> found;
-    for (const char* folder : {"framework", "experiments", "apps", "tests", "bench"}) {
+    for (const char* folder : {"docs", "framework", "experiments", "apps", "tests", "bench"}) {
         for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder)) {
             if (!endings.contains(entry.path().extension().string())) continue;
             for (const std::string& key : cited_keys(base::read_text_file(entry.path())))

@@ -22,7 +22,7 @@ std::vector<fs::path> pages() {
     std::vector<fs::path> found;
     for (const auto& entry : fs::directory_iterator(kRoot))
         if (entry.path().extension() == ".md") found.push_back(entry.path());
-    for (const char* folder : {"framework", "experiments", "apps", "tests", "bench"})
+    for (const char* folder : {"docs", "framework", "experiments", "apps", "tests", "bench"})
         for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder))
             if (entry.path().extension() == ".md") found.push_back(entry.path());
     return found;

@@ -4,6 +4,7 @@
 import html.parser
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -70,6 +71,17 @@ class Site(unittest.TestCase):
         for file, page in self.pages.items():
             for source in page.loaded:
                 self.assertFalse(source.startswith(("http", "//", "/")), f"{file.relative_to(self.site)}: {source}")
+
+    def test_pages_of_verbs_have_every_option_of_their_help(self):
+        count = 0
+        for page in sorted((self.site / "docs/reference/commands").glob("*.html")):
+            text = page.read_text()
+            help_text = subprocess.run([support.PROGRAM, page.stem, "--help"], text=True, capture_output=True, check=True).stdout
+            for option in re.findall(r"^  (?:-\w,)?(--[\w-]+)", help_text, re.M):
+                if option != "--help":
+                    self.assertIn(f">{option}", text, page.name)
+                    count += 1
+        self.assertGreater(count, 100)
 
     def shown(self, page, *query):
         """A page as a browser has it once its scripts have run."""
