@@ -62,6 +62,7 @@ def build(out, program, package):
     write_references(source, program, package)
     copy_static(source)
     shutil.copy(HERE / "conf.py", source)
+    shutil.copy(HERE / "scorer.js", source)
     jobs = str(os.cpu_count() or 1)
     trees = source.parent / "site-doctrees"
     code = subprocess.run([sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-j", jobs, "-b", "html", "-d", trees, source, out]).returncode

@@ -2,6 +2,7 @@
 """Sphinx' settings for the site: Markdown by MyST, the theme furo, equations by KaTeX; no file comes from a network."""
 
 import html
+import pathlib
 
 from docutils import nodes
 
@@ -17,6 +18,7 @@ smartquotes = False  # they would make a dash of the two hyphens of an option
 html_theme = "furo"
 html_title = "Fretwork"
 html_static_path = ["_static"]
+html_search_scorer = str(pathlib.Path(__file__).with_name("scorer.js"))
 html_css_files = ["site.css", "katex/katex.min.css"]
 html_js_files = ["katex/katex.min.js", "equations.js"]
 html_math_renderer = "katex"

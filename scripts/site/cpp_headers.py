@@ -98,6 +98,7 @@ def plain(node):
 def tidy(text):
     """A declaration as the headers write it: `const Frame& frame`, `std::span<const double>`."""
     text = re.sub(r"\s+", " ", text).strip().replace("< ", "<").replace(" >", ">")
+    text = re.sub(r"(\w) \{\}", r"\1{}", text)
     return re.sub(r" ([&*]+) ?(?=[\w,)=]|$)", r"\1 ", text).replace(" ,", ",").replace(" )", ")").strip()
 
 
@@ -114,8 +115,7 @@ def declaration(member):
         parameters = [" ".join(filter(None, (plain(p.find("type")), plain(p.find("declname"))))) for p in template]
         prefix = f"template <{', '.join(parameters)}>\n"
     if kind == "typedef":
-        text = plain(member.find("definition"))
-        return prefix + text + ";"
+        return f"{prefix}using {name} = {tidy(plain(member.find('type')).removeprefix('typedef '))};"
     if member.get("static") == "yes":
         prefix += "static "
     if kind == "variable":
