@@ -4,7 +4,9 @@
 #include <fretwork/base/parallel.hpp>
 
 #include <atomic>
+#include <latch>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace fretwork::base {
@@ -31,6 +33,30 @@ TEST(ParallelFor, ThrowsTheFailureOfTheSmallestIndex) {
         });
         EXPECT_EQ(message, "20");
     }
+}
+
+TEST(ParallelFor, CallsWithinCallsDoAllOfTheWork) {
+    for (int round = 0; round < 20; ++round) {
+        std::vector<std::atomic<int>> calls(5 * 40);
+        parallel_for(
+            5, 4, [&](std::size_t i) { parallel_for(40, 3, [&](std::size_t j) { ++calls[40 * i + j]; }); });
+        for (const auto& count : calls) EXPECT_EQ(count.load(), 1);
+    }
+}
+
+// Each round needs two threads at once. Threads that were started for it alone would all come for the first
+// time; the most that any other test of this program has started is below ten.
+TEST(ParallelFor, ThreadsAreKeptFromCallToCall) {
+    std::atomic<int> newcomers{0};
+    for (int round = 0; round < 40; ++round) {
+        std::latch both(2);
+        parallel_for(2, 2, [&](std::size_t) {
+            thread_local bool has_come = false;
+            if (!std::exchange(has_come, true)) ++newcomers;
+            both.arrive_and_wait();
+        });
+    }
+    EXPECT_LT(newcomers.load(), 20);
 }
 
 /// Two trees: 4 over 0, 1 and 3, which is over 2; and 5 alone.

@@ -13,6 +13,8 @@
 namespace fretwork::base {
 namespace {
 
+constexpr std::size_t kMostThreads = 256;
+
 /// The first failure by index, whichever thread meets it first.
 class FirstFailure {
   public:
@@ -100,26 +102,94 @@ class TreeWork {
     FirstFailure failure_;
 };
 
+/// Threads that are kept from one call to the next: to start one takes as long as to factorize a small
+/// matrix. They help whoever has work to share, and a caller does not wait for help that has not begun.
+class Helpers {
+  public:
+    Helpers() = default;
+    Helpers(const Helpers&) = delete;
+    Helpers& operator=(const Helpers&) = delete;
+    ~Helpers() {
+        {
+            const std::lock_guard lock(mutex_);
+            is_ending_ = true;
+        }
+        offered_.notify_all();
+    }
+
+    /// Run `work` on this thread, and on up to `wanted` others.
+    void share(std::size_t wanted, const std::function<void()>& work) {
+        Offer offer{work, wanted};
+        {
+            const std::lock_guard lock(mutex_);
+            offers_.push_back(&offer);
+            start_threads();
+        }
+        offered_.notify_all();
+        work();
+        std::unique_lock lock(mutex_);
+        std::erase(offers_, &offer);
+        ended_.wait(lock, [&] { return offer.helping == 0; });
+    }
+
+  private:
+    struct Offer {
+        const std::function<void()>& work;
+        std::size_t wanted;  ///< helpers that have not come yet
+        std::size_t helping = 0;
+    };
+
+    /// As many as are wanted and not there.
+    void start_threads() {
+        std::size_t wanted = 0;
+        for (const Offer* offer : offers_) wanted += offer->wanted;
+        try {
+            for (; idle_ < wanted && threads_.size() < kMostThreads; ++idle_)
+                threads_.emplace_back([this] { help(); });
+        } catch (const std::system_error&) {
+            // The machine gives no more threads: those that there are do all of the work.
+        }
+    }
+
+    void help() {
+        std::unique_lock lock(mutex_);
+        for (;; ++idle_) {
+            offered_.wait(lock, [&] { return is_ending_ || !offers_.empty(); });
+            --idle_;
+            if (is_ending_) return;
+            Offer& offer = *offers_.front();
+            if (--offer.wanted == 0) offers_.erase(offers_.begin());
+            ++offer.helping;
+            lock.unlock();
+            offer.work();
+            lock.lock();
+            if (--offer.helping == 0) ended_.notify_all();
+        }
+    }
+
+    std::mutex mutex_;
+    std::condition_variable offered_;
+    std::condition_variable ended_;
+    std::vector<Offer*> offers_;  ///< that want helpers
+    std::size_t idle_ = 0;        ///< threads that wait for an offer, or are on their way there
+    bool is_ending_ = false;
+    std::vector<std::jthread> threads_;  ///< the last member: they end before the others do
+};
+
 /// Run `work` on this thread and on as many others as are useful for `count` pieces.
 void run_on_threads(std::size_t count, int threads, const std::function<void()>& work) {
-    const std::size_t helpers =
-        std::min<std::size_t>(resolved_thread_count(threads), std::max<std::size_t>(count, 1)) - 1;
-    std::vector<std::jthread> pool;
-    pool.reserve(helpers);
-    try {
-        for (std::size_t i = 0; i < helpers; ++i) pool.emplace_back(work);
-    } catch (const std::system_error&) {
-        // The machine gives no more threads: those that there are do all of the work.
-    }
-    work();
+    static Helpers helpers;
+    const std::size_t useful =
+        std::min<std::size_t>(resolved_thread_count(threads), std::max<std::size_t>(count, 1));
+    if (useful == 1) return work();
+    helpers.share(useful - 1, work);
 }
 
 }  // namespace
 
 int resolved_thread_count(int wanted) {
-    constexpr int kMost = 256;
     const int present = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    return std::min(wanted > 0 ? wanted : present, kMost);
+    return std::min(wanted > 0 ? wanted : present, static_cast<int>(kMostThreads));
 }
 
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body) {
