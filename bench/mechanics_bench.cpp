@@ -17,6 +17,7 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -225,6 +226,43 @@ void stiffness_by(benchmark::State& state) {
 using EigenLdlt = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
 using CholmodSupernodal = Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>>;
 
+/// The graph of a lattice of hexagonal tiles, of which each couples the middles of its six sides.
+sparse::NodeGraph tile_graph(int columns, int rows) {
+    FrameBuilder middles;
+    sparse::Cliques tiles;
+    for (int j = 0; j < rows; ++j) {
+        for (int i = 0; i < columns; ++i) {
+            std::array<int, 6> tile{};
+            for (int k = 0; k < 6; ++k) {
+                const double angle = std::numbers::pi * k / 3.0;
+                tile[k] = middles.node(kSide * std::sqrt(3.0) * (i + 0.5 * (j % 2) + 0.5 * std::cos(angle)),
+                                       kSide * (1.5 * j + 0.5 * std::sqrt(3.0) * std::sin(angle)));
+            }
+            tiles.add(tile);
+        }
+    }
+    const Frame frame = middles.take();
+    sparse::NodeGraph graph = sparse::node_graph(static_cast<int>(frame.nodes.size()), std::move(tiles));
+    graph.places.assign(frame.nodes.begin(), frame.nodes.end());
+    return graph;
+}
+
+/// What an order costs, and what a factorization in it: with the places of the nodes, and without.
+enum class Places { Known, Unknown };
+void order_tiles(benchmark::State& state, Places places) {
+    sparse::NodeGraph graph = tile_graph(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+    if (places == Places::Unknown) graph.places.clear();
+    const std::vector<sparse::Components> free(graph.nodes, {true, true, true, true, true, true});
+    std::vector<int> order;
+    for (auto _ : state) {
+        order = sparse::elimination_order(graph, free);
+        benchmark::DoNotOptimize(order.data());
+    }
+    const sparse::SystemLayout layout(graph, free, order);
+    state.counters["nodes"] = graph.nodes;
+    state.counters["multiplications"] = sparse::Ldlt(layout).factorization_work();
+}
+
 int iterations_of(const std::vector<Solution>& path) {
     int iterations = 0;
     for (const Solution& solution : path) iterations += solution.iterations;
@@ -347,6 +385,11 @@ void of_three_sizes(benchmark::internal::Benchmark* rows) {
     rows->Args({15, 15})->Args({31, 31})->Args({69, 70});
 }
 
+void of_tiles(benchmark::internal::Benchmark* rows) {
+    rows->ArgNames({"columns", "rows"})->Unit(benchmark::kMillisecond);
+    rows->Args({10, 10})->Args({22, 23})->Args({45, 45})->Args({100, 100});
+}
+
 void of_more_inner_nodes(benchmark::internal::Benchmark* rows) {
     rows->ArgName("divisions")->Unit(benchmark::kMicrosecond)->DenseRange(1, 3);
 }
@@ -362,6 +405,8 @@ BENCHMARK(linear_other_sections)->Apply(of_ten_thousand_nodes);
 BENCHMARK(stiffness_by_this_project)->Apply(of_three_sizes);
 BENCHMARK(stiffness_by<EigenLdlt>)->Apply(of_three_sizes);
 BENCHMARK(stiffness_by<CholmodSupernodal>)->Apply(of_three_sizes);
+BENCHMARK_CAPTURE(order_tiles, by_place, Places::Known)->Apply(of_tiles);
+BENCHMARK_CAPTURE(order_tiles, by_degree, Places::Unknown)->Apply(of_tiles);
 BENCHMARK_CAPTURE(hexagon_path, bending, bent_hexagon)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(hexagon_path, dome, domed_hexagon)->Unit(benchmark::kMillisecond);
 BENCHMARK(condense_hexagon)->Unit(benchmark::kMicrosecond);

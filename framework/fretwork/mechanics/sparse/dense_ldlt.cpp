@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/internal/instruction_sets.hpp>
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/mechanics/sparse/dense_ldlt.hpp>
 
@@ -7,20 +8,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
-
-// The build is for any machine of its architecture; where the compiler can, these loops come in several
-// versions and the machine picks one when the program starts. (The sanitizers do not run that early.) The
-// first two give the same bits (tests/mechanics/instruction_sets_test.cpp): each fuses all products with the
-// sums that they go into, so no sum may be of two products. With avx512f alone, short strips would not be
-// fused.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12 && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) &&                   \
-    !defined(FRETWORK_ONE_INSTRUCTION_SET)
-#define FRETWORK_CLONES __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#else
-#define FRETWORK_CLONES
-#endif
-#define FRETWORK_INLINE inline __attribute__((always_inline))
 
 namespace fretwork::mechanics::sparse {
 namespace {
@@ -62,23 +49,36 @@ struct BlockSolve {
     double inverse[kBlock] = {};       ///< of the pivots
 };
 
+/// Whether the machine has 32 vector registers of eight numbers. Then the sums of two strips fit into them,
+/// and one alone would wait for its own: a fused product takes as long as eight others need to start.
+bool has_many_registers() {
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12
+    __builtin_cpu_init();
+    return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
+           __builtin_cpu_supports("avx512vl") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
+           __builtin_cpu_supports("avx512cd") != 0;
+#else
+    return false;
+#endif
+}
+const bool kPairsStrips = has_many_registers();
+
 template <class Strip>
-FRETWORK_INLINE void subtract_tile(double* target, Index stride, const Product& product, int count,
-                                   const BlockSolve* solve) {
-    Strip sum[kBlock] = {};
-    const double* left = product.left;
-    const double* packed = product.packed;
-    for (Index p = 0; p < product.depth; ++p, left += product.stride, packed += kBlock) {
-        const Strip a = *reinterpret_cast<const Strip*>(left);
-#pragma GCC unroll 6
-        for (int c = 0; c < kBlock; ++c) sum[c] += a * packed[c];
-    }
+constexpr Index kRowsOf = sizeof(Strip) / sizeof(double);
+
+template <class Strip>
+using Sums = Strip[kBlock];
+
+/// Subtract the sums of one strip from its columns and, if wished, make them rows of L.
+template <class Strip>
+FRETWORK_INLINE void finish_strip(double* target, const Columns& columns, const Product& product,
+                                  const BlockSolve* solve, Sums<Strip>& sum) {
 #pragma GCC unroll 6
     for (int c = 0; c < kBlock; ++c) {
         if (product.replaces) {
             sum[c] = -sum[c];
-        } else if (c < count) {
-            sum[c] = *reinterpret_cast<const Strip*>(target + c * stride) - sum[c];
+        } else if (c < columns.count) {
+            sum[c] = *reinterpret_cast<const Strip*>(target + c * columns.stride) - sum[c];
         }
     }
     if (solve != nullptr) {
@@ -91,25 +91,50 @@ FRETWORK_INLINE void subtract_tile(double* target, Index stride, const Product& 
     }
 #pragma GCC unroll 6
     for (int c = 0; c < kBlock; ++c) {
-        if (c < count) *reinterpret_cast<Strip*>(target + c * stride) = sum[c];
+        if (c < columns.count) *reinterpret_cast<Strip*>(target + c * columns.stride) = sum[c];
     }
 }
 
+/// Rows [i, i + Strips * kRowsOf<Strip>) of the columns. Each sum is made in the same order, however many
+/// strips there are.
+template <class Strip, int Strips>
+FRETWORK_INLINE void subtract_tile(const Columns& columns, Index i, const Product& product,
+                                   const BlockSolve* solve) {
+    Sums<Strip> sum[Strips] = {};
+    const double* left = product.left + i;
+    const double* packed = product.packed;
+    for (Index p = 0; p < product.depth; ++p, left += product.stride, packed += kBlock) {
+        Strip a[Strips];
+#pragma GCC unroll 2
+        for (int s = 0; s < Strips; ++s) a[s] = *reinterpret_cast<const Strip*>(left + s * kRowsOf<Strip>);
+#pragma GCC unroll 6
+        for (int c = 0; c < kBlock; ++c) {
+#pragma GCC unroll 2
+            for (int s = 0; s < Strips; ++s) sum[s][c] += a[s] * packed[c];
+        }
+    }
+#pragma GCC unroll 2
+    for (int s = 0; s < Strips; ++s)
+        finish_strip<Strip>(columns.values + i + s * kRowsOf<Strip>, columns, product, solve, sum[s]);
+}
+
 /// Subtract from rows [first, columns.rows) of at most kBlock columns and, if wished, make them rows of L.
-FRETWORK_INLINE void subtract_rows(const Columns& columns, Index first, Product product,
+FRETWORK_INLINE void subtract_rows(const Columns& columns, Index first, const Product& product,
                                    const BlockSolve* solve = nullptr) {
-    const double* left = product.left;
     Index i = first;
-    const auto tile = [&]<class Strip>(Strip*) __attribute__((always_inline)) {
-        product.left = left + i;
-        subtract_tile<Strip>(columns.values + i, columns.stride, product, columns.count, solve);
-        // NOLINTNEXTLINE(bugprone-sizeof-expression): a vector of doubles
-        i += static_cast<Index>(sizeof(Strip) / sizeof(double));
-    };
-    while (i + 8 <= columns.rows) tile(static_cast<Strip8*>(nullptr));
-    if (i + 4 <= columns.rows) tile(static_cast<Strip4*>(nullptr));
-    if (i + 2 <= columns.rows) tile(static_cast<Strip2*>(nullptr));
-    if (i < columns.rows) tile(static_cast<double*>(nullptr));
+    if (kPairsStrips) {
+        for (; i + 16 <= columns.rows; i += 16) subtract_tile<Strip8, 2>(columns, i, product, solve);
+    }
+    for (; i + 8 <= columns.rows; i += 8) subtract_tile<Strip8, 1>(columns, i, product, solve);
+    if (i + 4 <= columns.rows) {
+        subtract_tile<Strip4, 1>(columns, i, product, solve);
+        i += 4;
+    }
+    if (i + 2 <= columns.rows) {
+        subtract_tile<Strip2, 1>(columns, i, product, solve);
+        i += 2;
+    }
+    if (i < columns.rows) subtract_tile<double, 1>(columns, i, product, solve);
 }
 
 /// Rows [row, row + kBlock) of the panel's columns [from, to), each times its pivot.
@@ -290,7 +315,35 @@ FRETWORK_CLONES void back(const Front& front, double* x, const double* below) {
         subtract_dots_of<1>(front.panel + j * stride + j + 1, stride, front.width - j - 1, x + j + 1, x + j);
 }
 
+/// Add the columns of runs[first] on and below their diagonals to columns of the next front, of which
+/// `target` is the one that the first of them comes to.
+FRETWORK_INLINE void add_run(const Remainder& remainder, std::size_t first, double* target, Index stride) {
+    const RowRun& own = remainder.runs[first];
+    for (Index column = own.from; column < own.from + own.length; ++column, target += stride) {
+        const double* source = remainder.rest + column * remainder.rows;
+        for (std::size_t r = first; r < remainder.runs.size(); ++r) {
+            const RowRun& run = remainder.runs[r];
+            const Index begin = r == first ? column : run.from;
+            double* __restrict to = target + run.to - run.from;
+            for (Index i = begin; i < run.from + run.length; ++i) to[i] += source[i];
+        }
+    }
+}
+
 }  // namespace
+
+FRETWORK_CLONES void add_to_panel(const Remainder& remainder, const Front& front) {
+    const Index stride = front.width + front.rows;
+    for (std::size_t r = 0; r < remainder.runs.size() && remainder.runs[r].to < front.width; ++r)
+        add_run(remainder, r, front.panel + remainder.runs[r].to * stride, stride);
+}
+
+FRETWORK_CLONES void add_to_rest(const Remainder& remainder, const Front& front) {
+    for (std::size_t r = 0; r < remainder.runs.size(); ++r) {
+        const Index place = remainder.runs[r].to - front.width;
+        if (place >= 0) add_run(remainder, r, front.rest + place * front.rows - front.width, front.rows);
+    }
+}
 
 void require_finite(std::span<const double> diagonal) {
     if (!std::all_of(diagonal.begin(), diagonal.end(), [](double value) { return std::isfinite(value); }))

@@ -19,6 +19,25 @@ struct Front {
     double* rest = nullptr;   ///< rows x rows; only the lower triangle is used
 };
 
+/// Rows that are neighbours in one front, and also in the next.
+struct RowRun {
+    int from = 0;    ///< the first of them below the columns of the first front
+    int to = 0;      ///< its row in the next front
+    int length = 0;  ///< all are columns of the next front's panel, or none
+};
+
+/// What an eliminated front leaves to the next, and where its rows come there: ascending.
+struct Remainder {
+    const double* rest;  ///< rows x rows, lower triangle
+    int rows;
+    std::span<const RowRun> runs;
+};
+
+/// Add the columns that the next front eliminates: to its panel, before.
+void add_to_panel(const Remainder& remainder, const Front& front);
+/// Add the others: to its rest, afterwards.
+void add_to_rest(const Remainder& remainder, const Front& front);
+
 /// A pivot below this share of its diagonal entry counts as zero, because only rounding is left of it.
 constexpr double kZeroPivot = 64.0 * std::numeric_limits<double>::epsilon();
 

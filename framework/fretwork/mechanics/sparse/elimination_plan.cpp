@@ -54,10 +54,6 @@ class Storage {
     std::size_t size_ = 0;
 };
 
-std::size_t square(int size) {
-    return at(size) * at(size);
-}
-
 /// The multiplications of each supernode and all below it.
 std::vector<double> subtree_work(const SupernodeTree& tree) {
     std::vector<double> work(tree.supernodes.size(), 0.0);
@@ -122,23 +118,45 @@ void list_supernodes(const Cut& cut, std::size_t supernodes, EliminationPlan& pl
         plan.supernode[at(next[at(cut.task_of(s))]++)] = static_cast<int>(s);
 }
 
-/// Each task has its own storage, so tasks do not affect each other.
-void plan_storage(const SupernodeTree& tree, const Cut& cut, EliminationPlan& plan) {
+/// Numbers that a supernode hands on to its parent.
+using Handed = std::size_t (*)(const Supernode&);
+
+/// Places each supernode's share until its parent has taken it. Each task has its own storage, so tasks do
+/// not affect each other.
+StoragePlan plan_storage(const SupernodeTree& tree, const Cut& cut, const EliminationPlan& plan,
+                         Handed handed) {
     constexpr std::size_t kCacheLine = 8;
-    plan.rest_start.resize(tree.supernodes.size());
+    StoragePlan result;
+    result.start.resize(tree.supernodes.size());
     for (std::size_t task = 0; task < plan.parent.size(); ++task) {
         Storage storage;
         for (const int s : plan.supernodes_of(task)) {
-            plan.rest_start[at(s)] = plan.storage_size + storage.take(square(tree.supernodes[at(s)].rows));
+            result.start[at(s)] = result.size + storage.take(handed(tree.supernodes[at(s)]));
             for (int k = tree.child_start[at(s)]; k < tree.child_start[at(s) + 1]; ++k) {
                 const auto child = at(tree.child[at(k)]);
                 if (cut.task_of(child) == static_cast<int>(task))
-                    storage.give_back(plan.rest_start[child] - plan.storage_size,
-                                      square(tree.supernodes[child].rows));
+                    storage.give_back(result.start[child] - result.size, handed(tree.supernodes[child]));
             }
         }
-        plan.storage_size += (storage.size() + kCacheLine - 1) / kCacheLine * kCacheLine;
+        result.size += (storage.size() + kCacheLine - 1) / kCacheLine * kCacheLine;
     }
+    return result;
+}
+
+void list_levels(EliminationPlan& plan) {
+    std::vector<int> level(plan.parent.size(), 0);
+    int levels = 1;
+    for (std::size_t t = level.size(); t-- > 0;) {  // parents come last
+        if (plan.parent[t] >= 0) level[t] = level[at(plan.parent[t])] + 1;
+        levels = std::max(levels, level[t] + 1);
+    }
+    plan.level_start.assign(at(levels) + 1, 0);
+    for (const int own : level) ++plan.level_start[at(own) + 1];
+    for (std::size_t l = 0; l < at(levels); ++l) plan.level_start[l + 1] += plan.level_start[l];
+    std::vector<int> next(plan.level_start.begin(), plan.level_start.end() - 1);
+    plan.task_by_level.resize(level.size());
+    for (std::size_t t = 0; t < level.size(); ++t)
+        plan.task_by_level[at(next[at(level[t])]++)] = static_cast<int>(t);
 }
 
 }  // namespace
@@ -148,7 +166,10 @@ EliminationPlan plan_elimination(const SupernodeTree& tree, int threads) {
     EliminationPlan plan;
     plan.parent = cut.parents();
     list_supernodes(cut, tree.supernodes.size(), plan);
-    plan_storage(tree, cut, plan);
+    list_levels(plan);
+    plan.rests =
+        plan_storage(tree, cut, plan, [](const Supernode& own) { return at(own.rows) * at(own.rows); });
+    plan.updates = plan_storage(tree, cut, plan, [](const Supernode& own) { return at(own.rows); });
     return plan;
 }
 

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <iterator>
 
 namespace fretwork::mechanics::sparse {
 namespace {
@@ -38,15 +38,13 @@ std::shared_ptr<const Ldlt::Analysis> Ldlt::analyse(const SystemLayout& layout, 
     analysis->tree = supernode_tree(layout, control);
     analysis->plan = plan_elimination(analysis->tree, analysis->threads);
     analysis->entry_place = entry_places(layout, analysis->tree);
-    for (const Supernode& supernode : analysis->tree.supernodes)
-        analysis->most_rows = std::max(analysis->most_rows, supernode.rows);
     return analysis;
 }
 
 Ldlt::Ldlt(std::shared_ptr<const Analysis> analysis)
     : analysis_(std::move(analysis)),
       factor_(make_large_array(analysis_->tree.factor_size)),
-      storage_(make_large_array(analysis_->plan.storage_size)),
+      storage_(make_large_array(analysis_->plan.rests.size)),
       diagonal_(at(analysis_->layout->equations())),
       pivots_(analysis_->tree.supernodes.size()) {}
 
@@ -60,7 +58,7 @@ Ldlt Ldlt::another() const {
 Front Ldlt::front_of(std::size_t supernode) const {
     const Supernode& own = analysis_->tree.supernodes[supernode];
     return {own.width, own.rows, factor_.get() + own.panel_start,
-            storage_.get() + analysis_->plan.rest_start[supernode]};
+            storage_.get() + analysis_->plan.rests.start[supernode]};
 }
 
 Ldlt::Outcome Ldlt::factorize(std::span<const double> values, const base::Control& control) {
@@ -89,10 +87,7 @@ void Ldlt::eliminate_task(std::size_t task, std::span<const double> values, cons
         const auto s = at(supernode);
         const Supernode& own = analysis_->tree.supernodes[s];
         const Front front = front_of(s);
-        const auto children =
-            std::span(analysis_->tree.child)
-                .subspan(at(analysis_->tree.child_start[s]),
-                         at(analysis_->tree.child_start[s + 1] - analysis_->tree.child_start[s]));
+        const std::span<const int> children = children_of(s);
         // The columns after a pivot that vanished are of no use; they are left out, so that results are
         // always the same.
         const auto failed = [&](int child) { return pivots_[at(child)].zero >= 0; };
@@ -101,11 +96,11 @@ void Ldlt::eliminate_task(std::size_t task, std::span<const double> values, cons
             continue;
         }
         assemble(own, values, front);
-        for (const int child : children) add_to_panel(at(child), front);
+        for (const int child : children) add_to_panel(remainder_of(at(child)), front);
         const auto diagonal = std::span(diagonal_).subspan(at(own.first), at(own.width));
         pivots_[s] = eliminate(front, {diagonal, kZeroPivot}, scratch, crew);
         if (pivots_[s].zero >= 0) continue;
-        for (const int child : children) add_to_rest(at(child), front);
+        for (const int child : children) add_to_rest(remainder_of(at(child)), front);
     }
 }
 
@@ -121,72 +116,17 @@ void Ldlt::assemble(const Supernode& supernode, std::span<const double> values, 
     }
 }
 
-/// Add the columns of what a child has left that its parent eliminates: the first ones.
-void Ldlt::add_to_panel(std::size_t child, const Front& front) const {
-    const Supernode& own = analysis_->tree.supernodes[child];
-    const int* place = analysis_->tree.place.data() + own.row_start;
-    const double* source = storage_.get() + analysis_->plan.rest_start[child];
-    for (int column = 0; column < own.rows && place[column] < front.width; ++column) {
-        double* target = front.panel + at(place[column]) * at(front.width + front.rows);
-        for (int i = column; i < own.rows; ++i) target[place[i]] += source[at(column) * at(own.rows) + at(i)];
-    }
-}
-
-/// Add the others.
-void Ldlt::add_to_rest(std::size_t child, const Front& front) const {
-    const Supernode& own = analysis_->tree.supernodes[child];
-    const int* place = analysis_->tree.place.data() + own.row_start;
-    const double* source = storage_.get() + analysis_->plan.rest_start[child];
-    const auto first = static_cast<int>(std::lower_bound(place, place + own.rows, front.width) - place);
-    for (int column = first; column < own.rows; ++column) {
-        double* target = front.rest + at(place[column] - front.width) * at(front.rows) - front.width;
-        for (int i = column; i < own.rows; ++i) target[place[i]] += source[at(column) * at(own.rows) + at(i)];
-    }
-}
-
-void Ldlt::substitute_forward_in(std::size_t supernode, Columns columns, Workspace& work) const {
+Remainder Ldlt::remainder_of(std::size_t supernode) const {
     const SupernodeTree& tree = analysis_->tree;
-    const Supernode& own = tree.supernodes[supernode];
-    const int* row = tree.row.data() + own.row_start;
-    const Front front = front_of(supernode);
-    for (Eigen::Index c = 0; c < columns.count; ++c) {
-        work.control.check();
-        double* x = columns.values + c * analysis_->layout->equations();
-        double* first = x + own.first;
-        // A load on a few nodes meets few supernodes on its way to the roots.
-        if (std::all_of(first, first + own.width, [](double value) { return value == 0.0; })) continue;
-        std::fill_n(work.scratch.data(), own.rows, 0.0);
-        substitute_forward(front, first, work.scratch.data());
-        for (int i = 0; i < own.rows; ++i) x[row[i]] -= work.scratch[at(i)];
-    }
+    const std::size_t first = tree.run_start[supernode];
+    return {storage_.get() + analysis_->plan.rests.start[supernode], tree.supernodes[supernode].rows,
+            std::span(tree.run).subspan(first, tree.run_start[supernode + 1] - first)};
 }
 
-void Ldlt::substitute_back_in(std::size_t supernode, Columns columns, Workspace& work) const {
+std::span<const int> Ldlt::children_of(std::size_t supernode) const {
     const SupernodeTree& tree = analysis_->tree;
-    const Supernode& own = tree.supernodes[supernode];
-    const int* row = tree.row.data() + own.row_start;
-    const Front front = front_of(supernode);
-    for (Eigen::Index c = 0; c < columns.count; ++c) {
-        work.control.check();
-        double* x = columns.values + c * analysis_->layout->equations();
-        for (int i = 0; i < own.rows; ++i) work.scratch[at(i)] = x[row[i]];
-        substitute_back(front, x + own.first, work.scratch.data());
-    }
-}
-
-void Ldlt::solve_columns(Columns columns, const base::Control& control) const {
-    Workspace work{control, std::vector<double>(at(analysis_->most_rows))};
-    const std::size_t supernodes = analysis_->tree.supernodes.size();
-    for (std::size_t s = 0; s < supernodes; ++s) substitute_forward_in(s, columns, work);
-    for (std::size_t s = supernodes; s-- > 0;) substitute_back_in(s, columns, work);
-}
-
-void Ldlt::solve(Eigen::VectorXd& right_side, const base::Control& control) const {
-    solve_columns({right_side.data(), 1}, control);
-}
-
-void Ldlt::solve(Eigen::MatrixXd& right_sides, const base::Control& control) const {
-    solve_columns({right_sides.data(), right_sides.cols()}, control);
+    const auto first = at(tree.child_start[supernode]);
+    return std::span(tree.child).subspan(first, at(tree.child_start[supernode + 1]) - first);
 }
 
 std::vector<std::size_t> Ldlt::path_from(std::span<const int> equations) const {
@@ -210,10 +150,16 @@ std::vector<std::size_t> Ldlt::path_from(std::span<const int> equations) const {
 
 Eigen::MatrixXd Ldlt::inverse_form(Eigen::MatrixXd columns, std::span<const int> equations,
                                    const base::Control& control) const {
-    Workspace work{control, std::vector<double>(at(analysis_->most_rows))};
+    Substitution substitution = begin({columns.data(), columns.cols()}, control);
     Eigen::MatrixXd form = Eigen::MatrixXd::Zero(columns.cols(), columns.cols());
+    std::vector<bool> is_on_path(analysis_->tree.supernodes.size(), false);
+    std::vector<int> children;
     for (const std::size_t s : path_from(equations)) {
-        substitute_forward_in(s, {columns.data(), columns.cols()}, work);
+        is_on_path[s] = true;
+        children.clear();
+        std::ranges::copy_if(children_of(s), std::back_inserter(children),
+                             [&](int child) { return is_on_path[at(child)]; });
+        substitute_forward_in(s, children, substitution);
         const Front front = front_of(s);
         Eigen::MatrixXd rows = columns.middleRows(analysis_->tree.supernodes[s].first, front.width);
         for (int i = 0; i < front.width; ++i)

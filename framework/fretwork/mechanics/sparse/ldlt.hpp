@@ -71,7 +71,6 @@ class Ldlt {
         SupernodeTree tree;
         EliminationPlan plan;
         std::vector<int> entry_place;  ///< row in its front of each entry of the layout
-        int most_rows = 0;             ///< largest number of rows of a supernode
     };
     static std::shared_ptr<const Analysis> analyse(const SystemLayout& layout, int threads,
                                                    const base::Control& control);
@@ -79,21 +78,27 @@ class Ldlt {
 
     void eliminate_task(std::size_t task, std::span<const double> values, const base::Control& control);
     void assemble(const Supernode& supernode, std::span<const double> values, const Front& front) const;
-    void add_to_panel(std::size_t child, const Front& front) const;
-    void add_to_rest(std::size_t child, const Front& front) const;
+    [[nodiscard]] Remainder remainder_of(std::size_t supernode) const;
     /// Columns stored one after the other, each with a number for every equation.
     struct Columns {
         double* values;
         Eigen::Index count;
     };
     void solve_columns(Columns columns, const base::Control& control) const;
-    /// Workspace of a substitution.
-    struct Workspace {
+    /// The columns of a substitution, and what its supernodes hand on: plan.updates for each column.
+    struct Substitution {
+        Columns columns;
+        std::vector<double> updates;
         const base::Control& control;
-        std::vector<double> scratch;
+        [[nodiscard]] double* update(std::size_t start, Eigen::Index column, std::size_t size) {
+            return updates.data() + static_cast<std::size_t>(column) * size + start;
+        }
     };
-    void substitute_forward_in(std::size_t supernode, Columns columns, Workspace& work) const;
-    void substitute_back_in(std::size_t supernode, Columns columns, Workspace& work) const;
+    [[nodiscard]] Substitution begin(Columns columns, const base::Control& control) const;
+    [[nodiscard]] std::span<const int> children_of(std::size_t supernode) const;
+    void substitute_forward_in(std::size_t supernode, std::span<const int> children,
+                               Substitution& substitution) const;
+    void substitute_back_in(std::size_t supernode, Substitution& substitution) const;
     /// The supernodes from these equations up to the roots, ascending.
     [[nodiscard]] std::vector<std::size_t> path_from(std::span<const int> equations) const;
     [[nodiscard]] Front front_of(std::size_t supernode) const;

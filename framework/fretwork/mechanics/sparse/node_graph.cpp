@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/mechanics/sparse/dissection.hpp>
 #include <fretwork/mechanics/sparse/node_graph.hpp>
 
 #include <cholmod.h>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <future>
+#include <initializer_list>
 #include <memory>
 #include <mutex>
 #include <system_error>
@@ -25,12 +27,15 @@ struct Cholmod {
     cholmod_common common;
 };
 
-/// Beyond this many nodes nested dissection is worth its time beside minimum degree.
+/// Beyond this many nodes nested dissection is worth its time beside minimum degree: by places, and, where
+/// these are not known, by the graph, which takes twenty times as long.
+constexpr std::size_t kSomeNodes = 500;
 constexpr std::size_t kManyNodes = 20000;
 
 struct Pattern {
     std::vector<int> start;
     std::vector<int> row;
+    std::vector<int> given{};  ///< an order that may be taken; empty: none
 };
 
 /// The upper triangle among the nodes that take part, by their new numbers. It includes the diagonal: a node
@@ -50,18 +55,18 @@ Pattern upper_pattern(const NodeGraph& graph, const std::vector<int>& nodes, con
     return pattern;
 }
 
-void choose_methods(cholmod_common& common, std::size_t nodes) {
-    common.nmethods = nodes > kManyNodes ? 2 : 1;
-    common.method[0].ordering = CHOLMOD_AMD;
-    common.method[1].ordering = CHOLMOD_METIS;
-    common.postorder = 1;
-    common.supernodal = CHOLMOD_SIMPLICIAL;
-}
+struct Order {
+    std::vector<int> nodes;
+    double multiplications = 0.0;  ///< of a factorization
+};
 
-std::vector<int> permutation_of(Pattern& pattern) {
+/// The order that a method of CHOLMOD gives, post-ordered. Of several, CHOLMOD takes the one with less fill.
+Order order_by(Pattern& pattern, std::initializer_list<int> methods) {
     const std::size_t size = pattern.start.size() - 1;
     Cholmod cholmod;
-    choose_methods(cholmod.common, size);
+    for (const int method : methods) cholmod.common.method[cholmod.common.nmethods++].ordering = method;
+    cholmod.common.postorder = 1;
+    cholmod.common.supernodal = CHOLMOD_SIMPLICIAL;
     cholmod_sparse matrix{};
     matrix.nrow = matrix.ncol = size;
     matrix.nzmax = pattern.row.size();
@@ -72,12 +77,22 @@ std::vector<int> permutation_of(Pattern& pattern) {
     matrix.xtype = CHOLMOD_PATTERN;
     matrix.dtype = CHOLMOD_DOUBLE;
     matrix.sorted = matrix.packed = 1;
-    cholmod_factor* factor = cholmod_analyze(&matrix, &cholmod.common);
+    int* given = pattern.given.empty() ? nullptr : pattern.given.data();
+    cholmod_factor* factor = cholmod_analyze_p(&matrix, given, nullptr, 0, &cholmod.common);
     if (factor == nullptr) throw base::NumericalError("the nodes could not be ordered: out of memory");
     const int* permutation = static_cast<const int*>(factor->Perm);
-    std::vector<int> order(permutation, permutation + size);
+    Order order{{permutation, permutation + size}, cholmod.common.fl};
     cholmod_free_factor(&factor, &cholmod.common);
     return order;
+}
+
+std::vector<int> permutation_of(Pattern& pattern) {
+    const bool has_many_nodes = pattern.start.size() > kManyNodes;
+    if (pattern.given.empty() && has_many_nodes) return order_by(pattern, {CHOLMOD_AMD, CHOLMOD_METIS}).nodes;
+    Order order = order_by(pattern, {CHOLMOD_AMD});
+    if (pattern.given.empty()) return std::move(order.nodes);
+    Order by_place = order_by(pattern, {CHOLMOD_GIVEN});
+    return std::move(by_place.multiplications < order.multiplications ? by_place.nodes : order.nodes);
 }
 
 /// Threads whose caller has stopped waiting for them. The program waits for them when it ends: a thread must
@@ -161,6 +176,12 @@ std::vector<int> elimination_order(const NodeGraph& graph, std::span<const Compo
     }
     if (nodes.empty()) return {};
     Pattern pattern = upper_pattern(graph, nodes, number);
+    if (!graph.places.empty() && nodes.size() > kSomeNodes) {
+        std::vector<bool> takes_part(graph.nodes);
+        for (const int node : nodes) takes_part[node] = true;
+        pattern.given = dissection_order(graph, takes_part, control);
+        for (int& node : pattern.given) node = number[node];
+    }
     std::vector<int> order = nodes.size() > kManyNodes && control.stop.stop_possible()
                                  ? permutation_unless_stopped(std::move(pattern), control)
                                  : permutation_of(pattern);

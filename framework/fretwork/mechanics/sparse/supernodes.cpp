@@ -217,6 +217,23 @@ void place_in_parents(SupernodeTree& tree) {
     }
 }
 
+void join_runs(SupernodeTree& tree) {
+    tree.run_start.push_back(0);
+    for (const Supernode& child : tree.supernodes) {
+        const int* place = tree.place.data() + child.row_start;
+        const int width = child.parent < 0 ? 0 : tree.supernodes[at(child.parent)].width;
+        for (int i = 0; child.parent >= 0 && i < child.rows; ++i) {
+            const bool continues = i > 0 && place[i] == place[i - 1] + 1 && place[i] != width;
+            if (continues) {
+                ++tree.run.back().length;
+            } else {
+                tree.run.push_back({i, place[i], 1});
+            }
+        }
+        tree.run_start.push_back(tree.run.size());
+    }
+}
+
 }  // namespace
 
 SupernodeTree supernode_tree(const SystemLayout& layout, const base::Control& control) {
@@ -234,6 +251,7 @@ SupernodeTree supernode_tree(const SystemLayout& layout, const base::Control& co
     link(tree, layout.equations());
     place_panels(tree);
     place_in_parents(tree);
+    join_runs(tree);
     return tree;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/mechanics/sparse/dense_ldlt.hpp>
 #include <fretwork/mechanics/sparse/system_layout.hpp>
 
 #include <cstddef>
@@ -21,13 +22,15 @@ struct Supernode {
 
 /// The order and storage of the elimination of a layout's matrices. It is computed once for each layout.
 struct SupernodeTree {
-    std::vector<Supernode> supernodes;  ///< each comes before its parent
-    std::vector<int> row;               ///< equations of the rows below, ascending for each supernode
-    std::vector<int> child_start;       ///< children of supernode i: [child_start[i], child_start[i + 1]) of
-                                        ///< `child`
-    std::vector<int> child;             ///< ascending for each supernode
-    std::vector<int> place;             ///< position of each entry of `row` in the front of the supernode's
-                                        ///< parent
+    std::vector<Supernode> supernodes;   ///< each comes before its parent
+    std::vector<int> row;                ///< equations of the rows below, ascending for each supernode
+    std::vector<int> child_start;        ///< children of supernode i: [child_start[i], child_start[i + 1]) of
+                                         ///< `child`
+    std::vector<int> child;              ///< ascending for each supernode
+    std::vector<int> place;              ///< position of each entry of `row` in the front of the supernode's
+                                         ///< parent
+    std::vector<std::size_t> run_start;  ///< supernodes + 1
+    std::vector<RowRun> run;             ///< the same places, run by run
     std::size_t factor_size = 0;
 };
 

@@ -14,7 +14,9 @@ sparse::NodeGraph coupling_graph(const Assembly& assembly) {
         for (const NodeIndex node : element->nodes()) nodes.push_back(node.value);
         cliques.add(nodes);
     }
-    return sparse::node_graph(static_cast<int>(assembly.nodes.size()), std::move(cliques));
+    sparse::NodeGraph graph = sparse::node_graph(static_cast<int>(assembly.nodes.size()), std::move(cliques));
+    graph.places.assign(assembly.nodes.begin(), assembly.nodes.end());
+    return graph;
 }
 
 Eigen::MatrixXd reordered(const Eigen::MatrixXd& stiffness, std::span<const NodeIndex> nodes,
