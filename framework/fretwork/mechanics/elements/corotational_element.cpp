@@ -3,6 +3,7 @@
 #include <fretwork/geometry/rotation.hpp>
 #include <fretwork/mechanics/elements/corotational_element.hpp>
 #include <fretwork/mechanics/elements/corotational_pose.hpp>
+#include <fretwork/mechanics/elements/dense_products.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -33,21 +34,16 @@ Matrix3d part_of(const Tall& columns, std::size_t block) {
     return columns.middleRows<3>(row_of(block));
 }
 
-/// out += a m, or out = a m, where a and out are three columns of n rows. Plain loops, which the compiler
-/// turns into vector instructions: matrix expressions of unknown size need twice as many instructions here.
-enum class Sum { Add, Replace };
-void multiply(const double* a, const Matrix3d& m, Eigen::Index n, Sum sum, double* __restrict out) {
-    for (Eigen::Index c = 0; c < 3; ++c) {
-        const double x = m(0, c);
-        const double y = m(1, c);
-        const double z = m(2, c);
-        double* __restrict to = out + c * n;
-        if (sum == Sum::Replace) {
-            for (Eigen::Index i = 0; i < n; ++i) to[i] = a[i] * x + a[n + i] * y + a[2 * n + i] * z;
-        } else {
-            for (Eigen::Index i = 0; i < n; ++i) to[i] += a[i] * x + a[n + i] * y + a[2 * n + i] * z;
-        }
-    }
+/// out += a m, or out = a m, where a and out are three columns of n rows.
+void multiply(const double* a, const Matrix3d& m, Eigen::Index n, Sum sum, double* out) {
+    multiply_by_three({a, n, 3}, m.data(), sum, out);
+}
+
+/// K x.
+VectorXd product(const MatrixXd& stiffness, const double* x) {
+    VectorXd y(stiffness.rows());
+    multiply_by_vector({stiffness.data(), stiffness.rows(), stiffness.cols()}, x, y.data());
+    return y;
 }
 
 /// Three columns of a square matrix, the first of them that of this block.
@@ -109,8 +105,7 @@ class CorotationalElement final : public Element {
     }
 
     void stresses_of(std::span<const double> strains, std::span<double> stresses) const override {
-        Eigen::Map<VectorXd>(stresses.data(), size()).noalias() =
-            body_->stiffness() * Eigen::Map<const VectorXd>(strains.data(), size());
+        multiply_by_vector({body_->stiffness().data(), size(), size()}, strains.data(), stresses.data());
     }
 
     /// The largest rotation of a node against the frame.
@@ -129,7 +124,7 @@ class CorotationalElement final : public Element {
             local.segment<3>(row_of(i)) = back * part_of(displacements, i);
         Pose rest(*body_);
         rest.turn_into_structure(turn_);
-        const VectorXd stress = body_->stiffness() * local;
+        const VectorXd stress = product(body_->stiffness(), local.data());
         VectorXd force;
         balance(rest, stress, force);
         stiffness.setZero(size(), size());
@@ -168,7 +163,7 @@ class CorotationalElement final : public Element {
             q.segment<3>(row_of(2 * i)) = pose.arm(i) - pose.rest_arm(i);
             q.segment<3>(row_of(2 * i + 1)) = pose.rotation(i);
         }
-        VectorXd stress = body_->stiffness() * q;
+        VectorXd stress = product(body_->stiffness(), q.data());
         response.energy = 0.5 * q.dot(stress);
         return stress;
     }
@@ -311,18 +306,7 @@ class CorotationalElement final : public Element {
     /// @param follow   W^T
     /// @param against  A
     static void add_following(const Tall& follow, const Tall& against, MatrixXd& tangent) {
-        const Eigen::Index size = tangent.rows();
-        const double* w = follow.data();
-        const double* a = against.data();
-        for (Eigen::Index j = 0; j < size; ++j) {
-            const double w0 = w[j], w1 = w[size + j], w2 = w[2 * size + j];
-            const double a0 = a[j], a1 = a[size + j], a2 = a[2 * size + j];
-            double* __restrict column = tangent.data() + j * size;
-            for (Eigen::Index i = j; i < size; ++i) {
-                column[i] += a[i] * w0 + a[size + i] * w1 + a[2 * size + i] * w2 + w[i] * a0 +
-                             w[size + i] * a1 + w[2 * size + i] * a2;
-            }
-        }
+        add_symmetric_product({against.data(), tangent.rows(), 3}, follow.data(), tangent.data());
         mirror(tangent);
     }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/mechanics/elements/dense_products.hpp>
 #include <fretwork/mechanics/nonlinear/stress_workspace.hpp>
 
 namespace fretwork::mechanics::nonlinear {
 namespace {
 
 using ConstVector = Eigen::Map<const Eigen::VectorXd>;
-using ConstMatrix = Eigen::Map<const Eigen::MatrixXd>;
 
 /// A beam's, whose products are then unrolled.
 constexpr Eigen::Index kBeamStresses = 6;
@@ -49,7 +49,8 @@ void StressWorkspace::extrapolate(std::size_t element, const Eigen::VectorXd& mo
     if (place.stresses == kBeamStresses && place.motions == kBeamMotions) {
         strain.noalias() = BeamSlopes(slope).lazyProduct(motion.head<kBeamMotions>());
     } else {
-        strain.noalias() = ConstMatrix(slope, place.stresses, place.motions) * motion;
+        strain.resize(place.stresses);
+        elements::multiply_by_vector({slope, place.stresses, place.motions}, motion.data(), strain.data());
     }
     const std::size_t count = place.stresses;
     const std::span<double> given = std::span(given_).subspan(place.stress, count);
@@ -67,7 +68,8 @@ void StressWorkspace::add_lag(std::size_t element, Eigen::VectorXd& force) const
         const Eigen::Matrix<double, kBeamStresses, 1> lag = own - given;
         force += BeamSlopes(slope).transpose().lazyProduct(lag);
     } else {
-        force.noalias() += ConstMatrix(slope, place.stresses, place.motions).transpose() * (own - given);
+        const Eigen::VectorXd lag = own - given;
+        elements::add_transposed_product({slope, place.stresses, place.motions}, lag.data(), force.data());
     }
 }
 

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The products of which the elements of many nodes consist. They are small, and as many as there are
+// elements: matrix expressions, compiled for any machine, take three times as long.
+#include <fretwork/base/internal/instruction_sets.hpp>
+#include <fretwork/mechanics/elements/dense_products.hpp>
+
+namespace fretwork::mechanics::elements {
+namespace {
+
+using Index = std::ptrdiff_t;
+
+using Strip8 = double __attribute__((vector_size(64), aligned(8), may_alias));
+using Strip4 = double __attribute__((vector_size(32), aligned(8), may_alias));
+using Strip2 = double __attribute__((vector_size(16), aligned(8), may_alias));
+
+template <class Strip>
+constexpr Index kRowsOf = sizeof(Strip) / sizeof(double);
+
+/// Rows [i, i + Strips * kRowsOf<Strip>) of A x. The sums of several strips are made side by side: one alone
+/// would wait for each of its own.
+template <class Strip, int Strips>
+FRETWORK_INLINE void multiply_rows(const DenseMatrix& a, Index i, const double* x, double* y) {
+    Strip sum[Strips] = {};
+    const double* column = a.values + i;
+    for (Index j = 0; j < a.columns; ++j, column += a.rows) {
+#pragma GCC unroll 4
+        for (int s = 0; s < Strips; ++s)
+            sum[s] += *reinterpret_cast<const Strip*>(column + s * kRowsOf<Strip>) * x[j];
+    }
+#pragma GCC unroll 4
+    for (int s = 0; s < Strips; ++s) *reinterpret_cast<Strip*>(y + i + s * kRowsOf<Strip>) = sum[s];
+}
+
+/// y[c] += the products of `Count` neighbouring columns with x.
+template <int Count>
+FRETWORK_INLINE void add_dots_of(const double* columns, Index rows, const double* x, double* y) {
+    Strip4 sum[Count] = {};
+    double rest[Count] = {};
+    Index i = 0;
+    for (; i + 4 <= rows; i += 4) {
+        const Strip4 strip = *reinterpret_cast<const Strip4*>(x + i);
+        for (int c = 0; c < Count; ++c)
+            sum[c] += *reinterpret_cast<const Strip4*>(columns + i + c * rows) * strip;
+    }
+    for (; i < rows; ++i) {
+        for (int c = 0; c < Count; ++c) rest[c] += columns[i + c * rows] * x[i];
+    }
+    for (int c = 0; c < Count; ++c) y[c] += (sum[c][0] + sum[c][1]) + (sum[c][2] + sum[c][3]) + rest[c];
+}
+
+}  // namespace
+
+FRETWORK_CLONES void multiply_by_vector(const DenseMatrix& a, const double* x, double* y) {
+    Index i = 0;
+    for (; i + 32 <= a.rows; i += 32) multiply_rows<Strip8, 4>(a, i, x, y);
+    for (; i + 8 <= a.rows; i += 8) multiply_rows<Strip8, 1>(a, i, x, y);
+    for (; i + 4 <= a.rows; i += 4) multiply_rows<Strip4, 1>(a, i, x, y);
+    for (; i + 2 <= a.rows; i += 2) multiply_rows<Strip2, 1>(a, i, x, y);
+    for (; i < a.rows; ++i) multiply_rows<double, 1>(a, i, x, y);
+}
+
+FRETWORK_CLONES void add_transposed_product(const DenseMatrix& a, const double* x, double* y) {
+    Index j = 0;
+    for (; j + 6 <= a.columns; j += 6) add_dots_of<6>(a.values + j * a.rows, a.rows, x, y + j);
+    for (; j < a.columns; ++j) add_dots_of<1>(a.values + j * a.rows, a.rows, x, y + j);
+}
+
+FRETWORK_CLONES void multiply_by_three(const DenseMatrix& a, const double* m, Sum sum, double* out) {
+    const Index n = a.rows;
+    const double* __restrict from = a.values;
+    for (Index c = 0; c < 3; ++c) {
+        double* __restrict to = out + c * n;
+        if (sum == Sum::Replace) {
+            for (Index i = 0; i < n; ++i) to[i] = 0.0;
+        }
+        for (Index i = 0; i < n; ++i) {
+            double value = to[i];
+            value += from[i] * m[3 * c];
+            value += from[n + i] * m[3 * c + 1];
+            value += from[2 * n + i] * m[3 * c + 2];
+            to[i] = value;
+        }
+    }
+}
+
+FRETWORK_CLONES void add_symmetric_product(const DenseMatrix& a, const double* w, double* c) {
+    const Index n = a.rows;
+    const double* __restrict left = a.values;
+    const double* __restrict right = w;
+    for (Index j = 0; j < n; ++j) {
+        double* __restrict column = c + j * n;
+        for (Index i = j; i < n; ++i) {
+            double value = column[i];
+            for (Index k = 0; k < 3; ++k) {
+                value += left[k * n + i] * right[k * n + j];
+                value += right[k * n + i] * left[k * n + j];
+            }
+            column[i] = value;
+        }
+    }
+}
+
+}  // namespace fretwork::mechanics::elements
