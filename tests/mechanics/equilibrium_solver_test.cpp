@@ -224,6 +224,48 @@ TEST(EquilibriumSolver, DraggedLoadIsAnsweredWithoutStabilityAndSettlesWithIt) {
     EXPECT_EQ(solver.starting_point(), StartingPoint::LastEquilibrium);
 }
 
+// It costs no more than from nothing: no way from the last equilibrium is tried.
+TEST(EquilibriumSolver, NodeHeldFarFromWhereItIsIsAnsweredFromRestAtOnce) {
+    Assembly assembly = bent_honeycomb();
+    assembly.loads *= 12.0;
+    EquilibriumSolver solver;
+    const Solution free = solver.solve(assembly);
+    Eigen::Index farthest = 0;
+    const double moved = free.displacements.leftCols<3>().rowwise().norm().maxCoeff(&farthest);
+    ASSERT_GT(moved, 0.02) << "two beams' lengths";
+    assembly.supports.push_back({NodeIndex(farthest), DofSet::translations()});
+    const Solution held = solver.solve(assembly);
+    EXPECT_EQ(solver.starting_point(), StartingPoint::Rest);
+    EquilibriumSolver fresh;
+    const Solution expected = fresh.solve(assembly);
+    EXPECT_EQ(held.iterations, expected.iterations);
+    EXPECT_TRUE(held.displacements == expected.displacements);
+    // Where it is held at the place where it is, there is nothing to wait for.
+    assembly.supports.pop_back();
+    (void)solver.solve(assembly);
+    for (int d = 0; d < 3; ++d)
+        assembly.prescribed.push_back(
+            {NodeIndex(farthest), static_cast<Dof>(d), free.displacements(farthest, d)});
+    (void)solver.solve(assembly);
+    EXPECT_EQ(solver.starting_point(), StartingPoint::LastEquilibrium);
+}
+
+// The equations of the last assembly are taken up again; nothing of what they were used for shows.
+TEST(EquilibriumSolver, FromRestAgainGivesTheBitsOfAFreshSolver) {
+    Assembly assembly = bent_honeycomb();
+    EquilibriumSolver solver;
+    (void)solver.solve(assembly);
+    for (const double factor : {-1.0, 0.7}) {  // to the other side: too far to go on
+        assembly.loads = factor * bent_honeycomb().loads;
+        const Solution again = solver.solve(assembly);
+        if (solver.starting_point() == StartingPoint::LastEquilibrium) continue;
+        EquilibriumSolver fresh;
+        const Solution expected = fresh.solve(assembly);
+        EXPECT_TRUE(again.displacements == expected.displacements) << factor;
+        EXPECT_EQ(again.iterations, expected.iterations) << factor;
+    }
+}
+
 /// A strut that is pressed exactly along its axis stays straight, whatever its stability.
 TEST(EquilibriumSolver, StabilityThatIsLostWhileDraggingIsToldOnceItIsAskedFor) {
     Frame strut = verification::thin_cantilever(4);

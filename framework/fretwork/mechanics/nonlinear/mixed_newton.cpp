@@ -38,6 +38,7 @@ void MixedNewton::begin_at_rest(const Configuration& rest) {
     newton_.factorize_at_rest();
     outcome_ = {};
     way_ = {};
+    has_foreign_factors_ = false;
 }
 
 void MixedNewton::give_own_stresses(const Configuration& configuration, double load_factor) {
@@ -57,15 +58,18 @@ bool MixedNewton::come_back(const Configuration& equilibrium) {
     return true;
 }
 
-bool MixedNewton::restore(const Configuration& configuration, double load_factor,
-                          const std::vector<double>& stresses) {
+void MixedNewton::go_back(const Place& place, const std::vector<double>& stresses) {
     stresses_.give(stresses);
-    return factorize(configuration, load_factor);
+    system_.evaluate_mixed(place.configuration, place.load_factor, Demand::Tangent, stresses_);
+    outcome_ = place.outcome;
+    has_foreign_factors_ = true;
+    way_at_departure_.reset();
 }
 
 /// False if the residual is not finite; then there are no factors.
 bool MixedNewton::factorize(const Configuration& configuration, double load_factor) {
     way_at_departure_.reset();
+    has_foreign_factors_ = false;
     system_.evaluate_mixed(configuration, load_factor, Demand::Tangent, stresses_);
     if (!std::isfinite(system_.relative_residual())) return false;
     outcome_ = newton_.factorize();
@@ -168,7 +172,7 @@ Termination MixedNewton::solve(double load_factor, Goal goal, const Eigen::Vecto
     double size = size_of(first);
     Iteration iteration{goal,  load_factor, outcome_.negative_pivots,
                         first, size,        unknowns_.largest_rotation(first)};
-    bool anew = iteration.turn > kLongStep;
+    bool anew = has_foreign_factors_ || iteration.turn > kLongStep;
     for (int i = 0; i < kMostMixedIterations; ++i) {
         anew = anew || wants_own_factors(iteration);
         const auto ended = anew ? step_with_new_factors(iteration, configuration)

@@ -61,9 +61,15 @@ class MixedNewton {
     [[nodiscard]] const sparse::Ldlt::Outcome& outcome() const { return outcome_; }
 
     [[nodiscard]] const std::vector<double>& stresses() const { return stresses_.given(); }
-    /// Return to a configuration with these stresses, and factorize there. False if the residual there is not
-    /// finite; then no factors exist.
-    bool restore(const Configuration& configuration, double load_factor, const std::vector<double>& stresses);
+    /// An equilibrium of the path.
+    struct Place {
+        const Configuration& configuration;
+        double load_factor;
+        const sparse::Ldlt::Outcome& outcome;
+    };
+    /// Go back to where an attempt that failed had begun, with the stresses there. The factors are those of
+    /// the attempt: solve() begins with new ones.
+    void go_back(const Place& place, const std::vector<double>& stresses);
 
   private:
     /// The goal of solve(), and its progress.
@@ -93,6 +99,7 @@ class MixedNewton {
     const EquilibriumOptions& options_;
     StressWorkspace stresses_;
     sparse::Ldlt::Outcome outcome_;
+    bool has_foreign_factors_ = false;  ///< of an attempt that failed
     /// The distance of the configuration from that of the factors.
     struct Way {
         double turned = 0.0;  ///< upper bound on the rotation of a node, rad

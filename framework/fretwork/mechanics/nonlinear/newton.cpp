@@ -24,6 +24,11 @@ constexpr double kResidualFloor = 1e-4;
 /// and the residual it leaves is that of the elements' geometry, which knows positions to 1e-16 only.
 constexpr double kLinearReach = 1e-7;
 
+/// Factors are those of a configuration that is so near (rad, and element lengths, and as a share of the way
+/// to it): a column's stability changes with a load that hardly moves it.
+constexpr double kNegligibleMove = 2e-4;
+constexpr double kNegligibleShare = 1e-3;
+
 /// Refinement ends at a step of this share of the solution ...
 constexpr double kRefinedStep = 1e-13;
 /// ... or where steps do not shrink by this any more, which is rounding below a share of ...
@@ -146,7 +151,6 @@ Eigen::MatrixXd Newton::solve_plainly(Eigen::MatrixXd right_sides, const base::C
 std::optional<Eigen::MatrixXd> Newton::solve_refined(const Eigen::MatrixXd& right_sides, Side side,
                                                      const base::Control& control) {
     const double sign = side == Side::Tangent ? 1.0 : -1.0;
-    const auto size = [this](const auto& x) { return std::sqrt(x.dot(unknowns_.weights().cwiseProduct(x))); };
     Eigen::MatrixXd x = Eigen::MatrixXd::Zero(right_sides.rows(), right_sides.cols());
     Eigen::MatrixXd step = right_sides;
     for (std::optional<double> last;;) {
@@ -156,8 +160,8 @@ std::optional<Eigen::MatrixXd> Newton::solve_refined(const Eigen::MatrixXd& righ
         for (Eigen::Index c = 0; c < x.cols(); ++c) {
             if (system_.has_skew_part()) step.col(c) = solve_skew(step.col(c), sign);
             x.col(c) += step.col(c);
-            const double whole = size(x.col(c));
-            if (whole > 0.0) share = std::max(share, size(step.col(c)) / whole);
+            const double whole = size_of(x.col(c));
+            if (whole > 0.0) share = std::max(share, size_of(step.col(c)) / whole);
         }
         if (share <= kRefinedStep) return x;
         if (last && !(share <= kSlowRefinement * *last)) {
@@ -178,6 +182,16 @@ bool Newton::is_converged(const Configuration& configuration, const Eigen::Vecto
            unknowns_.largest_component(last_step) <= kNegligibleStep;
 }
 
+/// From the factors of the configuration. Converged: it was made.
+Termination Newton::make_step(Eigen::VectorXd& step, Configuration& configuration) {
+    step = solve_tangent(system_.unbalanced());
+    const double rotation = unknowns_.largest_rotation(step);
+    if (!std::isfinite(rotation)) return Termination::Diverged;
+    if (rotation > options_.largest_rotation_step) step *= options_.largest_rotation_step / rotation;
+    unknowns_.move(step, configuration);
+    return Termination::Converged;
+}
+
 Termination Newton::solve(double load_factor, Configuration& configuration) {
     Eigen::VectorXd step;
     for (int iteration = 0;; ++iteration) {
@@ -186,11 +200,36 @@ Termination Newton::solve(double load_factor, Configuration& configuration) {
         if (is_converged(configuration, step)) return Termination::Converged;
         if (iteration == options_.iterations_per_step) return Termination::IterationsSpent;
         if (factorize().zero_pivot >= 0) return Termination::Diverged;
-        step = solve_tangent(system_.unbalanced());
-        const double rotation = unknowns_.largest_rotation(step);
-        if (!std::isfinite(rotation)) return Termination::Diverged;
-        if (rotation > options_.largest_rotation_step) step *= options_.largest_rotation_step / rotation;
-        unknowns_.move(step, configuration);
+        if (make_step(step, configuration) != Termination::Converged) return Termination::Diverged;
+    }
+}
+
+double Newton::size_of(const Eigen::VectorXd& step) const {
+    return std::sqrt(step.dot(unknowns_.weights().cwiseProduct(step)));
+}
+
+std::optional<sparse::Ldlt::Outcome> Newton::solve_and_factorize(double load_factor,
+                                                                 const Eigen::VectorXd& way,
+                                                                 Configuration& configuration) {
+    const double whole = size_of(way);
+    Eigen::VectorXd step;
+    sparse::Ldlt::Outcome outcome;
+    bool has_factors = false;
+    for (int iteration = 0;; ++iteration) {
+        system_.evaluate(configuration, load_factor, has_factors ? Demand::Force : Demand::Tangent);
+        if (!std::isfinite(system_.relative_residual())) return {};
+        const bool is_there = is_converged(configuration, step);
+        if (is_there && has_factors) return outcome;
+        if (has_factors) system_.evaluate(configuration, load_factor);
+        outcome = factorize();
+        if (outcome.zero_pivot >= 0) return {};
+        if (is_there) return outcome;
+        if (iteration == options_.iterations_per_step) return {};
+        const double residual = system_.relative_residual();
+        if (make_step(step, configuration) != Termination::Converged) return {};
+        has_factors = residual * residual <= options_.relative_residual &&  // a step squares it
+                      !outcome.has_weak_pivot && unknowns_.largest_component(step) <= kNegligibleMove &&
+                      size_of(step) <= kNegligibleShare * whole;
     }
 }
 

@@ -24,6 +24,13 @@ class Newton {
     /// there.
     Termination solve(double load_factor, Configuration& configuration);
 
+    /// The same, with factors at the end that are those of the configuration up to a negligible part of the
+    /// way to it; only forces need to be evaluated there. Returns what they are; nothing if there is no
+    /// equilibrium, or its tangent is singular.
+    /// @param way  from the last equilibrium to the configuration that is given
+    std::optional<sparse::Ldlt::Outcome> solve_and_factorize(double load_factor, const Eigen::VectorXd& way,
+                                                             Configuration& configuration);
+
     /// True if the configuration of the last evaluation is an equilibrium by EquilibriumOptions.
     /// @param last_step  the step that led to the configuration; may be empty
     [[nodiscard]] bool is_converged(const Configuration& configuration,
@@ -69,6 +76,8 @@ class Newton {
     int take_iterations() { return std::exchange(iterations_, 0); }
 
   private:
+    Termination make_step(Eigen::VectorXd& step, Configuration& configuration);
+    [[nodiscard]] double size_of(const Eigen::VectorXd& step) const;
     [[nodiscard]] Eigen::VectorXd solve_skew(const Eigen::VectorXd& symmetric_solution, double sign) const;
     [[nodiscard]] Eigen::MatrixXd tangent_product(const Eigen::MatrixXd& x, double sign) const;
     [[nodiscard]] Eigen::VectorXd without_neutral_part(Eigen::VectorXd x);

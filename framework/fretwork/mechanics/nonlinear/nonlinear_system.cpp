@@ -79,7 +79,10 @@ void NonlinearSystem::take_up_loads() {
             3 - unknowns_.is_held(node, 3) - unknowns_.is_held(node, 4) - unknowns_.is_held(node, 5);
         if (free >= 2 && !assembly.loads.row(node).tail<3>().isZero(0.0)) moment_nodes_.push_back(node);
     }
-    unknowns_.layout().gather(rounding_forces(assembly, unknowns_.length()), rounding_);
+    if (rounding_.size() == 0 || rounded_elements_ != assembly.elements) {
+        unknowns_.layout().gather(rounding_forces(assembly, unknowns_.length()), rounding_);
+        rounded_elements_ = assembly.elements;
+    }
     is_loaded_ = unknowns_.has_prescribed() || !assembly.loads.isZero(0.0);
     spin_maps_.resize(unknowns_.vector_nodes().size());
     prescribed_rate_.setZero(static_cast<Eigen::Index>(assembly.nodes.size()), kDofsPerNode);

@@ -127,6 +127,7 @@ class NonlinearSystem {
     Unknowns unknowns_;
     bool is_loaded_ = false;
     Eigen::VectorXd rounding_;                ///< rounding of the force of each equation at rest
+    Elements rounded_elements_;               ///< of which it is
     std::vector<int> moment_nodes_;           ///< nodes with applied moments and at least two free rotations
     std::vector<Eigen::Matrix3d> spin_maps_;  ///< spin maps of the vector nodes
     base::Control control_;

@@ -112,7 +112,9 @@ std::optional<PathStep> PathStepper::step(const PathState& from, const PathState
     unknowns_.prescribe(guess.load_factor, trial);
     unknowns_.move(guess.move, trial);
     if (correct_across(system_, newton_, guess.move, guess.load_factor, trial) < 0) return {};
-    auto step = step_to(from, guess.load_factor, std::move(trial));
+    const auto outcome = newton_.factorize();
+    if (outcome.zero_pivot >= 0) return {};
+    auto step = step_to(from, {std::move(trial), guess.load_factor, outcome});
     if (!step) return {};
     // Rounding decides which way the load goes along so short a step.
     if (step->state.load_rate < 0.0 && unknowns_.largest_component(step->move) <= kRoundedMove) return {};
@@ -122,9 +124,9 @@ std::optional<PathStep> PathStepper::step(const PathState& from, const PathState
 
 std::optional<PathStep> PathStepper::step_to_load(const PathState& from, double load_factor,
                                                   const Eigen::VectorXd& guess) {
-    Configuration trial = from.point.configuration;
-    if (!correct_under_load(load_factor, guess, trial)) return {};
-    auto step = step_to(from, load_factor, std::move(trial));
+    auto arrival = correct_under_load(from, load_factor, guess);
+    if (!arrival) return {};
+    auto step = step_to(from, std::move(*arrival));
     if (!step) return {};
     if (is_softened(unknowns_, from.point.rate, step->state.point.rate)) return {};
     if (unknowns_.largest_component(step->move) <= kLinearMove) return step;
@@ -137,21 +139,26 @@ std::optional<PathStep> PathStepper::step_within(const PathState& from, const Pa
                                                  double load_factor) {
     const double share =
         (load_factor - from.point.load_factor) / (known.state.point.load_factor - from.point.load_factor);
-    Configuration trial = from.point.configuration;
-    if (!correct_under_load(load_factor, share * known.move, trial)) return {};
-    auto step = step_to(from, load_factor, std::move(trial));
+    auto arrival = correct_under_load(from, load_factor, share * known.move);
+    if (!arrival) return {};
+    auto step = step_to(from, std::move(*arrival));
     if (!step || step->length > kWithin * known.length) return {};
     step->deviation = deviation_on_arc(from, *step);
     return step->deviation <= 1.0 ? std::move(step) : std::nullopt;
 }
 
-bool PathStepper::correct_under_load(double load_factor, const Eigen::VectorXd& guess, Configuration& trial) {
+std::optional<PathStepper::Arrival> PathStepper::correct_under_load(const PathState& from, double load_factor,
+                                                                    const Eigen::VectorXd& guess) {
+    Configuration trial = from.point.configuration;
     unknowns_.prescribe(load_factor, trial);
     unknowns_.move(guess, trial);
-    return newton_.solve(load_factor, trial) == Termination::Converged;
+    const auto outcome = newton_.solve_and_factorize(load_factor, guess, trial);
+    if (!outcome) return {};
+    return Arrival{std::move(trial), load_factor, *outcome};
 }
 
-std::optional<PathStep> PathStepper::step_to(const PathState& from, double load_factor, Configuration trial) {
+std::optional<PathStep> PathStepper::step_to(const PathState& from, Arrival arrival) {
+    auto& [trial, load_factor, outcome] = arrival;
     unknowns_.unwind(from.point.configuration, trial);
     PathStep step;
     step.move = unknowns_.step_between(from.point.configuration, trial);
@@ -160,8 +167,6 @@ std::optional<PathStep> PathStepper::step_to(const PathState& from, double load_
                  std::abs(load_factor - from.point.load_factor) * unknowns_.largest_prescribed_rotation());
     const double turn_bound = bound_relative_turn(system_, from.point, turned, trial);
     if (turn_bound > std::numbers::pi) return {};
-    const auto outcome = newton_.factorize();
-    if (outcome.zero_pivot >= 0) return {};
     Eigen::VectorXd rate = newton_.solve_tangent(system_.load_rate());
     const double forward = rate.dot(unknowns_.weights().cwiseProduct(step.move)) >= 0.0 ? 1.0 : -1.0;
     step.state = rising({std::move(trial), load_factor, std::move(rate), outcome, turn_bound});

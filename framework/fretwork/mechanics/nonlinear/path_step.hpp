@@ -66,9 +66,15 @@ class PathStepper {
     };
     [[nodiscard]] double size_of(const Eigen::VectorXd& move) const;
     [[nodiscard]] Guess predict(const PathState& from, const PathState* previous, double length) const;
-    bool correct_under_load(double load_factor, const Eigen::VectorXd& guess, Configuration& trial);
-    /// The step to a trial, which is an equilibrium at which the system is evaluated.
-    std::optional<PathStep> step_to(const PathState& from, double load_factor, Configuration trial);
+    /// An equilibrium, at which the system is evaluated and the tangent factorized.
+    struct Arrival {
+        Configuration configuration;
+        double load_factor;
+        sparse::Ldlt::Outcome outcome;
+    };
+    std::optional<Arrival> correct_under_load(const PathState& from, double load_factor,
+                                              const Eigen::VectorXd& guess);
+    std::optional<PathStep> step_to(const PathState& from, Arrival arrival);
     [[nodiscard]] double deviation(const Eigen::VectorXd& move, const Eigen::VectorXd& explained) const;
     [[nodiscard]] double deviation_on_arc(const PathState& from, const PathStep& step) const;
 

@@ -55,7 +55,7 @@ class Strider {
             if (++halvings > kMostHalvings) return found;
             longest_ *= 0.5;
             longest_turn_ *= 0.5;
-            if (!mixed_.restore(at.configuration, at.load_factor, stresses)) return found;
+            mixed_.go_back({at.configuration, at.load_factor, at.outcome}, stresses);
         }
         point = std::move(at);
         return Termination::Converged;

@@ -7,6 +7,7 @@
 #include <fretwork/mechanics/paths/equilibrium_solver.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -75,7 +76,8 @@ class EquilibriumSolver::Impl {
                    const FirstIterate& first_iterate) {
         options_.control = control;
         options_.classify_stability = is_classifying_ && check == StabilityCheck::Made;
-        const bool may_go_on = is_settled_ && assembly.nodes == equations_->assembly.nodes;
+        const bool may_go_on = is_settled_ && assembly.nodes == equations_->assembly.nodes &&
+                               !holds_what_has_moved_away(assembly);
         is_settled_ = has_converged_ = false;  // also if something throws
         if (may_go_on) {
             starting_point_ = StartingPoint::LastEquilibrium;
@@ -117,8 +119,14 @@ class EquilibriumSolver::Impl {
 
     std::optional<Solution> stride_from_rest(const Assembly& assembly) {
         const base::Task task(options_.control, "load path (thousandths of the load)", 1000);
-        equations_ = std::make_unique<Equations>(assembly, options_);
+        is_given_up_ = false;
+        if (equations_ && assembly.nodes == equations_->assembly.nodes) {
+            adopt(assembly);
+        } else {
+            equations_ = std::make_unique<Equations>(assembly, options_);
+        }
         auto& [own, system, newton, mixed] = *equations_;
+        (void)newton.take_iterations();  // of a way from the last equilibrium that was given up
         point_ = {system.unknowns().rest(), 0.0, {}, {}, 0.0};
         mixed.begin_at_rest(point_.configuration);
         point_.rate = newton.solve_tangent(system.load_rate());
@@ -134,6 +142,25 @@ class EquilibriumSolver::Impl {
         if (is_checked_) solution.stability = equations_->system.stability_test();
         solution.iterations = equations_->newton.take_iterations();
         return solution;
+    }
+
+    /// Whether a component that was free is to be held at a place so far from where it is now that the first
+    /// step would turn nodes by about a radian. Then it is not worth the factors to try.
+    [[nodiscard]] bool holds_what_has_moved_away(const Assembly& assembly) const {
+        const structure::Constraints wanted = structure::constraints_of(assembly);
+        const auto& unknowns = equations_->system.unknowns();
+        const auto& [states, vectors] = point_.configuration;
+        for (std::size_t node = 0; node < states.size(); ++node) {
+            for (int d = 0; d < kDofsPerNode; ++d) {
+                if (!wanted.held[node].contains[d] || unknowns.is_held(static_cast<int>(node), d)) continue;
+                const double is =
+                    d < 3 ? states[node].displacement[d] / unknowns.length() : vectors[node][d - 3];
+                const double unit = d < 3 ? unknowns.length() : 1.0;
+                const double will_be = wanted.values(static_cast<Eigen::Index>(node), d) / unit;
+                if (std::abs(will_be - is) > kLongestStep) return true;
+            }
+        }
+        return false;
     }
 
     void adopt(const Assembly& assembly) {
