@@ -2,16 +2,24 @@
 // The cost of edits of a surface beside solving it from nothing. The surfaces are lattices of hexagons of the
 // paper's size, painted with 24 patterns by chance: `equal` ones, whose tiles are congruent, and `irregular`
 // ones, whose vertices are shifted by chance, so that no two tiles are. The argument is the number of tiles.
+// Rows `bent_*` of corotational tiles also say how many factorizations of the same tangent, made in the same
+// run on one thread, would take as long (`factorizations`): that differs little from machine to machine.
 #include <fretwork/base/random.hpp>
+#include <fretwork/mechanics/nonlinear/nonlinear_system.hpp>
+#include <fretwork/mechanics/sparse/ldlt.hpp>
 #include <fretwork/pattern/enumerate.hpp>
 #include <fretwork/simulation/derivatives/sensitivity.hpp>
+#include <fretwork/simulation/detail/joined_tiles.hpp>
 #include <fretwork/simulation/session.hpp>
 #include <fretwork/simulation/simulate.hpp>
 
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <ctime>
+#include <limits>
 #include <map>
+#include <string_view>
 #include <utility>
 
 namespace fretwork::simulation {
@@ -196,6 +204,42 @@ double bending_force(const Surface& surface) {
                0.45 * length / result.solution.displacements.leftCols<3>().rowwise().norm().maxCoeff();
 }
 
+/// Of all threads: others may keep the machine busy.
+double processor_seconds() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// Of the tangent of a surface of corotational tiles at rest, on one thread: the best of nine.
+double seconds_of_factorization(const Surface& surface) {
+    static std::map<const Surface*, double> seconds;
+    if (const auto found = seconds.find(&surface); found != seconds.end()) return found->second;
+    const ModelChoice choice{.name = "corotational"};
+    const auto tiles = detail::TileBuilder().build_all(surface, choice, {});
+    mechanics::Assembly assembly = reduction::assemble(detail::join_tiles(surface, tiles, {}).parts);
+    assembly.supports.push_back({mechanics::NodeIndex(0), mechanics::DofSet::all()});
+    mechanics::nonlinear::NonlinearSystem system(assembly);
+    system.evaluate(system.unknowns().rest(), 0.0);
+    mechanics::sparse::Ldlt factors(system.unknowns().layout());
+    double best = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 10; ++i) {
+        const double start = processor_seconds();
+        benchmark::DoNotOptimize(factors.factorize(system.tangent()));
+        if (i > 0) best = std::min(best, processor_seconds() - start);  // the first one meets new memory
+    }
+    return seconds[&surface] = best;
+}
+
+/// Counts a row's processor time in factorizations.
+void count_factorizations(benchmark::State& state, const char* model, double start) {
+    const double each = (processor_seconds() - start) / static_cast<double>(state.iterations());
+    if (std::string_view(model) == "corotational")
+        state.counters["factorizations"] = each / seconds_of_factorization(irregular(state));
+}
+
+void bent_factorization(benchmark::State& state) {
+    for (auto _ : state) state.SetIterationTime(seconds_of_factorization(irregular(state)));
+}
+
 void bent_linear(benchmark::State& state, const char* model) {
     const Surface& surface = irregular(state);
     const LoadCase load_case = cantilever(bending_force(surface));
@@ -207,12 +251,14 @@ void bent_linear(benchmark::State& state, const char* model) {
 void bent_from_rest(benchmark::State& state, const char* model) {
     const Surface& surface = irregular(state);
     const LoadCase load_case = cantilever(bending_force(surface));
+    const double start = processor_seconds();
     for (auto _ : state) {
         const simulation::SurfaceResult result = simulate(surface, load_case, {.model = model});
         state.counters["iterations"] = result.solution.iterations;
         state.counters["residual"] = result.solution.residual;
         state.counters["converged"] = result.solution.converged();
     }
+    count_factorizations(state, model, start);
 }
 
 /// Solve, edit and solve again from the last equilibrium, and so on.
@@ -224,12 +270,14 @@ void time_bent_edits(benchmark::State& state, const char* model, const Edit& edi
     benchmark::DoNotOptimize(session.solve());
     int round = 0;
     double from_last = 0.0;
+    const double start = processor_seconds();
     for (auto _ : state) {
         edit(session, ++round);
         benchmark::DoNotOptimize(session.solve({}, check));
         from_last += session.last_work().starting_point == mechanics::StartingPoint::LastEquilibrium;
     }
     state.counters["from_last"] = from_last / round;
+    count_factorizations(state, model, start);
 }
 
 /// The load changed by this share.
@@ -261,6 +309,34 @@ void bent_repainted_tile(benchmark::State& state, const char* model) {
     });
 }
 
+/// The same cantilever with a node held as well, at its place at rest: in turn one at a third and one at two
+/// thirds of the nodes, so that each has moved away when it comes to be held. `of_from_nothing`: the time as
+/// a share of that of sessions which begin with these supports.
+void bent_moved_support(benchmark::State& state, const char* model) {
+    const Surface& surface = irregular(state);
+    const auto nodes = static_cast<int>(surface.tessellation.interface_nodes.size());
+    const auto held = [&](int node) {
+        LoadCase load_case = cantilever(bending_force(surface));
+        load_case.supports.push_back({NodesById{{node}}, mechanics::DofSet::translations()});
+        return load_case;
+    };
+    const LoadCase cases[] = {held(nodes / 3), held(2 * nodes / 3)};
+    const double from_nothing = processor_seconds();
+    for (const LoadCase& load_case : cases)
+        benchmark::DoNotOptimize(simulate(surface, load_case, {.model = model}));
+    const double each_from_nothing = 0.5 * (processor_seconds() - from_nothing);
+    Session session(surface, cases[0], {.model = model});
+    benchmark::DoNotOptimize(session.solve());
+    int round = 0;
+    const double start = processor_seconds();
+    for (auto _ : state) {
+        session.set_load_case(cases[++round % 2]);
+        benchmark::DoNotOptimize(session.solve());
+    }
+    state.counters["of_from_nothing"] = (processor_seconds() - start) / round / each_from_nothing;
+    count_factorizations(state, model, start);
+}
+
 /// What the derivatives of the mean deflection by all tiles x 64 patterns cost after a solution;
 /// `solution_ms` is that solution's, from rest. The candidates are condensed once, before.
 void bent_pattern_derivatives(benchmark::State& state, Lattice lattice) {
@@ -280,9 +356,10 @@ void bent_pattern_derivatives(benchmark::State& state, Lattice lattice) {
     state.counters["solution_ms"] = 1e3 * result.seconds;
 }
 
+/// The second time is processor time of all threads: others may keep the machine busy.
 void bent_sizes(benchmark::internal::Benchmark* bench) {
     for (const int tiles : {100, 500, 2000, 10000}) bench->Arg(tiles);
-    bench->Unit(benchmark::kMillisecond)->UseRealTime();
+    bench->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 }
 #define FRETWORK_BENT(name)                                                   \
     BENCHMARK_CAPTURE(name, corotational, "corotational")->Apply(bent_sizes); \
@@ -294,6 +371,14 @@ FRETWORK_BENT(bent_new_load);
 FRETWORK_BENT(bent_little_load);
 FRETWORK_BENT(bent_dragged_load);
 FRETWORK_BENT(bent_repainted_tile);
+BENCHMARK_CAPTURE(bent_moved_support, corotational, "corotational")->Apply(bent_sizes);
+BENCHMARK(bent_factorization)
+    ->Arg(100)
+    ->Arg(500)
+    ->Arg(2000)
+    ->Arg(10000)
+    ->Unit(benchmark::kMillisecond)
+    ->UseManualTime();
 BENCHMARK_CAPTURE(bent_pattern_derivatives, irregular, Lattice::Irregular)
     ->Arg(100)
     ->Arg(500)
