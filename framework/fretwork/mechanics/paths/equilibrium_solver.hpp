@@ -46,15 +46,14 @@ class EquilibriumSolver {
     EquilibriumSolver& operator=(EquilibriumSolver&&) noexcept;
     ~EquilibriumSolver();
 
-    /// The equilibrium of an assembly under its full load. The cost depends on how the assembly differs from
+    /// The equilibrium of an assembly under its full load. The work depends on how the assembly differs from
     /// the last one (elements are compared by address):
     /// - loads and prescribed values: iterations with the last factors, and new ones once or twice;
-    /// - elements replaced by others of the same nodes: new factors in the last equilibrium, and then as
-    /// above;
-    /// - supports: a new order of elimination and new factors, in the last equilibrium;
-    /// - other nodes, or a last solution that did not converge or was not stable: everything, from rest.
-    /// Throws as follow_load_path; then the next call starts from rest. If a stop interrupts the way from the
-    /// last equilibrium, the next call starts from that equilibrium.
+    /// - elements replaced by others of the same nodes: the same after new factors in the last equilibrium;
+    /// - supports: a new order and new factors there; from rest where they are far from what they hold;
+    /// - other nodes, or a last solution that had not converged or was not stable: everything, from rest.
+    /// Throws as follow_load_path; then the next call starts from rest. After a stop on the way from the
+    /// last equilibrium, the next call starts from that one.
     ///
     /// @param first_iterate  may be empty
     Solution solve(const Assembly& assembly, const base::Control& control = {},
