@@ -39,6 +39,10 @@ if(FRETWORK_SANITIZE)
   target_compile_options(fretwork_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined
                                                   -fno-omit-frame-pointer)
   target_link_options(fretwork_flags INTERFACE -fsanitize=address,undefined)
+  # Linked after the flags, so that it comes behind them: for sources in which CGAL casts objects down to classes without
+  # members of their own.
+  add_library(fretwork_no_vptr INTERFACE)
+  target_compile_options(fretwork_no_vptr INTERFACE -fno-sanitize=vptr)
   # False alarms under these options, as GCC's manual says of them: in std::regex, CGAL and OpenMesh.
   target_compile_options(fretwork_flags INTERFACE -Wno-maybe-uninitialized)
   # An empty optional, a place behind the end of a vector: the library stops there.
