@@ -23,9 +23,9 @@ struct Row {
     int full_solutions = 0;
     std::size_t patterns = 0;
     long swaps = 0;
-    double seconds = NAN;
-    double unit = NAN;  ///< s, of one corotational solution from rest
-    double half = NAN;  ///< s, until the misfit had come to half of the best single pattern's
+    double seconds = NAN;  ///< processor time
+    double unit = NAN;     ///< s, processor time of one corotational solution from rest
+    double half = NAN;     ///< s, until the misfit had come to half of the best single pattern's
     double model_error = NAN;
     std::string end;
     double equal = NAN;  ///< tiles that have the pattern of the hidden painting
@@ -37,7 +37,7 @@ inline void print(const Row& row) {
                 static_cast<unsigned long long>(row.seed), row.bent, row.uniform, row.error,
                 row.error / row.uniform, row.solutions, row.full_solutions, row.patterns, row.swaps,
                 row.seconds, row.unit, row.seconds / row.unit, row.half / row.unit, row.model_error,
-                row.end.c_str());
+                row.end.c_str(), row.equal);
 }
 
 }  // namespace fretwork::experiments

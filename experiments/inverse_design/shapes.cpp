@@ -237,11 +237,6 @@ void print_shape(const Arguments& arguments) {
     row.full_solutions = report.full_solutions;
     row.patterns = report.patterns.size();
     row.swaps = report.swaps_scored;
-    row.seconds = report.seconds;
-    row.unit = simulation::simulate(simulation::make_surface(report.project, nullptr),
-                                    simulation::find_load_case(report.project, shape.options.load_case),
-                                    {.model = "corotational", .threads = arguments.threads})
-                   .seconds;
     row.model_error = report.model_error;
     row.end = design::design_end_name(report.end);
     experiments::print(row);

@@ -147,7 +147,7 @@ void print_designs(const Arguments& arguments, const Instance& instance) {
             search.try_uniform(palette, preparation.coordinates);
         search.set_columns(palette, palette);
         design::detail::Solved found = search.improve(starts.front(), 0.0);
-        found = search.improve_from_others(std::move(found), starts, 0.0);
+        found = search.improve_from_others(std::move(found), starts, 0.0, search.left_for_defect());
         const double seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
         std::printf("%llu,%zu,%.12g,%s,%d,%zu,%.4f\n", static_cast<unsigned long long>(arguments.seed), t,

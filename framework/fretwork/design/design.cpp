@@ -23,10 +23,12 @@ using detail::Trial;
 using detail::Trials;
 using mechanics::NodeValues;
 
-constexpr int kDefectRounds = 3;
+constexpr int kDefectRounds = 6;
+/// Solutions that other starts leave for one more round.
+constexpr int kLeftForLastRound = 3;
 /// Uniform paintings that are checked in full until one has an equilibrium.
 constexpr std::size_t kUniformChecks = 3;
-/// A defect round that gains less than this share ends them.
+/// A defect round that gains less than this share is the last one without other starts.
 constexpr double kLeastDefectGain = 0.02;
 
 /// The course of one design.
@@ -64,7 +66,7 @@ class Designer {
         Solved found = search_.improve(starts.front(), reserve());
         best_ = found.point;
         report_.starts.push_back(std::sqrt(found.trial.objective));
-        found = search_.improve_from_others(std::move(found), starts, reserve());
+        found = search_.improve_from_others(std::move(found), starts, reserve(), search_.left_for_defect());
         best_ = found.point;
         report_.end = search_.end();
         check_and_keep_best(found);
@@ -177,17 +179,24 @@ class Designer {
         return sum / count / trials_.largest_wanted();
     }
 
-    /// Aim beside the target by what the reduced model is off, and search on.
+    /// Aim beside the target by what the reduced model is off, and search on. Where that gains little, other
+    /// starts have the solutions that are left.
     void correct_defect() {
         is_correcting_ = true;
+        bool has_gained = true;
         for (int round = 0; checked_ && round < kDefectRounds && search_.may_go_on(reserve()); ++round) {
             Solved solved{checked_->point, trials_.solve(checked_->point, options_.control)};
             if (!solved.trial.is_found) return;
             trials_.set_aims(defect(solved.trial, checked_->check));
+            solved.trial.objective = trials_.misfit(solved.trial.displacements);
             search_.forget_best();
+            const Solved found =
+                has_gained ? search_.improve(std::move(solved), reserve())
+                           : search_.improve_from_others(std::move(solved), {}, reserve(), kLeftForLastRound);
+            if (found.point == checked_->point && !has_gained) return;
             const double before = checked_->check.error.mean;
-            check_and_keep_best(search_.improve(std::move(solved), reserve()));
-            if (!(checked_->check.error.mean < (1.0 - kLeastDefectGain) * before)) return;
+            if (found.point != checked_->point) check_and_keep_best(found);
+            has_gained = checked_->check.error.mean < (1.0 - kLeastDefectGain) * before;
         }
     }
 

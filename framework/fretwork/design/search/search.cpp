@@ -348,10 +348,13 @@ Solved Search::try_neighbours(Solved best, double reserve, int last_solution) {
     return best;
 }
 
-Solved Search::improve_from_others(Solved best, const std::vector<Solved>& starts, double reserve) {
+int Search::left_for_defect() const {
+    return std::min(kMostLeftForDefect, static_cast<int>(kLeftForDefect * most_solutions_));
+}
+
+Solved Search::improve_from_others(Solved best, const std::vector<Solved>& starts, double reserve, int left) {
     const DesignEnd end = end_;
-    const int for_defect = std::min(kMostLeftForDefect, static_cast<int>(kLeftForDefect * most_solutions_));
-    const int last_solution = most_solutions_ - for_defect;
+    const int last_solution = most_solutions_ - left;
     const auto has_budget = [&] {
         return may_go_on(reserve) && trials_.solutions() < last_solution && best.trial.objective > kReached;
     };
@@ -366,10 +369,10 @@ Solved Search::improve_from_others(Solved best, const std::vector<Solved>& start
     for (std::size_t i = 1; i < std::min(starts.size(), kOtherStarts) && has_budget(); ++i)
         (void)try_from(starts[i]);
     if (is_small()) best = try_neighbours(std::move(best), reserve, last_solution);
-    for (std::uint64_t kick = 0; kick < kMostKicks && has_budget(); ++kick) {
+    for (; kicks_ < kMostKicks && has_budget(); ++kicks_) {
         // On small surfaces every second start is all at random.
-        const double share = !is_small() ? kKickedShare : kick % 2 == 0 ? kKickedShareOfSmall : 1.0;
-        Solved start{kicked(best.point, share, kick), {}};
+        const double share = !is_small() ? kKickedShare : kicks_ % 2 == 0 ? kKickedShareOfSmall : 1.0;
+        Solved start{kicked(best.point, share, kicks_), {}};
         if (is_seen(start.point)) continue;
         start.trial = solve(start.point);
         if (start.trial.is_found && try_from(start) && is_small())

@@ -50,9 +50,11 @@ class Search {
     /// Improve a painting until no swap is predicted to improve its mean square distance by a share of
     /// kLeastGain, or only `reserve` s are left. Returns the best point found.
     Solved improve(Solved start, double reserve);
-    /// Improve other starts, and the best painting with a random part of it painted at random, until the
-    /// budget is spent or only `reserve` s are left.
-    Solved improve_from_others(Solved best, const std::vector<Solved>& starts, double reserve);
+    /// Improve other starts, and the best painting with a random part of it painted at random, until but
+    /// `left` solutions are spent or only `reserve` s are left.
+    Solved improve_from_others(Solved best, const std::vector<Solved>& starts, double reserve, int left);
+    /// The solutions that are left for the defect correction.
+    [[nodiscard]] int left_for_defect() const;
     /// The patterns that steps choose from.
     void set_columns(std::vector<std::size_t> shortlist, std::vector<std::size_t> all);
 
@@ -109,6 +111,7 @@ class Search {
     DesignEnd end_ = DesignEnd::NoSwapImproves;
     std::map<std::vector<std::size_t>, double> seen_;  ///< the misfits of paintings, without further unknowns
     int most_solutions_;
+    std::uint64_t kicks_ = 0;    ///< starts that were kicked so far
     double step_seconds_ = 0.0;  ///< time of the longest step so far; the next may take as long
 };
 
