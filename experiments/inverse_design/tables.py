@@ -18,7 +18,7 @@ def read_rows(folder):
         if "arc" in path.stem.split("_")[1]:
             row["target"] = path.stem.split("_")[1]
         if "linear" in path.stem:
-            row["target"] += ", linear"
+            row["target"] += " linear"
         rows.append(row)
     return rows
 
