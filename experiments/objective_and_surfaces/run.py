@@ -3,18 +3,18 @@
 """Does a lower calibration objective mean a smaller error on a surface? One sheet for each of some patterns, painted with it alone,
 under five loads; the calibrated ring with links against the tiles that it stands for.
 
-Usage: run.py PROGRAM OUT [--patterns N]
+Usage: run.py OUT [--patterns N]     (with the Python module)
 Rows go to OUT/rows.csv; those that are there already are kept and not computed again.
 """
 import argparse
 import csv
-import json
-import math
 import pathlib
 import sys
 
+import numpy as np
+
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
-from program import Fretwork  # noqa: E402
+from module import fw  # noqa: E402
 
 WIDTH, HEIGHT = 0.42, 0.26  # m
 # Small: linear tiles (condensed) are the truth. The deflected sheet is bent by a tenth of its length: the full model is.
@@ -26,132 +26,95 @@ VARIANTS = {"paper6": ("paper6", {}), "ring10": ("ring10", {}), "equal weights":
             "small loads": ("paper6", {"loads": 0.02})}
 
 
-def displacements(fretwork, project, model):
+def displacements(surface, load_case, model):
     """Translations of the interface nodes, one after another."""
-    fretwork("simulate", project, "--case", "./case.json", "--model", model, "--out", "result.json")
-    result = json.loads((fretwork.folder / "result.json").read_text())
-    pairs = zip(result["nodes"], result["displacements"])
-    return [component for node, moved in pairs if node.get("interface") for component in moved[:3]]
+    moved = fw.simulate(surface, load_case, model=model).displacements[: len(surface.tessellation.interface_nodes), :3]
+    return moved.ravel()
 
 
-def write(path, content):
-    path.write_text(json.dumps(content))
+def load_case(force=None, moment=None, amount=SMALL_FORCE):
+    load = fw.LoadCase.Load(fw.NodesAtSide("right"), amount="total")
+    load.force, load.moment = (amount * np.array(given or [0, 0, 0]) for given in (force, moment))
+    return fw.LoadCase(name="case", supports=[fw.LoadCase.Support(fw.NodesAtSide("left"), "all")], loads=[load])
 
 
-def write_case(folder, force=None, moment=None, amount=SMALL_FORCE):
-    load = {"side": "right", "amount": "total"}
-    if force is not None:
-        load["force"] = [amount * x for x in force]
-    if moment is not None:
-        load["moment"] = [amount * x for x in moment]
-    held = {"side": "left", "fixed": ["ux", "uy", "uz", "rx", "ry", "rz"]}
-    write(folder / "case.json", {"format": "fretwork/load-case/1", "name": "case", "supports": [held], "loads": [load]})
-
-
-def make_libraries(fretwork, count):
-    """A library for each variant, with the same patterns. Returns their ids."""
-    for name, (model, changes) in VARIANTS.items():
-        library = f"{name.replace(' ', '_')}.db"
-        if not (fretwork.folder / library).exists():
-            fretwork("enumerate", "--layout", "paper7", "--library", library)
-        options = []
-        if changes:
-            write(fretwork.folder / "setting.json", changed_setting(fretwork, changes))
-            options = ["--setting", "setting.json"]
-        fretwork("calibrate", "--library", library, "--patterns", f"sample:{count}", "--model", model, *options)
-    fretwork("library", "export", "--library", "paper6.db", "--csv", "tables")
-    with (fretwork.folder / "tables" / "calibration.csv").open() as file:
-        return sorted(row["pattern_id"] for row in csv.DictReader(file))
-
-
-def changed_setting(fretwork, changes):
-    fretwork("library", "export", "--library", "paper6.db", "--csv", "tables")
-    setting = json.loads((fretwork.folder / "tables" / "setting.json").read_text())
-    for scenario in setting["scenarios"]:
-        scenario["weight"] = changes.get("weights", scenario["weight"])
-        scenario["max_magnitude"] *= changes.get("loads", 1.0)
+def changed_setting(changes):
+    setting = fw.paper_setting()
+    scenarios = setting.scenarios
+    for scenario in scenarios:
+        scenario.weight = changes.get("weights", scenario.weight)
+        scenario.max_magnitude *= changes.get("loads", 1.0)
+    setting.scenarios = scenarios
     return setting
 
 
-def objective(fretwork, library, pattern):
-    shown = json.loads(fretwork("library", "show", pattern, "--library", library, "--json"))
-    return shown["calibrations"][0]["objective"]
-
-
-def product(a, b):
-    return sum(x * y for x, y in zip(a, b))
+def make_libraries(out, count):
+    """A library for each variant, with the same patterns."""
+    layout = fw.paper_layout()
+    libraries = {}
+    for name, (model, changes) in VARIANTS.items():
+        path = out / f"{name.replace(' ', '_')}.db"
+        libraries[name] = fw.Library.open_or_create(path, layout, changed_setting(changes), fw.enumerate_patterns(layout))
+        libraries[name].fill([entry.id for entry in libraries[name].sample(count)], model=model)
+    return libraries
 
 
 def compared(exact, found):
     """Relative L2 error, and the stiffness as a multiple of the true one (least squares)."""
-    return math.dist(found, exact) / math.hypot(*exact), product(exact, found) / product(found, found)
+    return np.linalg.norm(found - exact) / np.linalg.norm(exact), exact @ found / (found @ found)
 
 
 class Truth:
     """What a sheet does: under the small loads by its linear tiles, bent by the full model."""
 
-    def __init__(self, fretwork, project):
-        self.small = {}
-        for load, (force, moment) in FORCES.items():
-            write_case(fretwork.folder, force, moment)
-            self.small[load] = displacements(fretwork, project, "condensed")
-        self.bending_force = SMALL_FORCE * DEFLECTION * WIDTH / max(map(abs, self.small["bending"]))
-        self.write_bending_case(fretwork.folder)
-        self.bent = displacements(fretwork, project, "full")
-        self.error_of_condensed = compared(self.bent, displacements(fretwork, project, "condensed"))[0]
-
-    def write_bending_case(self, folder):
-        write_case(folder, FORCES["bending"][0], amount=self.bending_force)
+    def __init__(self, surface):
+        self.small = {load: displacements(surface, load_case(*given), "condensed") for load, given in FORCES.items()}
+        self.bending = load_case(FORCES["bending"][0],
+                                 amount=SMALL_FORCE * DEFLECTION * WIDTH / np.abs(self.small["bending"]).max())
+        self.bent = displacements(surface, self.bending, "full")
+        self.error_of_condensed = compared(self.bent, displacements(surface, self.bending, "condensed"))[0]
 
 
-def row_of(fretwork, project, model, truth):
+def row_of(surface, model, truth):
     row = {}
-    for load, (force, moment) in FORCES.items():
-        write_case(fretwork.folder, force, moment)
-        row[f"{load}_error"], row[f"{load}_stiffness"] = compared(truth.small[load], displacements(fretwork, project, model))
-    truth.write_bending_case(fretwork.folder)
-    row["bent_error"], row["bent_stiffness"] = compared(truth.bent, displacements(fretwork, project, model))
+    for load, given in FORCES.items():
+        row[f"{load}_error"], row[f"{load}_stiffness"] = compared(truth.small[load], displacements(surface, load_case(*given), model))
+    row["bent_error"], row["bent_stiffness"] = compared(truth.bent, displacements(surface, truth.bending, model))
     row["bent_error_of_condensed"] = truth.error_of_condensed
     return row
 
 
-def rows_of(fretwork, pattern):
+def rows_of(libraries, outline, pattern):
     truth = None
     for name, (model, _) in VARIANTS.items():
-        library = f"{name.replace(' ', '_')}.db"
-        project = f"sheet_{name.replace(' ', '_')}.json"
-        fretwork("tile", "outline.json", "--edge-length", "26mm", "--patterns", pattern, "--library", library, "--out", project)
-        truth = truth or Truth(fretwork, project)  # sheet and material are the same in all
-        yield {"pattern": pattern, "edges": pattern.count("-"), "variant": name, "objective": objective(fretwork, library, pattern),
-               **row_of(fretwork, project, model, truth)}
+        library = libraries[name]
+        project, _ = fw.make_project(outline, pattern, library, edge_length=0.026)
+        surface = fw.make_surface(project, library)
+        truth = truth or Truth(surface)  # sheet and material are the same in all
+        yield {"pattern": pattern, "edges": pattern.count("-"), "variant": name,
+               "objective": library.calibrations(pattern)[0].calibration.objective, **row_of(surface, model, truth)}
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", type=pathlib.Path)
     parser.add_argument("out", type=pathlib.Path)
     parser.add_argument("--patterns", type=int, default=60)
     options = parser.parse_args()
     options.out.mkdir(parents=True, exist_ok=True)
-    fretwork = Fretwork(options.program.resolve(), options.out)
-    corners = [[0, 0], [WIDTH, 0], [WIDTH, HEIGHT], [0, HEIGHT]]
-    write(options.out / "outline.json", {"format": "fretwork/outline/1", "boundary": corners, "holes": []})
-    patterns = make_libraries(fretwork, options.patterns)
+    outline = fw.make_outline([[0, 0], [WIDTH, 0], [WIDTH, HEIGHT], [0, HEIGHT]])
+    libraries = make_libraries(options.out, options.patterns)
+    patterns = sorted(entry.id for entry in libraries["paper6"].fitted_patterns())
     table = options.out / "rows.csv"
-    done = set()
-    if table.exists():
-        done = {row["pattern"] for row in csv.DictReader(table.open())}
+    done = {row["pattern"] for row in csv.DictReader(table.open())} if table.exists() else set()
     with table.open("a", newline="") as file:
-        writer = None
         for pattern in patterns:
             if pattern in done:
                 continue
-            for row in list(rows_of(fretwork, pattern)):
-                if writer is None:
-                    writer = csv.DictWriter(file, row, lineterminator="\n")
-                    if not done:
-                        writer.writeheader()
-                writer.writerow({k: f"{v:.5g}" if isinstance(v, float) else v for k, v in row.items()})
+            rows = list(rows_of(libraries, outline, pattern))
+            writer = csv.DictWriter(file, rows[0], lineterminator="\n")
+            if file.tell() == 0:
+                writer.writeheader()
+            writer.writerows({k: f"{v:.5g}" if isinstance(v, float) else v for k, v in row.items()} for row in rows)
             file.flush()
 
 

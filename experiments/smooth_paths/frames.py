@@ -4,7 +4,7 @@
 
 Imperfect columns, Lee's frame and sine arches, each by four ways: at once, in 40 steps, on the stable branch, and
 snapping; against the primary path in many small steps.
-Usage: frames.py PROGRAM FOLDER [--reference-steps N]
+Usage: frames.py [--reference-steps N]
 """
 import json
 import math
@@ -12,9 +12,11 @@ import pathlib
 import sys
 from collections import Counter
 
+import numpy as np
+
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
-from program import Fretwork  # noqa: E402
-from ways import CLAMPED, Tally, arguments_of, displacements  # noqa: E402
+from module import fw  # noqa: E402
+from ways import CLAMPED, Tally, reference_steps  # noqa: E402
 
 
 def frame(nodes, supports, loads, prescribed=(), side=0.002, width=0.02, modulus=2e9):
@@ -66,33 +68,28 @@ def arches():
                        frame(nodes, supports, [{"node": 11, "force": [0, 0, -force]}]))
 
 
-def solve(fretwork, problem, options):
-    """The losses of stability, and the result."""
-    (fretwork.folder / "frame.json").write_text(json.dumps(problem))
-    summary = fretwork("solve", "frame.json", "--out", "result.json", "--json", *options, accepted=(0, 1))
-    return (json.loads(summary)["critical_load_factors"], json.loads((fretwork.folder / "result.json").read_text()))
+def solve(problem, **options):
+    return fw.solve(fw.parse_frame(json.dumps(problem)), **options).solution
 
 
-def print_weak_forces(fretwork):
+def print_weak_forces():
     """How many columns end on the side of a force that is a small share of Euler's load, at once."""
     for share in (1e-4, 1e-5, 1e-6, 1e-8):
         ends = Counter()
         for _, problem in columns((share,)):
-            _, result = solve(fretwork, problem, [])
-            moves = displacements(result)
-            largest = max(math.dist(move, (0, 0, 0)) for move in moves)
-            side = "the side of the force" if moves[10][2] > 0.01 * largest else "elsewhere"
-            ends[f"{result['termination']}, {side}"] += 1
+            solution = solve(problem)
+            moves = solution.displacements[:, :3]
+            largest = np.linalg.norm(moves, axis=1).max()
+            side = "the side of the force" if moves[10, 2] > 0.01 * largest else "elsewhere"
+            ends[f"{solution.termination}, {side}"] += 1
         print(f"{share:g} of Euler's load:", ", ".join(f"{number} {what}" for what, number in ends.most_common()))
 
 
 def main():
-    arguments = arguments_of(__doc__.splitlines()[0], 1000)
-    fretwork = Fretwork(arguments.program, arguments.folder)
-    tally = Tally(40, arguments.reference_steps)
+    tally = Tally({"steps": 40}, {"steps": reference_steps(__doc__.splitlines()[0], 1000)})
     for name, problem in [*columns(), *lees_frame(), *arches()]:
-        tally.add(name, lambda options: solve(fretwork, problem, options))
-    print_weak_forces(fretwork)
+        tally.add(name, lambda **options: solve(problem, **options))
+    print_weak_forces()
     tally.print()
 
 

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Frames and surfaces that buckle smoothly or snap: do solutions at once end where many small steps end? Half a minute.
-# Usage: run.sh [PROGRAM] [OUTPUT FOLDER]
+# Usage: run.sh [OUTPUT FOLDER] [FOLDER OF THE PYTHON MODULE]
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
-program=$(realpath "${1:-$here/../../build/release/apps/fretwork/fretwork}")
-out=${2:-$here/../../out/smooth_paths}
+out=${1:-$here/../../out/smooth_paths}
+export PYTHONPATH=${2:-$here/../../build/release/apps/python}
 mkdir -p "$out"
-python3 "$here/frames.py" "$program" "$out" | tee "$out/frames.txt"
-python3 "$here/surfaces.py" "$program" "$out" | tee "$out/surfaces.txt"
+/usr/bin/python3 "$here/frames.py" | tee "$out/frames.txt"
+/usr/bin/python3 "$here/surfaces.py" | tee "$out/surfaces.txt"

@@ -4,17 +4,17 @@
 
 A strip that is pushed together under a small force, and a sheet whose supports move together under a little weight,
 each with two paintings, by four ways; against the primary path in many small steps. Corotational tiles.
-Usage: surfaces.py PROGRAM FOLDER [--reference-steps N]
+Usage: surfaces.py [--reference-steps N]
 """
 import json
 import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
-from program import Fretwork  # noqa: E402
-from ways import CLAMPED, Tally, arguments_of  # noqa: E402
+from module import fw  # noqa: E402
+from ways import CLAMPED, Tally, reference_steps  # noqa: E402
 
-PAINTINGS = {"one pattern": ["0-5+5-6"], "two patterns": ["random:1", "--palette", "0-5+5-6,0-1+1-6"]}
+PAINTINGS = {"one pattern": {"patterns": "0-5+5-6"}, "two patterns": {"patterns": "random:1", "palette": "0-5+5-6,0-1+1-6"}}
 
 
 def cases():
@@ -32,29 +32,19 @@ def cases():
                 "loads": [{"box": [-1, -1, 1, 1], "force": [0, 0, 0.05], "amount": "total"}]})
 
 
-def tile(fretwork, length, width, patterns):
-    (fretwork.folder / "outline.json").write_text(json.dumps({"format": "fretwork/outline/1", "boundary": [
-        [0, 0], [length, 0], [length, width], [0, width]]}))
-    (fretwork.folder / "project.json").unlink(missing_ok=True)
-    fretwork("tile", "outline.json", "--patterns", *patterns, "--edge-length", "25mm", "--setting", "paper", "--out", "project.json")
-
-
-def simulate(fretwork, options):
-    """The losses of stability, and the result."""
-    summary = fretwork("simulate", "project.json", "--case", "./case.json", "--model", "corotational", "--out",
-                       "result.json", "--json", *options, accepted=(0, 1))
-    return json.loads(summary)["stability_losses"], json.loads((fretwork.folder / "result.json").read_text())
+def surface_of(length, width, painting):
+    outline = fw.make_outline([[0, 0], [length, 0], [length, width], [0, width]])
+    return fw.make_surface(fw.make_project(outline, edge_length=0.025, setting=fw.paper_setting(), **painting)[0])
 
 
 def main():
-    arguments = arguments_of(__doc__.splitlines()[0], 100)
-    fretwork = Fretwork(arguments.program, arguments.folder)
-    tally = Tally(10, arguments.reference_steps)
-    for name, (length, width), case in cases():
-        (fretwork.folder / "case.json").write_text(json.dumps({"format": "fretwork/load-case/1", "name": "c", **case}))
+    tally = Tally({"load_steps": 10}, {"load_steps": reference_steps(__doc__.splitlines()[0], 100)})
+    for name, size, case in cases():
+        load_case = fw.parse_load_case(json.dumps({"format": "fretwork/load-case/1", "name": "c", **case}))
         for painting, patterns in PAINTINGS.items():
-            tile(fretwork, length, width, patterns)
-            tally.add(f"{name}, {painting}", lambda options: simulate(fretwork, options))
+            surface = surface_of(*size, patterns)
+            tally.add(f"{name}, {painting}",
+                      lambda **options: fw.simulate(surface, load_case, model="corotational", **options).solution)
     tally.print()
 
 

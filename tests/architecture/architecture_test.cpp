@@ -117,7 +117,7 @@ const std::map<std::string, std::map<std::string, Room>> kRooms = {
       {"dual", {Headers::Private, {"remeshing"}}},
       {"painting", {Headers::Public, {}}}}},
     {"simulation",
-     {{"derivatives", {Headers::Public, {}}},
+     {{"derivatives", {Headers::Public, {"results"}}},
       {"internal", {Headers::Public, {"load_cases"}}},
       {"load_cases", {Headers::Public, {"internal"}}},
       {"project", {Headers::Public, {"load_cases", "internal"}}},

@@ -81,6 +81,42 @@ TEST(SectionStress, ThinTubesBearTwiceTheirMeanShear) {
 
 // Equilibrium: the shear of the web integrates to nearly the whole force, by Simpson's rule over the values
 // at its ends and in its middle; the flanges bear the rest.
+TEST(SectionStress, PowerSumsComeNearTheLargestStress) {
+    const SectionForces forces{.N = 3.0, .V2 = -1.0, .V3 = 0.5, .T = 0.001, .M2 = 0.002, .M3 = -0.001};
+    for (const Section& section : {rectangle_section(0.002, 0.003), circle_section(0.002)}) {
+        const SectionPoints points(section);
+        const double largest = points.largest(forces).von_mises;
+        const double sum = points.power_sum(forces, {.reference = largest, .exponent = 2000.0}).value;
+        EXPECT_NEAR(sum, 1.0, 1e-3) << "one point of them all";
+    }
+}
+
+// By differences of fourth order.
+TEST(SectionStress, PowerSumsHaveTheirGradient) {
+    const Eigen::Vector<double, 6> at(3.0, -1.0, 0.5, 0.001, 0.002, -0.001);
+    const auto forces = [](const Eigen::Vector<double, 6>& f) {
+        return SectionForces{.N = f[0], .V2 = f[1], .V3 = f[2], .T = f[3], .M2 = f[4], .M3 = f[5]};
+    };
+    for (const Section& section : {rectangle_section(0.002, 0.003), tube_section(0.004, 0.003),
+                                   i_section({0.01, 0.02, 0.001, 0.001})}) {
+        const SectionPoints points(section);
+        const SectionPoints::Power power{points.largest(forces(at)).von_mises, 8.0};
+        const auto gradient = points.power_sum(forces(at), power).gradient;
+        for (Eigen::Index i = 0; i < 6; ++i) {
+            const auto value = [&](double share) {
+                Eigen::Vector<double, 6> moved = at;
+                moved[i] *= 1.0 + share;
+                return points.power_sum(forces(moved), power).value;
+            };
+            const double h = 1e-3;
+            const double wanted =
+                (8.0 * (value(h) - value(-h)) - (value(2.0 * h) - value(-2.0 * h))) / (12.0 * h);
+            EXPECT_NEAR(gradient[i] * at[i], wanted, 1e-8 * gradient.cwiseProduct(at).norm());
+        }
+    }
+    EXPECT_EQ(SectionPoints(circle_section(0.002)).power_sum({}, {}).gradient.norm(), 0.0);
+}
+
 TEST(SectionStress, TheWebOfAnIBearsItsShearForce) {
     const IShape shape{.width = 0.05, .height = 0.1, .flange_thickness = 0.005, .web_thickness = 0.004};
     const Section section = i_section(shape);

@@ -49,6 +49,14 @@ class OwnLayouts(unittest.TestCase):
         self.assertGreater(len(fw.enumerate_patterns(own)), 0)
         self.assertEqual(fw.parse_node_layout(fw.node_layout_text(own)), own)
 
+    def test_is_tiled_and_simulated(self):
+        own = fw.NodeLayout("own", radial=["1/2"], face=[["1/3", "1/3", "1/3"]], interface=["1/2"])
+        pattern = fw.pattern_id(own, fw.enumerate_patterns(own)[0])
+        square = fw.make_outline([[0, 0], [0.2, 0], [0.2, 0.2], [0, 0.2]])
+        project, _ = fw.make_project(square, patterns=pattern, own_layout=own, edge_length=0.03)
+        self.assertEqual(project.layout, own)
+        self.assertTrue(fw.simulate(fw.make_surface(project), support.tip(-1e-4), model="corotational").converged)
+
 
 class OwnTileModels(unittest.TestCase):
     def test_the_condensed_tile_in_python_is_that_of_the_framework(self):

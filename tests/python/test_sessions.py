@@ -55,6 +55,19 @@ class Sessions(unittest.TestCase):
         self.assertNotEqual(moved[b, 0], 0.0)
         self.assertAlmostEqual(moved[b, 0] / moved[a, 1], 1.0, delta=1e-9)
 
+    def test_stress_is_refined_until_its_place_is_in_full(self):
+        session = fw.Session(support.surface(), support.tip(-0.002), model="corotational")
+        before = session.solve()
+        refined = fw.refine_stress(session)
+        self.assertTrue(refined.is_settled)
+        worst = fw.most_stressed(refined.table, 1)[0]
+        self.assertIn(worst.tile, refined.full_tiles)
+        self.assertLess(np.abs(refined.result.displacements[: len(before.displacements)] - before.displacements).max(),
+                        0.05 * before.largest_displacement)
+        again = fw.refine_stress(session, refined.full_tiles)  # the session has kept these tiles
+        self.assertEqual((again.solutions, again.full_tiles), (1, refined.full_tiles))
+        session.tile_deformations(again.result)  # of the session's last solution
+
     def test_different_sessions_may_be_solved_at_once(self):
         sessions = [fw.Session(support.surface(), support.tip(), model="corotational") for _ in range(4)]
         results = [None] * 4

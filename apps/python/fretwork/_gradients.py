@@ -1,62 +1,89 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Functions of a surface with their gradients: displacements by loads, prescribed displacements, material and section."""
+"""Functions of a surface with their gradients: displacements, energy, stress by loads, material, section, patterns."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 from . import _core
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Mapping, Sequence, Set
 
     import numpy as np
     import numpy.typing as npt
 
-    from ._core import LoadCase, Session, Surface, SurfaceResult
+    from ._core import LoadCase, Session, Setting, SmoothStress, Surface, SurfaceResult
 
     Floats = npt.NDArray[np.float64]
     Design = Mapping[str, npt.ArrayLike]
 
 _SECTION = ("area", "I2", "I3", "J")
+_SIDES = ("width", "thickness")
+_SHARE = 1e-3  # the step of a differenced share of a number
 
 
 class SurfaceFunction:
-    """The displacements of a surface's interface nodes as a function of a design.
+    """What a surface does, as a function of a design: displacements, energy, and largest stress.
 
-    A design is a dict; what is left out is as in surface and load case:
+    A design is a dict. Its parts, of which any may be left out (then surface and load case have them):
 
-    forces: n x 3 floats, N, on the interface nodes, beside the loads of the load case
-    prescribed: m floats (m or rad), the values of the load case's prescribed displacements, entry by entry
+    forces: n x 3 floats, N, on the n interface nodes, beside the loads of the load case
+    prescribed: m floats (m or rad), the values of the load case's m prescribed displacements, entry by entry
     young_modulus: a float, Pa
     section: 4 floats: area (m^2), I2, I3, J (m^4)
+    width, thickness: floats, m: of rectangular bars, in the plane of the surface and across it
     weights: tiles x patterns floats: each tile's stiffness is this sum of those that the `patterns` give it
 
-    `weights` want `patterns` (ids), the model "corotational", no gravity, and the surface's own material and section; a row
-    with a single 1 is a painted tile.
+    `weights` want `patterns` (ids), no gravity, and the surface's own material and section; a row with a single 1 is a
+    painted tile. `section` excludes `width` and `thickness`.
 
-    The outputs are a dict, too: displacements (n x 6), and positions (n x 3, m). With `model` "corotational" they are
-    those of a nonlinear equilibrium, which continues from the one before; with "condensed" those of small
-    displacements.
+    The outputs are a dict, too:
+
+    displacements: n x 6 floats (m, rad: rotation vectors)
+    positions: n x 3 floats, m
+    energy: a float, J, elastic
+    stress: a float, Pa; only with a `stress_exponent` p (32 is usual): the p-norm of the von Mises stresses over the
+        points of all bars' end sections, a smooth stand-in for the largest (fretwork.smooth_stress). A mixture of
+        patterns has no bars, so it has no stress.
+
+    With `model` "corotational" outputs are those of a nonlinear equilibrium, which continues from the one before; with
+    "condensed" those of small displacements. Gradients of other models are not offered.
+
+    >>> import fretwork as fw
+    >>> square = fw.make_outline([[0, 0], [0.2, 0], [0.2, 0.2], [0, 0.2]])
+    >>> project, _ = fw.make_project(square, patterns="0-1+1-6", edge_length=0.025)
+    >>> case = fw.LoadCase(name="tip", supports=[fw.LoadCase.Support(fw.NodesAtSide("left"), "all")],
+    ...     loads=[fw.LoadCase.Load(fw.NodesAtSide("right"), force=[0, 0, -0.001])])
+    >>> function = fw.SurfaceFunction(fw.make_surface(project), case, stress_exponent=32)
+    >>> design = {"thickness": 0.002}
+    >>> outputs = fw.apply(function, design)
+    >>> slopes = fw.vjp(function, design, outputs, {"stress": 1.0})
+    >>> bool(slopes["thickness"] < 0)  # thicker bars bear less stress
+    True
     """
 
     def __init__(self, surface: Surface, load_case: LoadCase, model: str = "corotational",
-                 patterns: Sequence[str] = ()) -> None:
+                 patterns: Sequence[str] = (), stress_exponent: float | None = None) -> None:
         if model not in ("corotational", "condensed"):
             raise _core.InputError(f"gradients are of the models corotational and condensed, and not of '{model}'")
+        if patterns and any(load_case.gravity):
+            raise _core.InputError("weights of patterns are for load cases without gravity")
+        if stress_exponent is not None and not stress_exponent >= 2:
+            raise _core.InputError(f"the exponent of a smooth stress is 2 or more, not {stress_exponent}")
         self._surface = surface
         self._case = load_case
         self._model = model
+        self._exponent = stress_exponent
         self._session = _core.Session(surface, load_case, model=model)
         self._candidates = _core.CandidateTiles(surface, list(patterns)) if patterns else None
-        if patterns and (model != "corotational" or any(load_case.gravity)):
-            raise _core.InputError("weights of patterns are for the model corotational, and load cases without gravity")
         self._weights: Any = None  # those of the session
         self._applied: dict[str, Any] | None = None
         self._result: SurfaceResult | None = None
+        self._stress: SmoothStress | None = None
 
     def apply(self, design: Design) -> dict[str, Floats]:
-        """The displacements (n x 6) and positions (n x 3) under a design. Raises NumericalError if there is none."""
+        """The outputs under a design. Raises NumericalError if there is no equilibrium."""
         import numpy as np
 
         numbers = self._numbers(design)
@@ -65,46 +92,76 @@ class SurfaceFunction:
         if not result.converged:
             raise _core.NumericalError(f"the surface has not converged: {result.solution.termination}")
         self._applied, self._result = numbers, result
-        nodes = len(self._surface.tessellation.interface_nodes)
-        displacements = np.array(result.displacements[:nodes])
-        return {"displacements": displacements, "positions": result.rest_positions[:nodes] + displacements[:, :3]}
+        displacements = np.array(result.displacements)
+        outputs = {"displacements": displacements, "positions": result.rest_positions + displacements[:, :3],
+                   "energy": np.array(result.solution.energy)}
+        if self._exponent is not None:
+            self._stress = _core.smooth_stress(self._session, result, exponent=self._exponent)
+            outputs["stress"] = np.array(self._stress.value)
+        return outputs
 
     def vjp(self, design: Design, outputs: Mapping[str, Any], cotangents: Mapping[str, Any]) -> dict[str, Floats]:
         """The gradient, by each part of the design, of the sum of outputs times cotangents.
 
-        `outputs` are those of apply(design); where it was the last call, its equilibrium is used.
+        `outputs` are those of apply(design): if that was the last call, its equilibrium is used, else it is found again.
+        A cotangent has the shape of its output; those of outputs that are left out are zero.
         """
-        import numpy as np
-
         numbers = self._numbers(design)
         if self._applied is None or not _same(self._applied, numbers):
             self.apply(design)
-        gradient = np.zeros((len(self._surface.tessellation.interface_nodes), 6))
-        for name, cotangent in cotangents.items():
-            if name not in ("displacements", "positions"):
-                raise _core.InputError(f"there is no output '{name}'; there are displacements and positions")
-            wide = 6 if name == "displacements" else 3
-            gradient[:, :wide] += np.asarray(cotangent, dtype=float).reshape(-1, wide)
-        backward = self._linear_vjp if self._model == "condensed" else self._nonlinear_vjp
-        return {name: backward(gradient, name) for name in numbers}
+        gradient, energy, stress = self._gradient(cotangents)
+        assert self._result is not None
+        by = self._session.sensitivity(gradient)
+        if energy:
+            by = _core.with_energy(by, energy, self._result.solution.energy)
+        return {name: self._backward(by, stress, name) for name in numbers}
+
+    def _gradient(self, cotangents: Mapping[str, Any]) -> tuple[Floats, float, float]:
+        """The gradient by displacements of outputs times cotangents, and the cotangents of energy and stress."""
+        import numpy as np
+
+        assert self._result is not None
+        known = ["displacements", "positions", "energy"] + (["stress"] if self._stress is not None else [])
+        for name in cotangents:
+            if name not in known:
+                raise _core.InputError(f"there is no output '{name}'; there is: {', '.join(known)}")
+        gradient = np.zeros(self._result.displacements.shape)
+        for name, wide in (("displacements", 6), ("positions", 3)):
+            if name in cotangents:
+                gradient[:, :wide] += _shaped(name, cotangents[name], (len(gradient), wide))
+        energy, stress = (float(_shaped(name, cotangents.get(name, 0.0), ())) for name in ("energy", "stress"))
+        if energy:
+            gradient += energy * self._session.energy_gradient(self._result)
+        if stress and self._stress is not None:
+            gradient += stress * self._stress.gradient
+        return gradient, energy, stress
 
     def _numbers(self, design: Design) -> dict[str, Any]:
         import numpy as np
 
         shapes = {"forces": (len(self._surface.tessellation.interface_nodes), 3),
-                  "prescribed": (len(self._case.prescribed),), "young_modulus": (), "section": (4,)}
+                  "prescribed": (len(self._case.prescribed),), "young_modulus": (), "section": (4,), "width": (),
+                  "thickness": ()}
         if self._candidates is not None:
             shapes["weights"] = (len(self._surface.tessellation), len(self._candidates.patterns))
         numbers = {}
         for name, value in design.items():
             if name not in shapes:
                 raise _core.InputError(f"a design has no part '{name}'; there is: {', '.join(shapes)}")
-            numbers[name] = np.array(value, dtype=float)
-            if numbers[name].shape != shapes[name]:
-                raise _core.InputError(f"{name} has the shape {numbers[name].shape}, and not {shapes[name]}")
-        if "weights" in numbers and numbers.keys() & {"young_modulus", "section"}:
-            raise _core.InputError("weights are of the surface's own material and section")
+            numbers[name] = np.array(_shaped(name, value, shapes[name]))
+        self._check_together(numbers.keys())
         return numbers
+
+    def _check_together(self, parts: Set[str]) -> None:
+        if "weights" in parts and parts & {"young_modulus", "section", *_SIDES}:
+            raise _core.InputError("weights are of the surface's own material and section")
+        if "weights" in parts and self._exponent is not None:
+            raise _core.InputError("a mixture of patterns has no bars, and so no stress: leave stress_exponent out")
+        if "section" in parts and parts & set(_SIDES):
+            raise _core.InputError("a design has either a section, or its width and thickness")
+        shape = _core.shape_name(_core.shape_of(self._surface.setting.section))
+        if parts & set(_SIDES) and shape != "rectangle":
+            raise _core.InputError(f"width and thickness are of rectangular bars; the surface has a {shape}")
 
     def _case_of(self, numbers: Mapping[str, Any]) -> LoadCase:
         import copy
@@ -126,6 +183,11 @@ class SurfaceFunction:
             setting.material.young_modulus = float(numbers["young_modulus"])
         for name, value in zip(_SECTION, numbers.get("section", ())):
             setattr(setting.section, name, float(value))
+        if numbers.keys() & set(_SIDES):
+            section = setting.section
+            setting.section = _core.rectangle_section(
+                float(numbers.get("width", _core.rectangle_width(section))),
+                float(numbers.get("thickness", _core.rectangle_height(section))))
         return setting
 
     def _edit(self, numbers: Mapping[str, Any]) -> None:
@@ -134,7 +196,7 @@ class SurfaceFunction:
         if not _same({"weights": self._weights}, {"weights": weights}):
             self._applied, before = None, {}
             self._session, self._weights = self._session_of(weights), weights
-        kept = {name: before.get(name) for name in ("young_modulus", "section")}
+        kept = {name: before.get(name) for name in ("young_modulus", "section", *_SIDES)}
         if not _same(kept, {name: numbers.get(name) for name in kept}):
             self._session.set_setting(self._setting_of(numbers))
         self._session.set_load_case(self._case_of(numbers))
@@ -144,7 +206,8 @@ class SurfaceFunction:
         if weights is None:
             return _core.Session(self._surface, self._case, model=self._model)
         rows = list(enumerate(weights))
-        models = [_core.TileModel(f"mixed {tile}", self._mixed(tile, row), displacements="large", sharing="congruent")
+        size: Literal["small", "large"] = "large" if self._model == "corotational" else "small"
+        models = [_core.TileModel(f"mixed {tile}", self._mixed(tile, row), displacements=size, sharing="congruent")
                   for tile, row in rows]
         session = _core.Session(self._surface, self._case, model=self._model, models=models)
         for tile, _ in rows:
@@ -157,6 +220,8 @@ class SurfaceFunction:
         stiffness = sum(weight * candidates.stiffness(tile, pattern) for pattern, weight in enumerate(weights))
 
         def build(given: Any) -> Any:
+            if self._model == "condensed":
+                return stiffness
             return _core.corotational_tile(given.frame().nodes[: given.interface_nodes], stiffness)
 
         return build
@@ -169,68 +234,60 @@ class SurfaceFunction:
         return np.array([rows[_core.select_nodes(entry.where, self._surface.tessellation),
                               components.index(entry.dof)].sum() for entry in self._case.prescribed])
 
-    def _nonlinear_vjp(self, gradient: Floats, name: str) -> Floats:
+    def _backward(self, by: Any, stress: float, name: str) -> Floats:
+        """The gradient by one part of the design; `stress` is the cotangent of that output."""
         import numpy as np
 
-        sensitivity = self._session.sensitivity(gradient)
         if name == "forces":
-            return np.array(sensitivity.loads[: len(gradient), :3])
+            return np.array(by.loads[:, :3])
         if name == "prescribed":
-            return self._at_prescribed(sensitivity.held_values)
+            return self._at_prescribed(by.held_values)
         if name == "weights":
             assert self._candidates is not None
-            instead = _core.pattern_derivatives(sensitivity, self._candidates)  # of K_p - K
-            return np.array(instead + sensitivity.tile_stiffness[:, None])
+            instead = _core.pattern_derivatives(by, self._candidates)  # of K_p - K
+            return np.array(instead + by.tile_stiffness[:, None])
         assert self._applied is not None
         setting = self._setting_of(self._applied)
-        if name == "young_modulus":
-            return np.array(sensitivity.stiffness / setting.material.young_modulus)
-        return np.array([self._along_section(sensitivity, setting, part) for part in _SECTION])
+        if name == "young_modulus":  # stresses of a surface that does not move are in proportion to it
+            at_rest = stress * self._stress.value if self._stress is not None else 0.0
+            return np.array((by.stiffness + at_rest) / setting.material.young_modulus)
+        if name == "section":
+            return np.array([self._along(by, stress, setting, part) for part in _SECTION])
+        return np.array(self._along(by, stress, setting, name))
 
-    def _along_section(self, sensitivity: Any, setting: Any, part: str) -> float:
-        """By one number of the section, whose share t is changed."""
-        import copy
+    def _along(self, by: Any, stress: float, setting: Setting, part: str) -> float:
+        """By one number of the section, or by one side of the bars, of which a share is changed."""
+        before = (getattr(setting.section, part) if part in _SECTION else
+                  _core.rectangle_width(setting.section) if part == "width" else
+                  _core.rectangle_height(setting.section))
 
-        def curve(t: float) -> Any:
+        def curve(t: float) -> Setting:
+            import copy
+
             changed = copy.copy(setting)
-            setattr(changed.section, part, (1 + t) * getattr(setting.section, part))
+            if part in _SECTION:
+                setattr(changed.section, part, (1 + t) * before)
+            else:
+                sides = [_core.rectangle_width(setting.section), _core.rectangle_height(setting.section)]
+                sides[_SIDES.index(part)] = (1 + t) * before
+                changed.section = _core.rectangle_section(*sides)
             return changed
 
-        whole = _core.derivative_along(sensitivity, self._session.surface, curve, 1e-3)
-        return float(whole / getattr(setting.section, part))
+        slope = _core.derivative_along(by, self._session.surface, curve, _SHARE)
+        if stress and self._result is not None:
+            slope += stress * _core.smooth_stress_along(self._session, self._result, curve, _SHARE,
+                                                        exponent=self._exponent)
+        return float(slope / before)
 
-    def _linear_vjp(self, gradient: Floats, name: str) -> Floats:
-        """Small displacements are u = u_f + sum of p_i u_i: those of the forces, and of each prescribed value."""
-        import numpy as np
 
-        assert self._applied is not None and self._result is not None
-        if name == "forces":
-            adjoint = self._session.solve_adjoint(gradient.reshape(-1, 1)).reshape(-1, 6)
-            return np.array(adjoint[:, :3])
-        if name == "prescribed":
-            return self._linear_by_prescribed(gradient)
-        if name == "young_modulus":
-            adjoint = self._session.solve_adjoint(gradient.reshape(-1, 1)).reshape(-1, 6)
-            forces = _core.load_rows(self._case_of(self._applied), self._session.surface)
-            return np.array(-(adjoint * forces).sum() / self._setting_of(self._applied).material.young_modulus)
-        raise _core.InputError("the derivative by the section is given for the model corotational")
+def _shaped(name: str, value: Any, shape: tuple[int, ...]) -> Floats:
+    """Numbers as an array of this shape."""
+    import numpy as np
 
-    def _linear_by_prescribed(self, gradient: Floats) -> Floats:
-        import copy
-
-        import numpy as np
-
-        slopes = []
-        count = len(self._case.prescribed)
-        for entry in range(count):
-            alone = copy.copy(self._case)
-            alone.loads, alone.area_loads, alone.combines, alone.gravity = (), (), (), [0, 0, 0]
-            alone.prescribed = [_core.LoadCase.PrescribedDisplacement(one.where, one.dof, float(place == entry))
-                                for place, one in enumerate(self._case.prescribed)]
-            self._session.set_load_case(alone)
-            slopes.append((gradient * self._session.solve().displacements).sum())
-        self._session.set_load_case(self._case_of(self._applied or {}))
-        return np.array(slopes)
+    array = np.asarray(value, dtype=float)
+    if array.shape != shape:
+        raise _core.InputError(f"{name} has the shape {array.shape}, and not {shape}")
+    return array
 
 
 def _same(left: Mapping[str, Any], right: Mapping[str, Any]) -> bool:

@@ -168,14 +168,16 @@ void Library::check_setting(const reduction::Setting& wanted) const {
 }
 
 void Library::Impl::replace_setting(detail::Transaction& transaction, const reduction::Setting& wanted) {
-    Statement(database, "UPDATE setting SET json = ?").bind_all(reduction::setting_text(wanted)).run();
+    std::string json = reduction::setting_text(wanted);
+    Statement(database, "UPDATE setting SET json = ?").bind_all(json).run();
     commit(transaction);
+    setting_json = std::move(json);
     setting = wanted;
 }
 
 void Library::adopt_setting(const reduction::Setting& wanted) {
     const auto transaction = impl_->begin_choosing_setting();
-    impl_->setting = impl_->stored_setting();
+    impl_->read_setting();
     if (detail::query_integer(impl_->database,
                               "SELECT 1 FROM response_state UNION SELECT 1 FROM calibration "
                               "UNION SELECT 1 FROM property UNION SELECT 1 FROM failure")) {
@@ -241,7 +243,17 @@ void Library::forget_failures() {
 
 std::vector<reduction::Response> Library::responses(std::string_view pattern_id) const {
     impl_->require_pattern(pattern_id);
-    return detail::read_responses(impl_->database, pattern_id, impl_->shape());
+    return detail::ResponseReader(impl_->database, impl_->shape()).read(pattern_id);
+}
+
+std::vector<std::vector<reduction::Response>> Library::responses(
+    std::span<const pattern::NamedPattern> patterns) const {
+    const Transaction snapshot(impl_->database, Transaction::Kind::Read);
+    detail::ResponseReader reader(impl_->database, impl_->shape());
+    std::vector<std::vector<reduction::Response>> found;
+    found.reserve(patterns.size());
+    for (const pattern::NamedPattern& entry : patterns) found.push_back(reader.read(entry.id));
+    return found;
 }
 
 std::vector<CalibrationRecord> Library::calibrations(std::string_view pattern_id) const {

@@ -171,6 +171,9 @@ class Library {
 
     /// The responses of a pattern in the order of the setting's scenarios; empty if none are stored.
     [[nodiscard]] std::vector<reduction::Response> responses(std::string_view pattern_id) const;
+    /// The same of many patterns, at one moment. Empty, too, for a pattern that the library does not have.
+    [[nodiscard]] std::vector<std::vector<reduction::Response>> responses(
+        std::span<const pattern::NamedPattern> patterns) const;
     /// All calibrations of a pattern, sorted by key.
     [[nodiscard]] std::vector<CalibrationRecord> calibrations(std::string_view pattern_id) const;
     /// The calibration with the smallest objective for each tile model of a pattern, sorted by the model's

@@ -67,6 +67,11 @@ std::optional<reduction::BeamMotion> Session::beam_motion(tiling::TileIndex tile
                                                           const mechanics::Solution& solution) const {
     return answering().beam_motion(tile, solution);
 }
+std::optional<mechanics::NodeValues> Session::motion_gradient(tiling::TileIndex tile,
+                                                              const mechanics::Solution& solution,
+                                                              const mechanics::NodeValues& by_beams) const {
+    return answering().motion_gradient(tile, solution, by_beams);
+}
 const Session::Work& Session::last_work() const {
     return mixture_ ? mixture_->last_work() : impl_->last_work();
 }
@@ -126,7 +131,10 @@ Linearization Session::linearize(TileQuantities quantities, const base::Control&
     return answering().linearize(quantities, control);
 }
 Sensitivity Session::sensitivity(const mechanics::NodeValues& gradient, const base::Control& control) {
-    return simulation::sensitivity(linearize(TileQuantities::Strains, control), gradient, control);
+    return answering().sensitivity(gradient, control);
+}
+mechanics::NodeValues Session::energy_gradient(const mechanics::Solution& solution) const {
+    return answering().energy_gradient(solution);
 }
 Eigen::MatrixXd Session::solve_adjoint(const Eigen::MatrixXd& rows, const base::Control& control) {
     return answering().solve_adjoint(rows, control);

@@ -123,12 +123,15 @@ class Session {
     /// was reached in several load steps; NumericalError if the tangent is singular there; Stopped.
     [[nodiscard]] Linearization linearize(TileQuantities quantities = TileQuantities::Strains,
                                           const base::Control& control = {});
-    /// The derivatives of a function J of the displacements at that equilibrium with respect to loads, held
-    /// values and tiles.
-    /// @param gradient  derivatives of J with respect to displacements and rotation vectors, a row for each
-    /// node of the result. Throws as linearize(), and InputError if the number of rows is wrong.
+    /// The derivatives of a function J of the displacements by all that the equilibrium of the last solve()
+    /// depends on, linear or nonlinear. Strains of a linear solution are displacements in a tile's own axes.
+    /// @param gradient  dJ by displacements and rotation vectors, a row for each node of the result
+    /// Throws as linearize(), and InputError if the rows are not as many.
     [[nodiscard]] Sensitivity sensitivity(const mechanics::NodeValues& gradient,
                                           const base::Control& control = {});
+    /// The gradient of the elastic energy by displacements and rotation vectors (N, N m), a row for each node
+    /// of a solution that this session gave since the last edit: its internal forces.
+    [[nodiscard]] mechanics::NodeValues energy_gradient(const mechanics::Solution& solution) const;
 
     /// The deformation of each tile in a solution of this session; zero for tiles made of beams.
     [[nodiscard]] std::vector<TileDeformation> tile_deformations(const mechanics::Solution& solution) const;
@@ -137,6 +140,11 @@ class Session {
     /// model does not give them. Several threads may call it at once.
     [[nodiscard]] std::optional<reduction::BeamMotion> beam_motion(tiling::TileIndex tile,
                                                                    const mechanics::Solution& solution) const;
+    /// The gradient of a function of that motion by the rows of the tile's interface nodes:
+    /// reduction::TileStructure::motion_gradient. Nothing if the tile's model does not give it.
+    [[nodiscard]] std::optional<mechanics::NodeValues> motion_gradient(
+        tiling::TileIndex tile, const mechanics::Solution& solution,
+        const mechanics::NodeValues& by_beams) const;
 
     /// The report of the last solve() or solve_adjoint(): what it computed and what it reused.
     struct Work {

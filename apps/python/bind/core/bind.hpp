@@ -30,6 +30,7 @@ void bind_projects(py::module_& module);
 void bind_results(py::module_& module);
 void bind_derivatives(py::module_& module);
 void bind_sessions(py::module_& module);
+void bind_surface_stresses(py::module_& module);
 void bind_fabrication(py::module_& module);
 void bind_designs(py::module_& module);
 void bind_exports(py::module_& module);

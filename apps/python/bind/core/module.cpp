@@ -29,6 +29,7 @@ void bind_all(pybind11::module_& module) {
     bind_results(module);
     bind_derivatives(module);
     bind_sessions(module);
+    bind_surface_stresses(module);
     bind_fabrication(module);
     bind_designs(module);
     bind_exports(module);

@@ -77,18 +77,21 @@ void bind_filters(py::module_& m) {
                  return Filter{std::move(name), 0.0, PredicateRule{std::move(is_kept), std::move(phrase)}};
              }),
              "name"_a, "is_kept"_a, "phrase"_a = "the pattern is rejected",
-             "A filter of your own: `is_kept(pattern)` says whether a pattern stays. It may be called from "
-             "several threads, one after the other.")
+             "A filter of your own: `is_kept(pattern)` says whether a pattern stays; it is asked of each "
+             "pattern that the other filters keep. It may be called from several threads, one after the "
+             "other. layout.candidate_edges[e] are the nodes of an edge e of pattern.edges.")
         .def_property_readonly("name", [](const Filter& self) { return self.name; })
-        .def_property_readonly("value", [](const Filter& self) { return self.value; })
+        .def_property_readonly(
+            "value", [](const Filter& self) { return self.value; },
+            "the number of a filter of the catalogue (radians, a whole number, or metres); 0 of your own")
         .def("__repr__", [](const Filter& self) { return "<Filter " + self.name + ">"; });
     Record<FilterSettings>(m, "FilterSettings", "The requirements on patterns.")
         .field("choices", &FilterSettings::choices,
-               "values for the paper's six, and others that are switched on")
-        .field("required", &FilterSettings::required, "of each, a pattern has at least one edge")
-        .field("forbidden", &FilterSettings::forbidden, "of these, a pattern has no edge")
-        .field("scale", &FilterSettings::scale, "")
-        .field("own", &FilterSettings::own, "filters of your own for this layout")
+               "FilterChoice's: values for the paper's six filters, and others that are switched on")
+        .field("required", &FilterSettings::required, "EdgeGroup's: of each, a pattern has at least one edge")
+        .field("forbidden", &FilterSettings::forbidden, "EdgeGroup's: of these, a pattern has no edge")
+        .field("scale", &FilterSettings::scale, "side and width that filters in metres are meant for")
+        .field("own", &FilterSettings::own, "Filter's of your own, for one layout")
         .done();
     m.def(
         "filter_catalogue", [] { return filter_catalogue(); }, "All filters, the paper's six first.");
@@ -128,8 +131,10 @@ void bind_enumeration_functions(py::module_& m) {
     m.def("default_edge_range", &default_edge_range, "layout"_a,
           "2 to 11 for the paper's layout, as its table; for any other, 2 to all.");
     Record<EnumerationOptions>(m, "EnumerationOptions", "How patterns are enumerated.")
-        .field("edges", &EnumerationOptions::edges, "an upper end beyond the number of candidates is clipped")
-        .field("filters", &EnumerationOptions::filters, "")
+        .field("edges", &EnumerationOptions::edges,
+               "EdgeRange(least, most) of the number of edges; an upper end beyond the number of candidates "
+               "is clipped")
+        .field("filters", &EnumerationOptions::filters, "FilterSettings: what patterns must have")
         .field("threads", &EnumerationOptions::threads, "0: all there are; the result does not depend on it")
         .field("most_kept", &EnumerationOptions::most_kept, "patterns that are kept before their turn")
         .done();

@@ -110,9 +110,10 @@ void bind_objective(py::module_& m) {
 
 void bind_calibrations(py::module_& m) {
     Record<CalibrationOptions>(m, "CalibrationOptions", "How a tile model is fitted.")
-        .field("optimizer", &CalibrationOptions::optimizer, "a row of the optimizers")
-        .field("starts", &CalibrationOptions::starts, "")
-        .field("seed", &CalibrationOptions::seed, "")
+        .field("optimizer", &CalibrationOptions::optimizer,
+               "the name of a row of optimizer_catalogue(), or of one of `optimizers`")
+        .field("starts", &CalibrationOptions::starts, "descents, or repetitions of a method that has none")
+        .field("seed", &CalibrationOptions::seed, "of all randomness")
         .field("budget", &CalibrationOptions::budget, "evaluations of the objective at most")
         .done();
     Record<Calibration>(m, "Calibration",

@@ -81,11 +81,12 @@ ResponseArrays read_arrays(const Library& library, const std::optional<Names>& i
     const auto& setting = library.setting();
     const auto nodes = static_cast<py::ssize_t>(library.layout().interface_nodes().size()) * setting.sides;
     std::vector<std::vector<reduction::Response>> found;
-    for (const pattern::NamedPattern& entry : patterns_of(library, ids)) {
-        auto responses = library.responses(entry.id);
-        if (responses.empty()) continue;
-        arrays.patterns.push_back(entry.id);
-        found.push_back(std::move(responses));
+    const auto patterns = patterns_of(library, ids);
+    auto all = library.responses(patterns);
+    for (std::size_t i = 0; i < patterns.size(); ++i) {
+        if (all[i].empty()) continue;
+        arrays.patterns.push_back(patterns[i].id);
+        found.push_back(std::move(all[i]));
     }
     const auto count = static_cast<py::ssize_t>(found.size());
     const auto scenarios = static_cast<py::ssize_t>(setting.scenarios.size());

@@ -101,49 +101,57 @@ void bind_method(py::module_& m) {
     bind_enum<Ending>(m);
     Record<OptimizerOptions>(m, "OptimizerOptions", "The options that all methods understand.")
         .field("starts", &OptimizerOptions::starts, "descents, or repetitions of a method that has none")
-        .field("seed", &OptimizerOptions::seed, "")
+        .field("seed", &OptimizerOptions::seed, "of all randomness: the same seed gives the same run")
         .done();
     Record<RunOutcome>(m, "RunOutcome", "How a method left: why, and where it stood.")
-        .field("ending", &RunOutcome::ending, "")
-        .constant("final_point", &RunOutcome::final_point, "n floats")
+        .field("ending", &RunOutcome::ending, "a word of Ending: 'converged', 'budget-spent', ..")
+        .constant("final_point", &RunOutcome::final_point, "n floats: where the method stood")
         .field("dead_starts", &RunOutcome::dead_starts, "starts that gave no descent")
         .done();
     py::class_<RunningEvaluator>(
         m, "Evaluator",
         "A problem as a method sees it: every evaluation is charged and remembered. One "
         "that the budget does not pay for, and one outside of the bounds, is None.")
-        .def_property_readonly("bounds", [](const RunningEvaluator& self) { return self.get().bounds(); })
-        .def_property_readonly("cost", [](const RunningEvaluator& self) { return self.get().cost(); })
-        .def_property_readonly("best_value",
-                               [](const RunningEvaluator& self) { return self.get().best_value(); })
-        .def_property_readonly("best_point",
-                               [](const RunningEvaluator& self) { return self.get().best_point(); })
+        .def_property_readonly(
+            "bounds", [](const RunningEvaluator& self) { return self.get().bounds(); },
+            "Bounds: arrays lower and upper, n floats each")
+        .def_property_readonly(
+            "cost", [](const RunningEvaluator& self) { return self.get().cost(); },
+            "what was charged so far, in the problem's unit")
+        .def_property_readonly(
+            "best_value", [](const RunningEvaluator& self) { return self.get().best_value(); },
+            "the least value so far; infinity before the first")
+        .def_property_readonly(
+            "best_point", [](const RunningEvaluator& self) { return self.get().best_point(); },
+            "where that was: n floats")
         .def(
             "can_afford",
             [](const RunningEvaluator& self, Evaluation kind) { return self.get().can_afford(kind); },
-            "kind"_a)
+            "kind"_a, "Whether the budget pays for one more evaluation of this kind: 'value', 'gradient', ..")
         .def(
             "value",
             [](const RunningEvaluator& self, const Eigen::VectorXd& x) { return self.at(x).value(x); },
-            "point"_a)
+            "point"_a, "The objective at a point (n floats); None: the budget is spent, or it lies outside.")
         .def(
             "gradient",
             [](const RunningEvaluator& self, const Eigen::VectorXd& x, double smoothing) {
                 return self.at(x).gradient(x, smoothing);
             },
-            "point"_a, "smoothing"_a = 0.0)
+            "point"_a, "smoothing"_a = 0.0,
+            "The objective with its gradient, or None; `smoothing` rounds kinks off. Its cost is the "
+            "problem's.")
         .def(
             "residuals",
             [](const RunningEvaluator& self, const Eigen::VectorXd& x, double smoothing) {
                 return self.at(x).residuals(x, smoothing);
             },
-            "point"_a, "smoothing"_a = 0.0)
+            "point"_a, "smoothing"_a = 0.0, "The objective as a sum of squares, with the Jacobian, or None.")
         .def(
             "curvature",
             [](const RunningEvaluator& self, const Eigen::VectorXd& x, double smoothing) {
                 return self.at(x).curvature(x, smoothing);
             },
-            "point"_a, "smoothing"_a = 0.0);
+            "point"_a, "smoothing"_a = 0.0, "The objective with gradient and Gauss-Newton matrix, or None.");
 }
 
 void bind_rows(py::module_& m) {

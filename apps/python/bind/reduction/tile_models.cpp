@@ -48,23 +48,26 @@ TileModel make_model(std::string name, BuildFunction build, std::string summary,
 
 void bind_input(py::module_& m) {
     py::class_<OwnedTileInput>(m, "TileInput", "What a tile model builds a tile from.")
-        .def_readonly("layout", &OwnedTileInput::layout)
+        .def_readonly("layout", &OwnedTileInput::layout, "the NodeLayout of the pattern")
         .def_readonly("fan", &OwnedTileInput::fan, "the tile's pattern, around a polygon of as many sides")
-        .def_readonly("setting", &OwnedTileInput::setting)
+        .def_readonly("setting", &OwnedTileInput::setting, "with material and section of the beams")
         .def_property_readonly(
             "polygon", [](const OwnedTileInput& self) { return self.polygon; },
             "n x 2 floats, m: convex, counterclockwise")
         .def_property_readonly(
             "parameters", [](const OwnedTileInput& self) { return self.parameters; },
             "of the model, in the order of its row")
-        .def_property_readonly("interface_nodes",
-                               [](const OwnedTileInput& self) { return self.fan.interface_node_count; })
+        .def_property_readonly(
+            "interface_nodes", [](const OwnedTileInput& self) { return self.fan.interface_node_count; },
+            "their number n: side after side, counterclockwise from vertex 0; with one a side, "
+            "node i lies between polygon[i] and polygon[i + 1]")
         .def(
             "frame",
             [](const OwnedTileInput& self) {
                 return fan_frame(self.layout, self.fan, self.polygon, self.setting);
             },
-            "All beams of the tile, neither held nor loaded; its first nodes are the interface nodes.");
+            "All beams of the tile as a Frame, neither held nor loaded, in the axes of `polygon`; its first "
+            "`interface_nodes` nodes are the interface nodes.");
     py::class_<TileStructure, std::shared_ptr<TileStructure>>(m, "TileStructure",
                                                               "A tile as a tile model makes it.")
         .def_property_readonly(

@@ -25,8 +25,8 @@ py::array_t<double> array_of(const std::vector<double>& numbers) {
 void bind_sensitivity(py::module_& m) {
     Record<Sensitivity>(
         m, "Sensitivity",
-        "The derivatives of a function J of a surface's displacements at a nonlinear equilibrium, by "
-        "what the equilibrium depends on.")
+        "The derivatives of a function J of a surface's displacements at an equilibrium, by what the "
+        "equilibrium depends on.")
         .constant("loads", &Sensitivity::loads,
                   "n x 6 floats: by forces (N) and true moments (N m) on each node")
         .constant("held_values", &Sensitivity::held_values,
@@ -47,6 +47,12 @@ void bind_sensitivity(py::module_& m) {
 
 void bind_derivatives(py::module_& m) {
     bind_sensitivity(m);
+    m.def("with_energy", &with_energy, "by"_a, "weight"_a, "energy"_a,
+          "The sensitivity of J + weight U, where U is the elastic energy (result.solution.energy, J): adds "
+          "how "
+          "U depends "
+          "on stiffnesses while nothing moves. The gradient of `by` has weight times "
+          "Session.energy_gradient in it already.");
     py::class_<CandidateTiles>(
         m, "CandidateTiles",
         "The condensed stiffness of every tile of a surface with each pattern of a palette.")

@@ -149,10 +149,15 @@ void bind_making(py::module_& m) {
         .field("outline_name", &NewProjectOptions::outline_name,
                "its file; of a mesh, where its faces come from")
         .field("edge_length", &NewProjectOptions::edge_length,
-               "m, mean side; None: the library's, or the paper's")
+               "m, wanted mean side of the tiles; None: the setting's tile side")
         .field("tiles", &NewProjectOptions::tiles, "")
         .field("narrow", &NewProjectOptions::narrow, "what to do where the outline is narrower than a tile")
-        .field("layout", &NewProjectOptions::layout, "a name or a file; empty: the library's, or paper7")
+        .field(
+            "layout", &NewProjectOptions::layout,
+            "a name that find_node_layout() knows, or a layout file (.json); empty: the library's, or paper7")
+        .field("own_layout", &NewProjectOptions::own_layout, "a NodeLayout of your own, in place of `layout`")
+        .field("setting", &NewProjectOptions::setting,
+               "material, section and joints; None: the library's, or made_setting(), whose joints are stiff")
         .done();
     m.def(
         "make_project",
@@ -173,8 +178,9 @@ void bind_making(py::module_& m) {
             return std::pair(std::move(made.project), made.report);
         },
         "outline"_a, "patterns"_a = py::none(), "library"_a = py::none(),
-        "Tile an outline, or several that lie apart, and paint it as Project.paint does. Returns the project "
-        "and a "
+        "Tile an outline, or several that lie apart, and paint it as Project.paint does: `patterns` is an "
+        "id, "
+        "or says how tiles get theirs ('random:1', with a `palette` of ids). Returns the project and a "
         "TessellationReport.\n\n"
         "Options: NewProjectOptions, palette, property, range, dither, progress\n");
 }

@@ -3,6 +3,7 @@
 #include "core/bind.hpp"
 #include "reduction/library_object.hpp"
 #include "reduction/tile_builds.hpp"
+#include "surfaces/session_object.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/simulation/derivatives/sensitivity.hpp>
@@ -18,15 +19,6 @@ using namespace simulation;
 using tiling::TileIndex;
 using Tiles = std::vector<TileIndex>;
 
-/// A session, and the tile models that it refers to.
-struct OwnedSession {
-    std::vector<reduction::TileModel> models;
-    Session session;
-    Eigen::Index rows = -1;  ///< of the last solution
-};
-
-using SessionObject = SharedObject<OwnedSession>;
-using SessionPointer = std::shared_ptr<SessionObject>;
 using SessionClass = py::class_<SessionObject, SessionPointer>;
 
 /// Keywords of simulations, and their tile models.
@@ -70,13 +62,6 @@ SurfaceResult solve_session(SessionObject& self, mechanics::StabilityCheck check
                 result_subject(use->session.surface(), use->session.load_case(), use->session.options());
         return result;
     });
-}
-
-/// A solution of a session has as many rows as the session's last one.
-const mechanics::Solution& checked(const OwnedSession& session, const SurfaceResult& result) {
-    if (result.solution.displacements.rows() != session.rows)
-        throw base::InputError("this is no result that the session gave since its last edit");
-    return result.solution;
 }
 
 void bind_options(py::module_& m) {
@@ -229,9 +214,19 @@ void bind_solutions(SessionClass& type) {
                 });
             },
             "gradient"_a, "progress"_a = py::none(),
-            "The derivatives of a function J of the displacements at the nonlinear equilibrium of the last "
-            "solve(); "
-            "gradient (n x 6): dJ by displacements and rotation vectors.")
+            "The derivatives of a function J of the displacements at the equilibrium of the last solve(), "
+            "linear or nonlinear. gradient: n x 6 floats, a row for each node of the result: dJ by "
+            "displacements (per m) and rotation vectors (per rad). Raises InputError if there is no such "
+            "equilibrium: after an edit, or in several load steps.")
+        .def(
+            "energy_gradient",
+            [](SessionObject& self, const SurfaceResult& result) {
+                const auto use = self.use();
+                return use->session.energy_gradient(checked(*use, result));
+            },
+            "result"_a,
+            "The gradient of result.solution.energy by displacements and rotation vectors: n x 6 floats "
+            "(N, N m).")
         .def(
             "tile_deformations",
             [](SessionObject& self, const SurfaceResult& result) {

@@ -27,19 +27,24 @@ std::string stored_json(const Database& database, const std::string& table) {
 Library::Impl::Impl(Database opened)
     : database(std::move(opened)),
       layout(pattern::parse_node_layout(stored_json(database, "layout"), database.path().string())),
-      setting(reduction::parse_setting(stored_json(database, "setting"), database.path().string())) {}
+      setting_json(stored_json(database, "setting")),
+      setting(reduction::parse_setting(setting_json, database.path().string())) {}
 
 detail::ResponseShape Library::Impl::shape() const {
     return {&setting, setting.sides * static_cast<int>(layout.interface_nodes().size())};
 }
 
-reduction::Setting Library::Impl::stored_setting() const {
-    return reduction::parse_setting(stored_json(database, "setting"), database.path().string());
+void Library::Impl::read_setting() {
+    setting_json = stored_json(database, "setting");
+    setting = reduction::parse_setting(setting_json, database.path().string());
 }
 
 std::unique_ptr<Transaction> Library::Impl::begin_writing() {
     auto transaction = begin_choosing_setting();
-    const std::string difference = reduction::setting_difference(setting, stored_setting());
+    const std::string stored = stored_json(database, "setting");
+    if (stored == setting_json) return transaction;
+    const std::string difference =
+        reduction::setting_difference(setting, reduction::parse_setting(stored, database.path().string()));
     if (!difference.empty())
         throw base::InputError(database.path().string(), "",
                                "another process has given it another setting meanwhile: " + difference);
@@ -107,7 +112,7 @@ std::vector<pattern::NamedPattern> Library::Impl::patterns_at(int edges,
 void Library::Impl::store_responses(const std::string& pattern,
                                     const std::vector<reduction::Response>& responses) {
     detail::check_responses(database, pattern, responses, shape());
-    const auto present = detail::read_responses(database, pattern, shape());
+    const auto present = detail::ResponseReader(database, shape()).read(pattern);
     if (present.empty()) {
         detail::insert_responses(database, pattern, responses);
     } else if (!detail::are_equal(present, responses)) {

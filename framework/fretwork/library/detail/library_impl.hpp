@@ -19,8 +19,8 @@ struct Library::Impl {
 
     [[nodiscard]] detail::ResponseShape shape() const;
 
-    /// That of the file, which another process may have changed since it was opened.
-    [[nodiscard]] reduction::Setting stored_setting() const;
+    /// Read the setting again: another process may have changed it since the file was opened.
+    void read_setting();
     /// Begin a transaction; the first one also records the writer's provenance. Throws IoError if the file
     /// cannot be written, and InputError if another process has given it another setting: what was computed
     /// with the one that was read does not belong to it.
@@ -46,6 +46,7 @@ struct Library::Impl {
 
     detail::Database database;
     pattern::NodeLayout layout;
+    std::string setting_json;  ///< the text in the file of `setting`
     reduction::Setting setting;
     bool writer_recorded = false;
 

@@ -49,46 +49,29 @@ void insert_sample(Statement& states, Statement& rows, const Sample& sample, std
     }
 }
 
-/// The statements that read one response; each is prepared once for all scenarios, since that costs more than
-/// its rows.
 constexpr std::string_view kStates =
-    "SELECT step, magnitude, converged, stable, limit_load, discretization_error FROM response_state "
-    "WHERE pattern_id = ? AND scenario = ? ORDER BY step";
+    "SELECT scenario, step, magnitude, converged, stable, limit_load, discretization_error "
+    "FROM response_state WHERE pattern_id = ? ORDER BY scenario, step";
 constexpr std::string_view kDisplacements =
-    "SELECT step, node, ux, uy, uz, rx, ry, rz FROM response WHERE pattern_id = ? AND scenario = ?";
+    "SELECT scenario, step, node, ux, uy, uz, rx, ry, rz FROM response WHERE pattern_id = ? "
+    "ORDER BY scenario, step, node";
 
-std::vector<Sample> read_states(Statement& statement, std::string_view pattern_id,
-                                const std::string& scenario) {
-    statement.bind_all(pattern_id, scenario);
-    std::vector<Sample> samples;
-    while (statement.step()) {
-        samples.push_back({statement.count(0),
-                           statement.real(1),
-                           {},
-                           statement.integer(2) != 0,
-                           statement.integer(3) != 0,
-                           statement.integer(4) != 0,
-                           statement.optional_real(5)});
-    }
-    return samples;
-}
-
-void read_displacements(const Database& database, Statement& statement, std::string_view pattern_id,
-                        Response& response) {
-    statement.bind_all(pattern_id, response.scenario);
-    while (statement.step()) {
-        const std::size_t step = statement.integer(0);
-        const std::int64_t node = statement.integer(1);
-        if (step < 1 || step > response.samples.size() || node < 0 ||
-            node >= response.samples[step - 1].displacements.rows()) {
-            throw base::InputError(database.path().string(), "response of " + std::string(pattern_id),
-                                   "has a row of step " + std::to_string(step) + ", node " +
-                                       std::to_string(node) + ", which its setting does not have");
+/// The response of a scenario that rows name one after the other; null if the setting has none of that name.
+class CurrentResponse {
+  public:
+    explicit CurrentResponse(std::vector<Response>& responses) : responses_(responses) {}
+    Response* of(std::string_view scenario) {
+        if (response_ == nullptr || response_->scenario != scenario) {
+            const auto found = std::ranges::find(responses_, scenario, &Response::scenario);
+            response_ = found == responses_.end() ? nullptr : &*found;
         }
-        auto row = response.samples[step - 1].displacements.row(node);
-        for (int dof = 0; dof < mechanics::kDofsPerNode; ++dof) row[dof] = statement.real(2 + dof);
+        return response_;
     }
-}
+
+  private:
+    std::vector<Response>& responses_;
+    Response* response_ = nullptr;
+};
 
 bool are_equal(const Sample& left, const Sample& right) {
     return left.step == right.step && left.magnitude == right.magnitude &&
@@ -128,20 +111,51 @@ void insert_responses(const Database& database, const std::string& pattern_id,
     }
 }
 
-std::vector<Response> read_responses(const Database& database, std::string_view pattern_id,
-                                     const ResponseShape& shape) {
+ResponseReader::ResponseReader(const Database& database, const ResponseShape& shape)
+    : database_(database),
+      shape_(shape),
+      states_(database, kStates),
+      displacements_(database, kDisplacements) {}
+
+std::vector<Response> ResponseReader::read(std::string_view pattern_id) {
     std::vector<Response> responses;
-    Statement states(database, kStates);
-    Statement displacements(database, kDisplacements);
-    for (const reduction::Scenario& scenario : shape.setting->scenarios) {
-        Response response{scenario.name, read_states(states, pattern_id, scenario.name)};
-        if (response.samples.empty()) continue;
-        for (Sample& sample : response.samples)
-            sample.displacements = mechanics::NodeValues::Zero(shape.nodes, mechanics::kDofsPerNode);
-        read_displacements(database, displacements, pattern_id, response);
-        responses.push_back(std::move(response));
-    }
+    for (const reduction::Scenario& scenario : shape_.setting->scenarios)
+        responses.push_back({scenario.name, {}});
+    read_states(pattern_id, responses);
+    read_displacements(pattern_id, responses);
+    std::erase_if(responses, [](const Response& response) { return response.samples.empty(); });
     return responses;
+}
+
+void ResponseReader::read_states(std::string_view pattern_id, std::vector<Response>& responses) {
+    CurrentResponse current(responses);
+    states_.bind_all(pattern_id);
+    while (states_.step()) {
+        Response* response = current.of(states_.text(0));
+        if (response == nullptr) continue;
+        response->samples.push_back({states_.count(1), states_.real(2),
+                                     mechanics::NodeValues::Zero(shape_.nodes, mechanics::kDofsPerNode),
+                                     states_.integer(3) != 0, states_.integer(4) != 0,
+                                     states_.integer(5) != 0, states_.optional_real(6)});
+    }
+}
+
+void ResponseReader::read_displacements(std::string_view pattern_id, std::vector<Response>& responses) {
+    CurrentResponse current(responses);
+    displacements_.bind_all(pattern_id);
+    while (displacements_.step()) {
+        Response* response = current.of(displacements_.text(0));
+        if (response == nullptr) continue;
+        const std::size_t step = displacements_.integer(1);
+        const std::int64_t node = displacements_.integer(2);
+        if (step < 1 || step > response->samples.size() || node < 0 || node >= shape_.nodes) {
+            throw base::InputError(database_.path().string(), "response of " + std::string(pattern_id),
+                                   "has a row of step " + std::to_string(step) + ", node " +
+                                       std::to_string(node) + ", which its setting does not have");
+        }
+        auto row = response->samples[step - 1].displacements.row(node);
+        for (int dof = 0; dof < mechanics::kDofsPerNode; ++dof) row[dof] = displacements_.real(3 + dof);
+    }
 }
 
 bool are_equal(const std::vector<Response>& left, const std::vector<Response>& right) {

@@ -27,9 +27,23 @@ void check_responses(const Database& database, const std::string& pattern_id,
 void insert_responses(const Database& database, const std::string& pattern_id,
                       const std::vector<reduction::Response>& responses);
 
-/// The responses of a pattern in the order of the setting's scenarios; empty if they are not there.
-std::vector<reduction::Response> read_responses(const Database& database, std::string_view pattern_id,
-                                                const ResponseShape& shape);
+/// Reads responses, pattern by pattern; each statement is prepared once.
+class ResponseReader {
+  public:
+    ResponseReader(const Database& database, const ResponseShape& shape);
+    /// The responses of a pattern in the order of the setting's scenarios; empty if they are not there.
+    /// Throws InputError if a row is of no state.
+    std::vector<reduction::Response> read(std::string_view pattern_id);
+
+  private:
+    void read_states(std::string_view pattern_id, std::vector<reduction::Response>& responses);
+    void read_displacements(std::string_view pattern_id, std::vector<reduction::Response>& responses);
+
+    const Database& database_;
+    ResponseShape shape_;
+    Statement states_;
+    Statement displacements_;
+};
 
 /// True if all values are equal.
 bool are_equal(const std::vector<reduction::Response>& left, const std::vector<reduction::Response>& right);

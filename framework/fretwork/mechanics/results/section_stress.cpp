@@ -157,4 +157,25 @@ SectionStress SectionPoints::largest(const SectionForces& forces) const {
     return largest;
 }
 
+SectionPoints::PowerSum SectionPoints::power_sum(const SectionForces& forces, const Power& power) const {
+    const Eigen::Vector3d normal_forces(forces.N, forces.M2, forces.M3);
+    const Eigen::Vector3d shear_forces(forces.V2, forces.V3, forces.T);
+    PowerSum sum;
+    Eigen::Vector3d by_normal = Eigen::Vector3d::Zero();
+    Eigen::Vector3d by_shear = Eigen::Vector3d::Zero();
+    for (const Point& point : points_) {
+        const double normal = point.normal.dot(normal_forces);
+        const Eigen::Vector2d shear = point.shear * shear_forces;
+        const double square = normal * normal + 3.0 * shear.squaredNorm();
+        if (square == 0.0) continue;
+        const double term = std::pow(square / (power.reference * power.reference), 0.5 * power.exponent);
+        const double slope = power.exponent * term / square;
+        sum.value += term;
+        by_normal += slope * normal * point.normal.transpose();
+        by_shear += 3.0 * slope * point.shear.transpose() * shear;
+    }
+    sum.gradient << by_normal[0], by_shear[0], by_shear[1], by_shear[2], by_normal[1], by_normal[2];
+    return sum;
+}
+
 }  // namespace fretwork::mechanics

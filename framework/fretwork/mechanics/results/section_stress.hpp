@@ -31,6 +31,18 @@ class SectionPoints {
     /// The largest stresses over the points. The cost is linear in the number of points, some 70.
     [[nodiscard]] SectionStress largest(const SectionForces& forces) const;
 
+    /// The sum over the points of (von Mises stress / reference)^exponent.
+    struct PowerSum {
+        double value = 0.0;
+        /// By N, V2, V3, T, M2, M3 (1/N and 1/(N m)).
+        Eigen::Vector<double, 6> gradient = Eigen::Vector<double, 6>::Zero();
+    };
+    struct Power {
+        double reference = 1.0;  ///< Pa, positive
+        double exponent = 2.0;   ///< 2 or more, so that the sum is smooth where there is no stress
+    };
+    [[nodiscard]] PowerSum power_sum(const SectionForces& forces, const Power& power) const;
+
   private:
     struct Point {
         Eigen::RowVector3d normal;          ///< Pa, for N, M2 and M3 equal to 1

@@ -8,6 +8,7 @@
 #include <fretwork/reduction/response.hpp>
 
 #include <utility>
+#include <vector>
 
 namespace fretwork::reduction {
 namespace {
@@ -37,6 +38,9 @@ class BodyTile : public TileStructure {
         return body_.get();
     }
 
+  protected:
+    [[nodiscard]] const std::shared_ptr<const mechanics::CorotationalBody>& body() const { return body_; }
+
   private:
     std::shared_ptr<const mechanics::CorotationalBody> body_;
 };
@@ -53,8 +57,8 @@ class CorotationalTile final : public BodyTile {
     /// The inner nodes follow in the tile's frame, and are carried by it.
     [[nodiscard]] std::optional<BeamMotion> beam_motion(const TileMotion& motion) const override {
         if (motion.displacements == Displacements::Small) return condensed_motion(*inner_, motion);
-        const auto moved = mechanics::corotational_motion(*corotational_body(), motion.turn,
-                                                          mechanics::node_states(motion.nodes));
+        const auto moved =
+            mechanics::corotational_motion(*body(), motion.turn, mechanics::node_states(motion.nodes));
         if (!moved) return std::nullopt;
         const NodeValues followed = inner_->follow(moved->in_frame);
         const Eigen::Index own = motion.nodes.rows();
@@ -65,7 +69,37 @@ class CorotationalTile final : public BodyTile {
         return beams;
     }
 
+    [[nodiscard]] std::optional<NodeValues> motion_gradient(const TileMotion& motion,
+                                                            const NodeValues& by_beams) const override {
+        const NodeValues by_strains = condensed_gradient(*inner_, motion.turn, by_beams);
+        if (motion.displacements == Displacements::Small) return turned(by_strains, motion.turn);
+        NodeValues gradient(by_strains.rows(), kDofsPerNode);
+        gradient.reshaped<Eigen::RowMajor>().noalias() =
+            strain_slopes(motion).transpose() * by_strains.reshaped<Eigen::RowMajor>();
+        for (Eigen::Index i = 0; i < gradient.rows(); ++i) {
+            const Eigen::Matrix3d spins = geometry::spin_map(motion.nodes.row(i).tail<3>().transpose());
+            gradient.row(i).tail<3>() = (gradient.row(i).tail<3>() * spins).eval();
+        }
+        return gradient;
+    }
+
   private:
+    /// The derivatives of what the frame leaves of the interface nodes' rows, by motions of these.
+    [[nodiscard]] Eigen::MatrixXd strain_slopes(const TileMotion& motion) const {
+        const auto size = static_cast<std::size_t>(motion.nodes.size());
+        std::vector<mechanics::NodeIndex> nodes;
+        for (Eigen::Index i = 0; i < motion.nodes.rows(); ++i) nodes.emplace_back(static_cast<int>(i));
+        const auto element = mechanics::corotational_element(nodes, body(), motion.turn);
+        const Eigen::VectorXd given = Eigen::VectorXd::Zero(motion.nodes.size());
+        Eigen::VectorXd found(motion.nodes.size());
+        Eigen::MatrixXd slopes(motion.nodes.size(), motion.nodes.size());
+        mechanics::MixedResponse response;
+        element->evaluate_mixed(mechanics::node_states(motion.nodes), mechanics::Demand::Tangent,
+                                {{given.data(), size}, {found.data(), size}, {slopes.data(), size * size}},
+                                response);
+        return slopes;
+    }
+
     /// From rows seen from the frame to displacements and rotations in the surface's axes.
     [[nodiscard]] NodeValues carried(const NodeValues& rows, const CorotationalMotion& moved,
                                      const Eigen::Matrix3d& turn) const {

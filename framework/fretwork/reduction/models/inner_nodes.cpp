@@ -14,15 +14,26 @@ std::span<const Eigen::Vector3d> InnerNodes::places() const {
     return std::span(tile_.nodes).subspan(interface_nodes_);
 }
 
-mechanics::NodeValues InnerNodes::follow(const mechanics::NodeValues& interface_nodes) const {
+const Eigen::MatrixXd& InnerNodes::matrix() const {
     std::call_once(computed_, [this] {
         matrix_ = mechanics::following(mechanics::assemble(tile_), mechanics::first_nodes(interface_nodes_));
     });
+    return matrix_;
+}
+
+mechanics::NodeValues InnerNodes::follow(const mechanics::NodeValues& interface_nodes) const {
     // Rows lie one behind the other, so all of them are one column.
-    mechanics::NodeValues moved(matrix_.rows() / mechanics::kDofsPerNode, mechanics::kDofsPerNode);
+    mechanics::NodeValues moved(matrix().rows() / mechanics::kDofsPerNode, mechanics::kDofsPerNode);
     Eigen::Map<Eigen::VectorXd>(moved.data(), moved.size()).noalias() =
-        matrix_ * Eigen::Map<const Eigen::VectorXd>(interface_nodes.data(), interface_nodes.size());
+        matrix() * Eigen::Map<const Eigen::VectorXd>(interface_nodes.data(), interface_nodes.size());
     return moved;
+}
+
+mechanics::NodeValues InnerNodes::pull_back(const mechanics::NodeValues& inner_nodes) const {
+    mechanics::NodeValues gradient(interface_nodes_, mechanics::kDofsPerNode);
+    Eigen::Map<Eigen::VectorXd>(gradient.data(), gradient.size()).noalias() =
+        matrix().transpose() * Eigen::Map<const Eigen::VectorXd>(inner_nodes.data(), inner_nodes.size());
+    return gradient;
 }
 
 }  // namespace fretwork::reduction

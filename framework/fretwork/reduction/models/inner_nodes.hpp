@@ -30,8 +30,13 @@ class InnerNodes {
     /// The displacements of the inner nodes, a row for each, that follow from a row for each interface node.
     /// All are small displacements in the tile's own axes.
     [[nodiscard]] mechanics::NodeValues follow(const mechanics::NodeValues& interface_nodes) const;
+    /// The transpose of follow(): the gradient of a function by the interface nodes' rows, from that by the
+    /// rows of the inner nodes.
+    [[nodiscard]] mechanics::NodeValues pull_back(const mechanics::NodeValues& inner_nodes) const;
 
   private:
+    [[nodiscard]] const Eigen::MatrixXd& matrix() const;
+
     mechanics::Frame tile_;
     int interface_nodes_;
     mutable std::once_flag computed_;

@@ -58,6 +58,12 @@ class StiffnessTile final : public TileStructure {
         return condensed_motion(*inner_, motion);
     }
 
+    [[nodiscard]] std::optional<mechanics::NodeValues> motion_gradient(
+        const TileMotion& motion, const mechanics::NodeValues& by_beams) const override {
+        if (!inner_) return std::nullopt;
+        return reduction::turned(condensed_gradient(*inner_, motion.turn, by_beams), motion.turn);
+    }
+
   private:
     /// The stiffness in other axes, block by block of three components.
     [[nodiscard]] Eigen::MatrixXd turned(const Eigen::Matrix3d& turn) const {
@@ -82,6 +88,13 @@ BeamMotion condensed_motion(const InnerNodes& inner, const TileMotion& motion) {
     beams.nodes.resize(motion.nodes.rows() + followed.rows(), kDofsPerNode);
     beams.nodes << motion.nodes, turned(followed, motion.turn);
     return beams;
+}
+
+mechanics::NodeValues condensed_gradient(const InnerNodes& inner, const Eigen::Matrix3d& turn,
+                                         const mechanics::NodeValues& by_beams) {
+    const mechanics::NodeValues own = turned(by_beams, turn.transpose());
+    const Eigen::Index interface_nodes = inner.interface_nodes();
+    return own.topRows(interface_nodes) + inner.pull_back(own.bottomRows(own.rows() - interface_nodes));
 }
 
 mechanics::NodeValues turned(const mechanics::NodeValues& rows, const Eigen::Matrix3d& turn) {

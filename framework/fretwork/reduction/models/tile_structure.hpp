@@ -69,6 +69,13 @@ class TileStructure {
     /// The motion of the pattern's beams. Nothing if the tile model does not know it.
     [[nodiscard]] virtual std::optional<BeamMotion> beam_motion(const TileMotion& motion) const = 0;
 
+    /// The gradient of a function of beam_motion() by the rows of `motion.nodes`, from that by the rows that
+    /// the beams answer to (`in_frame` if it has any, else `nodes`). Nothing if the model does not give it.
+    [[nodiscard]] virtual std::optional<mechanics::NodeValues> motion_gradient(
+        const TileMotion& /*motion*/, const mechanics::NodeValues& /*by_beams*/) const {
+        return std::nullopt;
+    }
+
     /// The corotational body of the tile, whose linear stiffness governs large displacements. Null for other
     /// tiles; derivatives with respect to that stiffness do not exist for them.
     [[nodiscard]] virtual const mechanics::CorotationalBody* corotational_body() const { return nullptr; }
@@ -92,6 +99,10 @@ std::shared_ptr<const TileStructure> stiffness_tile(Eigen::MatrixXd stiffness,
 
 /// The motion, at small displacements, of the beams that were condensed into a tile.
 BeamMotion condensed_motion(const InnerNodes& inner, const TileMotion& motion);
+/// The gradient of a function of that motion by the interface nodes' rows in the tile's own axes.
+/// @param by_beams  its gradient by the rows of the beams' nodes, in axes that `turn` leads to
+mechanics::NodeValues condensed_gradient(const InnerNodes& inner, const Eigen::Matrix3d& turn,
+                                         const mechanics::NodeValues& by_beams);
 
 /// Rows of displacements and rotation vectors, rotated by `turn`.
 mechanics::NodeValues turned(const mechanics::NodeValues& rows, const Eigen::Matrix3d& turn);

@@ -20,6 +20,7 @@ struct TileLinearization {
     Eigen::MatrixXd flexibility;                ///< G = B T^-1 B^T, symmetric part; only if asked for
     double mass = 0.0;                          ///< kg; zero if gravity does not act
     Eigen::VectorXd forces;                     ///< B^T K e, on its nodes in the surface's axes (N, N m)
+    double energy = 0.0;                        ///< J; zero where there are no strains
 };
 
 /// The quantities of tiles in a linearization. Flexibilities take the time of about three factorizations.

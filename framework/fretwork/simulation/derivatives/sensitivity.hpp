@@ -15,10 +15,11 @@ struct TileSensitivity {
     double stiffness = 0.0;  ///< dJ by a factor on the tile's stiffness, at 1; NaN for tiles made of beams
     double mass = 0.0;       ///< dJ by the tile's mass, 1/kg: its weight is a load
     double own_mass = 0.0;   ///< kg, where gravity acts
+    double energy = 0.0;     ///< J, of the tile; zero for other tile models
 };
 
-/// The derivatives of a function J of a surface's displacements at a nonlinear equilibrium, with respect to
-/// loads, held values and tiles. The adjoint method gives all of them with one back-substitution.
+/// The derivatives of a function J of a surface's displacements at an equilibrium, by loads, held values and
+/// tiles. The adjoint method gives all of them with one back-substitution.
 struct Sensitivity {
     mechanics::NodeValues loads;  ///< dJ by forces and true moments on each node: the adjoint motions l
     /// dJ by the values of held components (prescribed or zero), one row for each node; zero for free ones.
@@ -33,8 +34,14 @@ struct Sensitivity {
 Sensitivity sensitivity(const Linearization& linearization, const mechanics::NodeValues& gradient,
                         const base::Control& control = {});
 
+/// The sensitivity of J + weight U, where U is the elastic energy: adds how U depends on stiffnesses while
+/// nothing moves. The gradient of `by` has weight times Session::energy_gradient in it already.
+/// @param energy  U of the surface, J
+Sensitivity with_energy(Sensitivity by, double weight, double energy);
+
 /// The change of J, to first order, if one tile had another pattern: a row for each tile, a column for each
-/// pattern; the weight of the tile is included. NaN for tiles that are not corotational.
+/// pattern; the weight of the tile is included. NaN for tiles
+/// that are neither corotational nor condensed.
 Eigen::MatrixXd pattern_derivatives(const Sensitivity& sensitivity, const CandidateTiles& candidates);
 
 /// The derivative of J along a curve of settings, at 0 of its parameter. Sections, joints, material and

@@ -3,6 +3,7 @@
 
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/paths/equilibrium_solver.hpp>
+#include <fretwork/simulation/derivatives/sensitivity.hpp>
 #include <fretwork/simulation/detail/joined_tiles.hpp>
 #include <fretwork/simulation/load_cases/conditions.hpp>
 #include <fretwork/simulation/session.hpp>
@@ -49,6 +50,12 @@ class Session::Impl {
     Eigen::MatrixXd solve_adjoint(const Eigen::MatrixXd& rows, const base::Control& control);
     [[nodiscard]] std::optional<reduction::BeamMotion> beam_motion(tiling::TileIndex tile,
                                                                    const mechanics::Solution& solution) const;
+    [[nodiscard]] std::optional<mechanics::NodeValues> motion_gradient(
+        tiling::TileIndex tile, const mechanics::Solution& solution,
+        const mechanics::NodeValues& by_beams) const;
+    [[nodiscard]] Sensitivity sensitivity(const mechanics::NodeValues& gradient,
+                                          const base::Control& control);
+    [[nodiscard]] mechanics::NodeValues energy_gradient(const mechanics::Solution& solution) const;
 
   private:
     [[nodiscard]] ModelChoice choice() const { return {options_.model, options_.models}; }
@@ -68,9 +75,18 @@ class Session::Impl {
     [[nodiscard]] bool is_nonlinear() const;
     [[nodiscard]] SurfaceResult make_result() const;
     void solve_path(SurfaceResult& result, const base::Control& control) const;
+    void solve_linear(SurfaceResult& result, const base::Control& control);
     void solve_equilibrium(SurfaceResult& result, const base::Control& control,
                            mechanics::StabilityCheck check, const mechanics::FirstIterate& first_iterate);
 
+    [[nodiscard]] reduction::TileMotion tile_motion(tiling::TileIndex tile,
+                                                    const mechanics::Solution& solution) const;
+    [[nodiscard]] mechanics::NodeValues rest_forces(const mechanics::NodeValues& motions) const;
+    [[nodiscard]] mechanics::NodeValues at_held(const mechanics::NodeValues& rows) const;
+    [[nodiscard]] Sensitivity linear_sensitivity(const mechanics::NodeValues& gradient,
+                                                 const base::Control& control) const;
+    [[nodiscard]] TileSensitivity linear_tile(tiling::TileIndex tile,
+                                              const mechanics::NodeValues& adjoint) const;
     [[nodiscard]] TileLinearization linearized_tile(tiling::TileIndex tile,
                                                     const mechanics::EquilibriumTangent& tangent) const;
 
@@ -90,7 +106,8 @@ class Session::Impl {
     std::optional<mechanics::LinearSolver> solver_;
     std::optional<mechanics::EquilibriumSolver> equilibrium_solver_;
     Work work_;
-    bool is_at_equilibrium_ = false;  ///< a nonlinear one of the surface as it is now, found in one step
+    bool is_at_equilibrium_ = false;              ///< one of the surface as it is now, found in one step
+    mechanics::NodeValues linear_displacements_;  ///< of all nodes of the assembly, at a linear one
     reduction::Displacements solved_in_ = reduction::Displacements::Small;  ///< the last solution
 };
 

@@ -25,11 +25,12 @@ TileLinearization Session::Impl::linearized_tile(TileIndex tile,
     result.strains = moved->in_frame.transpose().reshaped();
     result.slopes = tangent.strain_slopes(element);
     result.forces = tangent.internal_forces(element);
+    result.energy = 0.5 * result.strains.dot(body->stiffness() * result.strains);
     return result;
 }
 
 Linearization Session::Impl::linearize(TileQuantities quantities, const base::Control& control) {
-    if (!is_at_equilibrium_)
+    if (!is_at_equilibrium_ || solved_in_ != reduction::Displacements::Large)
         throw base::InputError(
             "there is no nonlinear equilibrium to take derivatives at: it is found by a solution in one load "
             "step, after "

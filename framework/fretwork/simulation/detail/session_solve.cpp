@@ -4,6 +4,7 @@
 #include <fretwork/mechanics/paths/equilibrium.hpp>
 #include <fretwork/mechanics/solve.hpp>
 #include <fretwork/simulation/detail/session_impl.hpp>
+#include <fretwork/simulation/detail/solution_rows.hpp>
 #include <fretwork/simulation/detail/tile_deformations.hpp>
 #include <fretwork/simulation/surface_frame.hpp>
 
@@ -127,6 +128,12 @@ void Session::Impl::solve_equilibrium(SurfaceResult& result, const base::Control
     work_.starting_point = equilibrium_solver_->starting_point();
 }
 
+void Session::Impl::solve_linear(SurfaceResult& result, const base::Control& control) {
+    result.solution = updated_solver(control).solve(assembly_.loads, control);
+    is_at_equilibrium_ = result.solution.converged();
+    linear_displacements_ = detail::all_rows(result.solution);
+}
+
 SurfaceResult Session::Impl::solve(const base::Control& control, mechanics::StabilityCheck check,
                                    const mechanics::FirstIterate& first_iterate) {
     options_.validate(surface_);
@@ -145,7 +152,7 @@ SurfaceResult Session::Impl::solve(const base::Control& control, mechanics::Stab
     } else if (is_large) {
         solve_path(result, control);
     } else {
-        result.solution = updated_solver(control).solve(assembly_.loads, control);
+        solve_linear(result, control);
     }
     result.seconds = std::chrono::duration<double>(Clock::now() - started).count();
     if (frame) {
@@ -163,8 +170,7 @@ std::vector<TileDeformation> Session::Impl::tile_deformations(const mechanics::S
     return detail::tile_deformations(assembly_, starts_, solution);
 }
 
-std::optional<reduction::BeamMotion> Session::Impl::beam_motion(TileIndex tile,
-                                                                const mechanics::Solution& solution) const {
+reduction::TileMotion Session::Impl::tile_motion(TileIndex tile, const mechanics::Solution& solution) const {
     const std::size_t t = tile;
     const auto& interface_nodes = surface_.tessellation.tiles[t].interface_nodes;
     const auto first = static_cast<Eigen::Index>(starts_[t].inner_node);
@@ -176,7 +182,19 @@ std::optional<reduction::BeamMotion> Session::Impl::beam_motion(TileIndex tile,
     for (std::ptrdiff_t i = 0; i < count; ++i)
         motion.nodes.row(i) = solution.displacements.row(interface_nodes[i].value);
     motion.nodes.bottomRows(inner) = solution.displacements.middleRows(first, inner);
-    return tiles_[t].structure->beam_motion(motion);
+    return motion;
+}
+
+std::optional<reduction::BeamMotion> Session::Impl::beam_motion(TileIndex tile,
+                                                                const mechanics::Solution& solution) const {
+    const std::size_t t = tile;
+    return tiles_[t].structure->beam_motion(tile_motion(tile, solution));
+}
+
+std::optional<mechanics::NodeValues> Session::Impl::motion_gradient(
+    TileIndex tile, const mechanics::Solution& solution, const mechanics::NodeValues& by_beams) const {
+    const std::size_t t = tile;
+    return tiles_[t].structure->motion_gradient(tile_motion(tile, solution), by_beams);
 }
 
 Eigen::MatrixXd Session::Impl::solve_adjoint(const Eigen::MatrixXd& rows, const base::Control& control) {

@@ -5,13 +5,16 @@
 #include <fretwork/tiling/tessellate.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace fretwork::simulation {
 namespace {
 
 pattern::NodeLayout chosen_layout(const NewProjectOptions& options, const library::Library* library) {
-    if (!library) return pattern::find_node_layout(options.layout.empty() ? "paper7" : options.layout);
-    if (!options.layout.empty()) library->check_layout(pattern::find_node_layout(options.layout));
+    std::optional<pattern::NodeLayout> wanted = options.own_layout;
+    if (!wanted && !options.layout.empty()) wanted = pattern::find_node_layout(options.layout);
+    if (!library) return wanted ? *std::move(wanted) : pattern::find_node_layout("paper7");
+    if (wanted) library->check_layout(*wanted);
     return library->layout();
 }
 

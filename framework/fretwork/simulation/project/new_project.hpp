@@ -28,6 +28,7 @@ struct NewProjectOptions {
     TilesFrom tiles = TilesFrom::Outline;  ///< made from the outline, or the faces of a mesh
     tiling::Narrow narrow = tiling::Narrow::Refine;  ///< treatment of an outline that is narrower than a tile
     std::string layout{};                            ///< a name or a file; empty: the library's, or paper7
+    std::optional<pattern::NodeLayout> own_layout{};  ///< the layout itself, whatever `layout` says
     /// Material, section and joints. None: the library's setting, or reduction::made_setting().
     std::optional<reduction::Setting> setting{};
     PaintingChoice painting{};  ///< how tiles are painted

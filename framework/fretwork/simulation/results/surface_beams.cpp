@@ -5,6 +5,7 @@
 #include <fretwork/mechanics/results/section_stress.hpp>
 #include <fretwork/reduction/scenarios/joints.hpp>
 #include <fretwork/simulation/detail/tile_builder.hpp>
+#include <fretwork/simulation/detail/tile_rows.hpp>
 #include <fretwork/simulation/results/result_subject.hpp>
 #include <fretwork/simulation/results/surface_beams.hpp>
 
@@ -92,29 +93,8 @@ class StateWriter {
     }
 
   private:
-    /// The row of a node of the surface among those of its tile.
-    class RowOf {
-      public:
-        RowOf(const tiling::Tessellation& tessellation, const SurfaceBeams& beams, std::size_t tile)
-            : interface_(tessellation.tiles[tile].interface_nodes),
-              interface_count_(beams.interface_nodes),
-              first_inner_(beams.starts[tile].inner_node) {}
-        Eigen::Index operator()(mechanics::NodeIndex node) const {
-            const std::size_t n = node;
-            if (n >= interface_count_) return static_cast<Eigen::Index>(interface_.size() + n - first_inner_);
-            Eigen::Index row = 0;
-            while (interface_[row].value != node.value) ++row;
-            return row;
-        }
-
-      private:
-        const std::vector<tiling::InterfaceIndex>& interface_;
-        std::size_t interface_count_;
-        std::size_t first_inner_;
-    };
-
     void write_forces(std::size_t tile, const reduction::BeamMotion& motion) const {
-        const RowOf row_of(tessellation_, beams_, tile);
+        const detail::TileRows row_of(tessellation_, beams_, tile);
         const NodeValues& rows = motion.in_frame.rows() > 0 ? motion.in_frame : motion.nodes;
         for (std::size_t b = beams_.starts[tile].beam; b < beams_.starts[tile + 1].beam; ++b) {
             const Eigen::Index from = row_of(beams_.ends[b][0]);

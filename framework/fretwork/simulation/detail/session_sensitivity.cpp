@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/geometry/rotation.hpp>
+#include <fretwork/mechanics/node_states.hpp>
+#include <fretwork/simulation/detail/session_impl.hpp>
+#include <fretwork/simulation/detail/solution_rows.hpp>
+
+#include <limits>
+#include <string>
+
+namespace fretwork::simulation {
+namespace {
+
+using mechanics::kDofsPerNode;
+using mechanics::NodeValues;
+using tiling::TileIndex;
+
+/// The rows of some nodes, one behind the other.
+template <class Nodes>
+Eigen::VectorXd rows_at(const NodeValues& rows, const Nodes& nodes) {
+    Eigen::VectorXd own(kDofsPerNode * std::ssize(nodes));
+    Eigen::Index next = 0;
+    for (const auto node : nodes) {
+        own.segment<kDofsPerNode>(next) = rows.row(node.value).transpose();
+        next += kDofsPerNode;
+    }
+    return own;
+}
+
+void add_at(std::span<const mechanics::NodeIndex> nodes, const Eigen::VectorXd& own, NodeValues& rows) {
+    Eigen::Index next = 0;
+    for (const mechanics::NodeIndex node : nodes) {
+        rows.row(node.value) += own.segment<kDofsPerNode>(next).transpose();
+        next += kDofsPerNode;
+    }
+}
+
+/// Displacements and rotation vectors in axes from which `turn` leads to those that they are given in.
+Eigen::VectorXd turned_back(Eigen::VectorXd rows, const Eigen::Matrix3d& turn) {
+    for (Eigen::Index i = 0; i < rows.size(); i += 3)
+        rows.segment<3>(i) = (turn.transpose() * rows.segment<3>(i)).eval();
+    return rows;
+}
+
+}  // namespace
+
+/// The internal forces K u of linear motions u.
+NodeValues Session::Impl::rest_forces(const NodeValues& motions) const {
+    NodeValues forces = NodeValues::Zero(motions.rows(), kDofsPerNode);
+    Eigen::MatrixXd stiffness;
+    for (const auto& element : assembly_.elements) {
+        element->rest_stiffness(stiffness);
+        add_at(element->nodes(), stiffness * rows_at(motions, element->nodes()), forces);
+    }
+    return forces;
+}
+
+NodeValues Session::Impl::energy_gradient(const mechanics::Solution& solution) const {
+    const NodeValues rows = detail::all_rows(solution);
+    if (solved_in_ == reduction::Displacements::Small)
+        return rest_forces(rows).topRows(assembly_.reported_nodes);
+    const std::vector<mechanics::NodeState> states = mechanics::node_states(rows);
+    NodeValues gradient = NodeValues::Zero(rows.rows(), kDofsPerNode);
+    std::vector<mechanics::NodeState> own;
+    mechanics::ElementResponse response;
+    for (const auto& element : assembly_.elements) {
+        own.clear();
+        for (const mechanics::NodeIndex node : element->nodes()) own.push_back(states[node]);
+        element->evaluate(own, mechanics::Demand::Force, response);
+        add_at(element->nodes(), response.force, gradient);
+    }
+    for (Eigen::Index node = 0; node < gradient.rows(); ++node) {
+        const Eigen::Matrix3d spins = geometry::spin_map(rows.row(node).tail<3>().transpose());
+        gradient.row(node).tail<3>() = (gradient.row(node).tail<3>() * spins).eval();
+    }
+    return gradient.topRows(assembly_.reported_nodes);
+}
+
+/// Zero for components that are free.
+NodeValues Session::Impl::at_held(const NodeValues& rows) const {
+    NodeValues held = NodeValues::Zero(rows.rows(), kDofsPerNode);
+    const auto keep = [&](mechanics::NodeIndex node, int dof) {
+        held(node.value, dof) = rows(node.value, dof);
+    };
+    for (const mechanics::Support& support : assembly_.supports) {
+        for (int d = 0; d < kDofsPerNode; ++d) {
+            if (support.fixed[static_cast<mechanics::Dof>(d)]) keep(support.node, d);
+        }
+    }
+    for (const auto& given : assembly_.prescribed) keep(given.node, static_cast<int>(given.dof));
+    return held;
+}
+
+/// A tile without nodes of its own answers with one stiffness.
+TileSensitivity Session::Impl::linear_tile(TileIndex tile, const NodeValues& adjoint) const {
+    const std::size_t t = tile;
+    const auto& nodes = surface_.tessellation.tiles[tile].interface_nodes;
+    const Eigen::VectorXd motions = rows_at(adjoint, nodes);
+    TileSensitivity result;
+    result.stiffness = std::numeric_limits<double>::quiet_NaN();
+    if (tile_masses_ && !load_case_.gravity.isZero(0)) result.own_mass = (*tile_masses_)[t];
+    for (Eigen::Index i = 0; i < motions.size(); i += kDofsPerNode)
+        result.mass += motions.segment<3>(i).dot(load_case_.gravity) / static_cast<double>(nodes.size());
+    const detail::TileStart& start = starts_[t];
+    const detail::TileStart& end = starts_[t + 1];
+    const bool is_one_element =
+        end.element == start.element + 1 && end.beam == start.beam && end.inner_node == start.inner_node;
+    if (!is_one_element) return result;
+    const std::size_t element = assembly_.elements.size() - starts_.back().element + start.element;
+    Eigen::MatrixXd stiffness;
+    assembly_.elements[element]->rest_stiffness(stiffness);
+    const Eigen::VectorXd displacements = rows_at(linear_displacements_, nodes);
+    const Eigen::VectorXd forces = stiffness * displacements;
+    result.stiffness = -forces.dot(motions);
+    result.energy = 0.5 * forces.dot(displacements);
+    result.strains = turned_back(displacements, tiles_[t].turn);
+    result.adjoint_strains = turned_back(motions, tiles_[t].turn);
+    return result;
+}
+
+Sensitivity Session::Impl::linear_sensitivity(const NodeValues& gradient,
+                                              const base::Control& control) const {
+    if (gradient.rows() != assembly_.reported_nodes)
+        throw base::InputError("the gradient has " + std::to_string(gradient.rows()) +
+                               " rows, where one is needed for each of the result's " +
+                               std::to_string(assembly_.reported_nodes) + " nodes");
+    NodeValues all = NodeValues::Zero(std::ssize(assembly_.nodes), kDofsPerNode);
+    all.topRows(gradient.rows()) = gradient;
+    NodeValues adjoint(all.rows(), kDofsPerNode);
+    adjoint.reshaped<Eigen::RowMajor>() =
+        solver_->solve_free(all.reshaped<Eigen::RowMajor>().eval(), control).col(0);
+    Sensitivity result;
+    result.loads = adjoint.topRows(gradient.rows());
+    result.held_values = at_held(all - rest_forces(adjoint)).topRows(gradient.rows());
+    result.stiffness = -assembly_.loads.cwiseProduct(adjoint).sum();
+    for (const TileIndex tile : surface_.tessellation.tiles.indices())
+        result.tiles.push_back(linear_tile(tile, adjoint));
+    return result;
+}
+
+Sensitivity Session::Impl::sensitivity(const NodeValues& gradient, const base::Control& control) {
+    if (is_at_equilibrium_ && solved_in_ == reduction::Displacements::Small)
+        return linear_sensitivity(gradient, control);
+    return simulation::sensitivity(linearize(TileQuantities::Strains, control), gradient, control);
+}
+
+}  // namespace fretwork::simulation
