@@ -216,8 +216,8 @@ class Gradients(unittest.TestCase):
                     return given[nodes] if output == "positions" else given
 
                 x = torch.tensor(start, dtype=torch.float64, requires_grad=True)
-                with self.subTest(part=part, output=output):
-                    self.assertTrue(torch.autograd.gradcheck(called, (x,), eps=1e-5, atol=1e-5, rtol=1e-5))
+                with self.subTest(part=part, output=output):  # plain central differences: shorter steps meet the solver's tolerance
+                    self.assertTrue(torch.autograd.gradcheck(called, (x,), eps=1e-3, atol=1e-5, rtol=1e-5))
 
 
 if __name__ == "__main__":

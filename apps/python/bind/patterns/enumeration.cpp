@@ -217,7 +217,9 @@ void bind_census(py::module_& m) {
                 [&](const auto& options) { return find_rejections(layout, options, per_filter); });
         },
         "layout"_a, "per_filter"_a,
-        "For each filter, graphs that break its rule and no other.\n\nOptions: EnumerationOptions, "
+        "For each filter, at most `per_filter` graphs that break its rule and no other. "
+        "judge(layout, make_filters(layout, settings), pattern) says why one pattern is "
+        "rejected.\n\nOptions: EnumerationOptions, "
         "progress\n");
 }
 

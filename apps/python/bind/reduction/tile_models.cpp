@@ -115,8 +115,8 @@ void bind_model(py::module_& m) {
              "parameters"_a = std::vector<TileParameter>{},
              "build(tile: TileInput) returns the stiffness of the tile's n interface nodes (6n x 6n, "
              "symmetric, SI, "
-             "rows ux uy uz rx ry rz of each node; it must not resist rigid motions), or a TileStructure. "
-             "With "
+             "rows ux uy uz rx ry rz of each node; it must not resist rigid motions), or a TileStructure: "
+             "corotational_tile(nodes, stiffness) for a model of displacements='large'. With "
              "sharing='congruent' congruent tiles are built once, in their own axes.")
         .def_property_readonly("name", [](const TileModel& self) { return self.name; })
         .def_property_readonly("summary", [](const TileModel& self) { return self.summary; })

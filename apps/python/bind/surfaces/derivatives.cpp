@@ -86,8 +86,8 @@ void bind_derivatives(py::module_& m) {
         },
         "sensitivity"_a, "candidates"_a,
         "To first order, how J would change if one tile had another pattern: tiles x patterns floats, for "
-        "surfaces "
-        "whose models are all corotational; NaN for others.");
+        "tiles "
+        "that are corotational or condensed; NaN for others.");
     m.def(
         "derivative_along",
         [](const Sensitivity& sensitivity, const Surface& surface,
