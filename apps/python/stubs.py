@@ -18,7 +18,7 @@ import enum
 import fractions
 import os
 import pathlib
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, Generic, Literal, TypeVar, overload
 
 import numpy as np
@@ -28,6 +28,8 @@ _Got = TypeVar("_Got")
 _Set = TypeVar("_Set")
 _Array = npt.ArrayLike | Sequence[float] | Sequence[Sequence[float]]
 _Progress = Callable[[str, int, int], object] | bool | None
+_Floats = npt.NDArray[np.float64]
+_Design = Mapping[str, npt.ArrayLike]
 
 class _Field(Generic[_Got, _Set]):
     @overload

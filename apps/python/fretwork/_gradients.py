@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
     from ._core import LoadCase, Session, Setting, SmoothStress, Surface, SurfaceResult
 
-    Floats = npt.NDArray[np.float64]
-    Design = Mapping[str, npt.ArrayLike]
+    _Floats = npt.NDArray[np.float64]
+    _Design = Mapping[str, npt.ArrayLike]
 
 _SECTION = ("area", "I2", "I3", "J")
 _SIDES = ("width", "thickness")
@@ -82,7 +82,7 @@ class SurfaceFunction:
         self._result: SurfaceResult | None = None
         self._stress: SmoothStress | None = None
 
-    def apply(self, design: Design) -> dict[str, Floats]:
+    def apply(self, design: _Design) -> dict[str, _Floats]:
         """The outputs under a design. Raises NumericalError if there is no equilibrium."""
         import numpy as np
 
@@ -100,7 +100,7 @@ class SurfaceFunction:
             outputs["stress"] = np.array(self._stress.value)
         return outputs
 
-    def vjp(self, design: Design, outputs: Mapping[str, Any], cotangents: Mapping[str, Any]) -> dict[str, Floats]:
+    def vjp(self, design: _Design, outputs: Mapping[str, Any], cotangents: Mapping[str, Any]) -> dict[str, _Floats]:
         """The gradient, by each part of the design, of the sum of outputs times cotangents.
 
         `outputs` are those of apply(design): if that was the last call, its equilibrium is used, else it is found again.
@@ -116,7 +116,7 @@ class SurfaceFunction:
             by = _core.with_energy(by, energy, self._result.solution.energy)
         return {name: self._backward(by, stress, name) for name in numbers}
 
-    def _gradient(self, cotangents: Mapping[str, Any]) -> tuple[Floats, float, float]:
+    def _gradient(self, cotangents: Mapping[str, Any]) -> tuple[_Floats, float, float]:
         """The gradient by displacements of outputs times cotangents, and the cotangents of energy and stress."""
         import numpy as np
 
@@ -136,7 +136,7 @@ class SurfaceFunction:
             gradient += stress * self._stress.gradient
         return gradient, energy, stress
 
-    def _numbers(self, design: Design) -> dict[str, Any]:
+    def _numbers(self, design: _Design) -> dict[str, Any]:
         import numpy as np
 
         shapes = {"forces": (len(self._surface.tessellation.interface_nodes), 3),
@@ -226,7 +226,7 @@ class SurfaceFunction:
 
         return build
 
-    def _at_prescribed(self, rows: Floats) -> Floats:
+    def _at_prescribed(self, rows: _Floats) -> _Floats:
         """For each prescribed entry, the sum of a component over its nodes."""
         import numpy as np
 
@@ -234,7 +234,7 @@ class SurfaceFunction:
         return np.array([rows[_core.select_nodes(entry.where, self._surface.tessellation),
                               components.index(entry.dof)].sum() for entry in self._case.prescribed])
 
-    def _backward(self, by: Any, stress: float, name: str) -> Floats:
+    def _backward(self, by: Any, stress: float, name: str) -> _Floats:
         """The gradient by one part of the design; `stress` is the cotangent of that output."""
         import numpy as np
 
@@ -280,7 +280,7 @@ class SurfaceFunction:
         return float(slope / before)
 
 
-def _shaped(name: str, value: Any, shape: tuple[int, ...]) -> Floats:
+def _shaped(name: str, value: Any, shape: tuple[int, ...]) -> _Floats:
     """Numbers as an array of this shape."""
     import numpy as np
 
@@ -298,12 +298,12 @@ def _same(left: Mapping[str, Any], right: Mapping[str, Any]) -> bool:
         (left[name] is None or np.array_equal(left[name], right[name])) for name in left)
 
 
-def apply(function: SurfaceFunction, design: Design) -> dict[str, Floats]:
+def apply(function: SurfaceFunction, design: _Design) -> dict[str, _Floats]:
     """The outputs of a function under a design: SurfaceFunction.apply."""
     return function.apply(design)
 
 
-def vjp(function: SurfaceFunction, design: Design, outputs: Mapping[str, Any],
-        cotangents: Mapping[str, Any]) -> dict[str, Floats]:
+def vjp(function: SurfaceFunction, design: _Design, outputs: Mapping[str, Any],
+        cotangents: Mapping[str, Any]) -> dict[str, _Floats]:
     """The gradient of outputs times cotangents by a design: SurfaceFunction.vjp."""
     return function.vjp(design, outputs, cotangents)
