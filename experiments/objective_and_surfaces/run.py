@@ -17,6 +17,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"
 from module import fw  # noqa: E402
 
 WIDTH, HEIGHT = 0.42, 0.26  # m
+EDGE_LENGTH = 26 * 1e-3  # m, to the last bit what the program reads from "26mm": a mirrored tiling is as good, and rounding chooses
 # Small: linear tiles (condensed) are the truth. The deflected sheet is bent by a tenth of its length: the full model is.
 FORCES = {"tension": ([1, 0, 0], None), "shear": ([0, 1, 0], None), "bending": ([0, 0, 1], None), "twist": (None, [1, 0, 0])}
 DEFLECTION = 0.1
@@ -88,7 +89,7 @@ def rows_of(libraries, outline, pattern):
     truth = None
     for name, (model, _) in VARIANTS.items():
         library = libraries[name]
-        project, _ = fw.make_project(outline, pattern, library, edge_length=0.026)
+        project, _ = fw.make_project(outline, pattern, library, edge_length=EDGE_LENGTH)
         surface = fw.make_surface(project, library)
         truth = truth or Truth(surface)  # sheet and material are the same in all
         yield {"pattern": pattern, "edges": pattern.count("-"), "variant": name,
