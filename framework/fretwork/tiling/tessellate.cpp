@@ -51,7 +51,7 @@ constexpr double kLimbArea = 0.01;                  // of the outline: what may 
 constexpr int kSidesTried = 5;                      // before an outline is refused
 constexpr double kNextSide = 0.7;                   // of the one tried before
 constexpr double kFewTiles = 4;  // no outline is tried with fewer: a drawing may be smaller than a tile
-constexpr double kMostTilesTried = 5000;
+constexpr double kMostTilesTried = 400;   // with all sides together: seconds, where a refusal is waited for
 constexpr double kTipArea = 1e-3;         // of the outline: a sharp tip may lose so much
 constexpr double kTipsArea = 8e-3;        // the same of all tips
 constexpr double kNegligibleArea = 4e-4;  // of the outline: a narrow part may lose so much
@@ -294,24 +294,35 @@ void check_origin(const outlines::Outline& outline, const TessellationOptions& o
                            geometry::metres(kFarthest * options.edge_length));
 }
 
-/// A smaller side of the tiles with which the outline can be tiled, found by trying; none of those tried.
-std::optional<double> side_that_works(const outlines::Outline& outline, const TessellationOptions& options,
-                                      double first, Work& work) {
+/// A smaller side of the tiles with which the outline can be tiled.
+struct SmallerSide {
+    std::optional<double> works;  ///< m; found by trying
+    int tried = 0;                ///< sides: as many as take a few seconds
+};
+
+SmallerSide side_that_works(const outlines::Outline& outline, const TessellationOptions& options,
+                            double first, Work& work) {
     const double side_of_few = std::sqrt(outlines::area_of(outline) / (kFewTiles * kHexagonArea));
     double side = std::min(first, side_of_few);
-    for (int i = 0; i < kSidesTried; ++i, side *= kNextSide) {
+    double tiles = 0.0;
+    SmallerSide found;
+    for (; found.tried < kSidesTried; ++found.tried, side *= kNextSide) {
         TessellationOptions smaller = options;
         smaller.edge_length = std::stod(base::format_number(side, 2));
         smaller.smallest_side = std::min(options.smallest_side, 0.25 * smaller.edge_length);
-        if (estimated_tiles(outline, smaller) > kMostTilesTried) return std::nullopt;
-        if (best_tiling(outline, smaller, std::span(kTurnedBy).first(1), work).defects.empty())
-            return smaller.edge_length;
+        tiles += estimated_tiles(outline, smaller);
+        if (tiles > kMostTilesTried) return found;
+        if (best_tiling(outline, smaller, std::span(kTurnedBy).first(1), work).defects.empty()) {
+            found.works = smaller.edge_length;
+            return found;
+        }
     }
-    return std::nullopt;
+    return found;
 }
 
-std::string advice(const std::optional<double>& side) {
-    if (side) return "; sides of " + geometry::metres(*side) + " work";
+std::string advice(const SmallerSide& side) {
+    if (side.works) return "; sides of " + geometry::metres(*side.works) + " work";
+    if (side.tried == 0) return "; make the outline wider there, or take smaller sides";
     return "; no smaller side that was tried works: make the outline wider there";
 }
 

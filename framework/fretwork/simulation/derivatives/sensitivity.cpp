@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/simulation/derivatives/sensitivity.hpp>
-#include <fretwork/simulation/detail/condensed_pattern.hpp>
-#include <fretwork/simulation/detail/own_axes.hpp>
+#include <fretwork/simulation/derivatives/setting_rates.hpp>
 
-#include <array>
 #include <limits>
-#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace fretwork::simulation {
@@ -40,22 +36,6 @@ TileSensitivity tile_sensitivity(const TileLinearization& tile, const NodeValues
     result.stiffness = -tile.forces.dot(local);
     result.energy = tile.energy;
     return result;
-}
-
-/// The derivatives of a tile's condensed stiffness and mass along a curve of settings.
-detail::CondensedPattern rate_along(const std::function<detail::CondensedPattern(double)>& condensed,
-                                    double step) {
-    constexpr std::array<std::pair<int, double>, 4> kWeights = {
-        {{-2, 1.0 / 12.0}, {-1, -8.0 / 12.0}, {1, 8.0 / 12.0}, {2, -1.0 / 12.0}}};
-    detail::CondensedPattern rate;
-    for (const auto& [place, weight] : kWeights) {
-        const auto there = condensed(place * step);
-        if (rate.stiffness.size() == 0)
-            rate.stiffness.setZero(there.stiffness.rows(), there.stiffness.cols());
-        rate.stiffness += weight / step * there.stiffness;
-        rate.mass += weight / step * there.mass;
-    }
-    return rate;
 }
 
 }  // namespace
@@ -127,24 +107,16 @@ Eigen::MatrixXd pattern_derivatives(const Sensitivity& sensitivity, const Candid
 
 double derivative_along(const Sensitivity& sensitivity, const Surface& surface,
                         const std::function<reduction::Setting(double)>& setting, double step) {
-    const double grid = detail::congruence_grid(surface.tessellation);
-    std::map<std::pair<std::string, std::string>, detail::CondensedPattern> rates;
-    double sum = 0.0;
-    for (const tiling::TileIndex tile : surface.tessellation.tiles.indices()) {
-        const TileSensitivity& own = sensitivity.tiles[tile];
+    for (const TileSensitivity& own : sensitivity.tiles) {
         if (own.strains.size() == 0) return std::numeric_limits<double>::quiet_NaN();
-        const auto* pattern = tiling::pattern_of(surface.tessellation, tile);
-        const detail::TilePolygon place = detail::tile_polygon_of(surface, tile, grid);
-        const auto [entry, is_new] = rates.try_emplace({place.key, pattern->id});
-        if (is_new)
-            entry->second = rate_along(
-                [&](double at) {
-                    return detail::condensed_pattern(surface.layout, pattern->pattern, place.polygon,
-                                                     setting(at));
-                },
-                step);
-        sum += own.mass * entry->second.mass -
-               own.adjoint_strains.dot(entry->second.stiffness.selfadjointView<Eigen::Lower>() * own.strains);
+    }
+    const auto rates = rates_along(surface, setting, step);
+    double sum = 0.0;
+    for (const tiling::TileIndex tile : rates.indices()) {
+        const TileSensitivity& own = sensitivity.tiles[tile];
+        const TileRate& rate = *rates[tile];
+        sum += own.mass * rate.mass -
+               own.adjoint_strains.dot(rate.stiffness.selfadjointView<Eigen::Lower>() * own.strains);
     }
     return sum;
 }

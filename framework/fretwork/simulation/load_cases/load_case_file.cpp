@@ -102,7 +102,16 @@ std::optional<Dof> dof_of(const std::string& name) {
     return static_cast<Dof>(place - kDofNames.begin());
 }
 
+/// Targets put the same keys into "select".
+void refuse_select(const JsonReader& json) {
+    if (json.find("select"))
+        json.fail(
+            "has \"select\", which goals of targets have: an entry of a load case has nodes, box, nearest or "
+            "side itself");
+}
+
 LoadCase::Support read_support(const JsonReader& json) {
+    refuse_select(json);
     json.allow_only({"nodes", "box", "nearest", "side", "fixed"});
     LoadCase::Support support{read_selection(json), {}};
     for (const JsonReader& name : json.at("fixed").elements()) {
@@ -123,6 +132,7 @@ Json support_json(const LoadCase::Support& support) {
 }
 
 LoadCase::Load read_load(const JsonReader& json) {
+    refuse_select(json);
     json.allow_only({"nodes", "box", "nearest", "side", "force", "moment", "amount"});
     if (!json.find("force") && !json.find("moment")) json.fail("has neither a force nor a moment");
     LoadCase::Load load{read_selection(json), read_vector(json.find("force"), base::kForceLimits),
@@ -168,6 +178,7 @@ Json load_json(const LoadCase::Load& load) {
 
 /// One entry may prescribe several dofs; each becomes one PrescribedDisplacement.
 void read_prescribed(const JsonReader& json, std::vector<LoadCase::PrescribedDisplacement>& list) {
+    refuse_select(json);
     json.allow_only({"nodes", "box", "nearest", "side", "ux", "uy", "uz", "rx", "ry", "rz"});
     const Selection where = read_selection(json);
     const std::size_t before = list.size();
@@ -188,6 +199,7 @@ Json prescribed_json(const LoadCase::PrescribedDisplacement& prescribed) {
 }
 
 LoadCase::AreaLoad read_area_load(const JsonReader& json) {
+    refuse_select(json);
     json.allow_only({"nodes", "box", "nearest", "side", "tiles", "per_area"});
     const Eigen::Vector3d per_area = read_vector(json.at("per_area"), kPerAreaLimits);
     const auto tiles = json.find("tiles");
