@@ -28,17 +28,29 @@ Json number_of(std::string_view message) {
 
 std::span<const Studio::Impl::RequestRow> Studio::Impl::requests() {
     static constexpr RequestRow kRequests[] = {
-        {"hello", &Impl::hello},      {"undo", &Impl::undo},
-        {"redo", &Impl::redo},        {"select_load_case", &Impl::select_load_case},
-        {"new", &Impl::make_new},     {"open", &Impl::open},
-        {"upload", &Impl::upload},    {"download", &Impl::download},
-        {"save", &Impl::save},        {"patterns", &Impl::patterns},
-        {"solve", &Impl::solve},      {"path", &Impl::path},
-        {"modes", &Impl::modes},      {"buckling", &Impl::buckling},
-        {"compare", &Impl::compare},  {"cancel", &Impl::cancel},
-        {"show", &Impl::show_fields}, {"measure", &Impl::measure},
-        {"recover", &Impl::recover},  {"recoverable", &Impl::recoverable},
+        {"hello", &Impl::hello},
+        {"undo", &Impl::undo},
+        {"redo", &Impl::redo},
+        {"select_load_case", &Impl::select_load_case},
+        {"new", &Impl::make_new},
+        {"open", &Impl::open},
+        {"upload", &Impl::upload},
+        {"download", &Impl::download},
+        {"save", &Impl::save},
+        {"patterns", &Impl::patterns},
+        {"solve", &Impl::solve},
+        {"path", &Impl::path},
+        {"modes", &Impl::modes},
+        {"buckling", &Impl::buckling},
+        {"compare", &Impl::compare},
+        {"cancel", &Impl::cancel},
+        {"show", &Impl::show_fields},
+        {"measure", &Impl::measure},
+        {"recover", &Impl::recover},
+        {"recoverable", &Impl::recoverable},
         {"forget", &Impl::forget},
+        {"design", &Impl::begin_design},
+        {"stop_design", &Impl::stop_design},
     };
     return kRequests;
 }
@@ -61,6 +73,8 @@ Studio::Impl::Impl(const StudioOptions& options)
                 return view_.is_shown(job.input.revision) && beams && beams->revision == job.beams.revision;
             }),
       making_(server_, pages_, [this] { return document_->now(); }),
+      errors_(server_, pages_, [this] { return document_->solver_input().situation; }),
+      designs_(server_, pages_, [this](const DesignFound& found) { take_design(found); }),
       solver_(listener()) {
     if (options.project)
         show(read_document(*options.project));

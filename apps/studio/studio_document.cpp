@@ -32,7 +32,7 @@ Json models_json() {
     }
     list.push_back(
         {{"name", "mixed"},
-         {"summary", "corotational tiles, and every beam in a share of them: in those where that is worst"},
+         {"summary", "corotational; full beams in the given share of tiles, those with the largest error"},
          {"reference", false},
          {"large_displacements", true},
          {"parameters", Json::array()},
@@ -82,7 +82,9 @@ void Studio::Impl::hello(const Request& request) {
     pages_.send(request.client, document_event(*document_->now(), document_->status()));
     view_.send_beams(request.client);
     making_.send(request.client);
+    designs_.send(request.client);
     send_solution(request.client);
+    errors_.send(request.client);
 }
 
 void Studio::Impl::show_fields(const Request& request) {
@@ -138,6 +140,8 @@ void Studio::Impl::show(Opened next) {
     kept_.take_place(std::move(next.place), document_->path());
     view_.begin(document_->revision());
     making_.begin();
+    errors_.begin();
+    designs_.forget();
     refuse_waiting_exports("another document took the place of the one to be exported");
     pages_.broadcast(document_event(*document_->now(), document_->status()));
     solve_live();
@@ -145,6 +149,7 @@ void Studio::Impl::show(Opened next) {
 }
 
 void Studio::Impl::follow_change(const State& before) {
+    designs_.follow(document_->now());
     kept_.keep(*document_);
     pages_.broadcast(changed_event(before, *document_->now(), document_->status()));
     solve_live();
@@ -184,6 +189,7 @@ void Studio::Impl::take_solution(const SolvedPtr& solved) {
     view_.take_solution(solved);
     if (solved->stage == Stage::FirstIterate) return;
     making_.look_at(*document_);
+    errors_.look_at(solved);
     resume_exports();
     // The solve began when no page showed any field: those that show one now wait for it.
     if (pages_.shown_fields().any() && solved->state.forces.rows() == 0) solve_live();

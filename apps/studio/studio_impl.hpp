@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <studio/designing/designs.hpp>
 #include <studio/document/kept_work.hpp>
 #include <studio/files/exported_file.hpp>
 #include <studio/server/pages.hpp>
+#include <studio/solving/error_watch.hpp>
 #include <studio/solving/live_view.hpp>
 #include <studio/solving/long_jobs.hpp>
 #include <studio/solving/making_watch.hpp>
@@ -70,6 +72,11 @@ class Studio::Impl final : public Service {
     void compare(const Request& request);
     void cancel(const Request& request);
 
+    // studio_design.cpp: paintings for a wanted shape
+    void begin_design(const Request& request);
+    void stop_design(const Request& request);
+    void take_design(const DesignFound& found);
+
     // studio_files.cpp: documents from files, and files from documents
     void make_new(const Request& request);
     void measure(const Request& request);
@@ -107,6 +114,8 @@ class Studio::Impl final : public Service {
     Background files_;  ///< work of a second or two
     LongJobs jobs_;
     MakingWatch making_;
+    ErrorWatch errors_;
+    Designs designs_;
     LiveSolver solver_;
 };
 

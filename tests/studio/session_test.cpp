@@ -543,7 +543,7 @@ TEST(StudioFiles, AnOutlineBecomesADocument) {
     ASSERT_TRUE(answer["ok"].get<bool>()) << answer;
     const Json document = client.event({"document"});
     EXPECT_EQ(document["tiles"].size(), answer["tiles"]);
-    EXPECT_THAT(client.event({"failed"})["error"].get<std::string>(), HasSubstr("no load case yet"));
+    EXPECT_THAT(client.event({"failed"})["error"].get<std::string>(), HasSubstr("No load case yet"));
     const Json refused =
         client.ask("new", {{"outline", {{"name", "../../x.zip"}, {"text_base64", outline}}}});
     EXPECT_FALSE(refused["ok"].get<bool>());
@@ -808,6 +808,10 @@ TEST(StudioFiles, BarsThatOverlapAreToldWithTheirPlacesAndInTheRemarkOfExports) 
         making = client.event({"making"});  // that of the first setting, if it was sent
     ASSERT_FALSE(making["words"].empty()) << making;
     EXPECT_FALSE(making["places"].empty());
+    std::size_t listed = 0;
+    for (const Json& place : making["places"]) listed += place["kind"] == "overlap" ? 1 : 0;
+    EXPECT_GE(making["counts"]["overlap"].get<std::size_t>(), listed);
+    EXPECT_GT(making["counts"]["overlap"].get<std::size_t>(), 0U);
     EXPECT_THAT(
         test::http(studio.port(), test::get_request("/export?token=" + studio.token() + "&to=solid.stl")),
         HasSubstr("Fretwork-Remark"));

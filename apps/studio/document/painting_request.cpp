@@ -148,6 +148,16 @@ PaintingText read_painting_text(const JsonReader& request) {
             .prefix = ""};
 }
 
+Painting painted_as(const State& state, const tiling::Tessellation& painted) {
+    Painting painting = *state.painting;
+    PaletteWriter palette(painting, state.ground->layout);
+    for (const TileIndex tile : painted.tiles.indices()) {
+        const pattern::NamedPattern* pattern = tiling::pattern_of(painted, tile);
+        painting.patterns[tile] = pattern == nullptr ? -1 : palette.place_of(*pattern);
+    }
+    return painting;
+}
+
 Painted painted(const State& state, const JsonReader& request) {
     const auto patterns = request.find("patterns");
     if (!patterns) return with_one_pattern(state, request);

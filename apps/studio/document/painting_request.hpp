@@ -16,6 +16,10 @@ std::vector<std::size_t> read_tiles(const base::JsonReader& json, const State& s
 /// `fretwork paint`; each may be left out.
 typed::PaintingText read_painting_text(const base::JsonReader& request);
 
+/// The patterns of a tessellation with the document's tiles, as a painting of the document. Its palette keeps
+/// its patterns, and the new ones follow.
+Painting painted_as(const State& state, const tiling::Tessellation& painted);
+
 /// A painting that a request makes of another one.
 struct Painted {
     Painting painting;

@@ -42,6 +42,8 @@ constexpr KeyRow kKeys[] = {
     {"dither", "dither"},
     {"file", "file"},
     {"tiles", "tile"},
+    {"goals", "target point"},
+    {"target", "target"},
 };
 
 std::optional<std::string> words_of(std::string_view key) {
@@ -104,17 +106,17 @@ std::string in_words(const base::Error& error) {
     const auto& about = error.data().about;
     switch (error.data().kind) {
         case base::ErrorKind::NothingHeld:
-            return "Nothing holds the surface. Select nodes and hold them.";
+            return "The surface has no supports. Select nodes and add supports.";
         case base::ErrorKind::PartNotHeld:
-            return "Nothing holds the part of the surface near " + about.at(0) +
-                   ". Select nodes of it and hold them.";
+            return "The part of the surface near " + about.at(0) +
+                   " has no supports. Select nodes of it and add supports.";
         case base::ErrorKind::MovesFreely:
             return "The surface is not held firmly: near " + about.at(0) +
-                   " it still moves or turns freely. Hold more nodes, or hold them in more directions.";
+                   " it can still move or rotate. Add supports, or fix more directions.";
         case base::ErrorKind::NotCalibrated:
-            return "The model " + about.at(1) + " needs measured patterns, and " + about.at(0) +
-                   " is none of them. Choose another model, or a project that was made with a library of "
-                   "measured patterns.";
+            return "The model " + about.at(1) + " requires calibrated patterns, and " + about.at(0) +
+                   " is not one. Choose another model, or a project with a "
+                   "library.";
         case base::ErrorKind::Other:
             break;
     }

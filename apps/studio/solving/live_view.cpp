@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/simulation/results/model_doubt.hpp>
 #include <studio/server/binary_messages.hpp>
 #include <studio/solving/live_view.hpp>
 
@@ -35,20 +36,22 @@ Outgoing solved_message(const SolvedSurface& solved, const BeamFields& fields, c
     const double largest = solution.displacements.rows() == 0
                                ? 0.0
                                : solution.displacements.leftCols<3>().rowwise().norm().maxCoeff();
-    Json event = {{"event", "solved"},
-                  {"revision", solved.revision},
-                  {"model", solved.model},
-                  {"seconds", solved.result.seconds},
-                  {"solver", solved.result.solver},
-                  {"converged", solution.converged()},
-                  {"residual", solution.residual},
-                  {"iterations", solution.iterations},
-                  {"stable", is_unchecked(solved.result) ? Json() : Json(solution.stable)},
-                  {"load_factor", solution.load_factor},
-                  {"warnings", solved.warnings},
-                  {"largest_displacement", largest},
-                  {"reactions", reactions_json(solution, solved.beams->interface_nodes)},
-                  {"fields", has_forces(solved) ? names_of(fields) : std::vector<std::string>{}}};
+    Json event = {
+        {"event", "solved"},
+        {"revision", solved.revision},
+        {"model", solved.model},
+        {"seconds", solved.result.seconds},
+        {"solver", solved.result.solver},
+        {"converged", solution.converged()},
+        {"residual", solution.residual},
+        {"iterations", solution.iterations},
+        {"stable", is_unchecked(solved.result) ? Json() : Json(solution.stable)},
+        {"load_factor", solution.load_factor},
+        {"warnings", solved.warnings},
+        {"doubtful", solved.result.model_doubt ? Json(simulation::is_doubtful(solved.result)) : Json()},
+        {"largest_displacement", largest},
+        {"reactions", reactions_json(solution, solved.beams->interface_nodes)},
+        {"fields", has_forces(solved) ? names_of(fields) : std::vector<std::string>{}}};
     std::string positions = solution_message(solved.state, {solved.revision, solved.beams_revision}, fields);
     if (solved.stage == Stage::FirstIterate) event["provisional"] = true;
     if (!more.is_null()) event.update(more);

@@ -17,6 +17,7 @@ using Place = MakingDoubts::Place;
 void add_overlaps(const simulation::Surface& surface, const base::Control& control, MakingDoubts& doubts) {
     auto close = simulation::close_bars(surface, 0.0, control);
     if (close.empty()) return;
+    doubts.counts.overlaps = close.size();
     doubts.words.push_back(simulation::close_bars_text(close));
     std::ranges::stable_sort(close, {}, &simulation::CloseBars::gap);
     const simulation::SurfaceBeams beams = simulation::surface_beams(surface);
@@ -44,6 +45,9 @@ void add_narrow_places(const simulation::Surface& surface, const fabrication::Sh
     const auto narrow = fabrication::narrow_places(shape, plan, clearance, options.control);
     if (narrow.empty()) return;
     doubts.words.push_back(narrow_text(narrow, clearance));
+    doubts.counts.gaps = static_cast<std::size_t>(
+        std::ranges::count(narrow, fabrication::NarrowPlace::Kind::Gap, &fabrication::NarrowPlace::kind));
+    doubts.counts.openings = narrow.size() - doubts.counts.gaps;
     for (const fabrication::NarrowPlace& one : narrow) {
         if (doubts.places.size() == MakingDoubts::kMostPlaces) return;
         const bool is_gap = one.kind == fabrication::NarrowPlace::Kind::Gap;
@@ -66,7 +70,12 @@ Json making_event(const MakingDoubts& doubts, std::int64_t revision) {
     Json places = Json::array();
     for (const Place& place : doubts.places)
         places.push_back({{"kind", place.kind}, {"place", {place.at.x, place.at.y}}, {"width", place.width}});
-    return {{"event", "making"}, {"revision", revision}, {"words", doubts.words}, {"places", places}};
+    const auto& counts = doubts.counts;
+    return {{"event", "making"},
+            {"revision", revision},
+            {"words", doubts.words},
+            {"counts", {{"overlap", counts.overlaps}, {"gap", counts.gaps}, {"opening", counts.openings}}},
+            {"places", places}};
 }
 
 }  // namespace fretwork::studio

@@ -18,6 +18,12 @@ struct MakingDoubts {
         geometry::Point2 at;
         double width = 0.0;  ///< m, below zero of an overlap
     };
+    /// How many there are, also beyond those that are listed.
+    struct Counts {
+        std::size_t overlaps = 0;
+        std::size_t gaps = 0;
+        std::size_t openings = 0;
+    } counts;
     std::vector<std::string> words;  ///< a line of each kind; none: nothing stands in the way
     std::vector<Place> places;       ///< overlaps first, the worst of each kind first; at most kMostPlaces
     static constexpr std::size_t kMostPlaces = 200;

@@ -2,11 +2,10 @@
 #include <fretwork/fabrication/facts.hpp>
 #include <studio/solving/making_doubts.hpp>
 #include <studio/solving/making_watch.hpp>
+#include <studio/solving/rest.hpp>
 #include <studio/solving/synced_session.hpp>
 
 #include <algorithm>
-#include <chrono>
-#include <thread>
 
 namespace fretwork::studio {
 namespace {
@@ -14,17 +13,6 @@ namespace {
 /// Whether the same bars lie in the same places.
 bool is_made_alike(const State& one, const State& other) {
     return one.ground == other.ground && one.painting == other.painting && one.setting == other.setting;
-}
-
-/// Strokes and drags follow each other faster.
-constexpr std::chrono::milliseconds kQuiet{300};
-constexpr std::chrono::milliseconds kLook{10};
-
-void rest(const base::Control& control) {
-    for (auto waited = 0 * kLook; waited < kQuiet; waited += kLook) {
-        control.check();
-        std::this_thread::sleep_for(kLook);
-    }
 }
 
 }  // namespace

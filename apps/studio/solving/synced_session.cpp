@@ -54,7 +54,7 @@ OpenedSurface open_surface(const State& state) {
 simulation::LoadCase load_case_of(const Situation& situation) {
     const auto& cases = *situation.state->load_cases;
     if (situation.load_case >= cases.size())
-        throw base::InputError("there is no load case yet: hold some nodes, then load others");
+        throw base::InputError("No load case yet. Add supports, then a load.");
     return simulation::combined(cases[situation.load_case], cases);
 }
 

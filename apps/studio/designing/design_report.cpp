@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/text.hpp>
+#include <studio/designing/design_report.hpp>
+#include <studio/document/painting_request.hpp>
+
+#include <optional>
+
+namespace fretwork::studio {
+
+using base::Json;
+using design::DesignReport;
+using design::TargetError;
+
+namespace {
+
+/// Multiples of a single pattern's displacement beyond which the load does not fit the target.
+constexpr double kTooFar = 2.0;
+constexpr double kTooNear = 0.5;
+
+/// In the words of `fretwork design`.
+const char* end_words(design::DesignEnd end) {
+    switch (end) {
+        case design::DesignEnd::NoSwapImproves:
+            return "the search found no further swap that improves it";
+        case design::DesignEnd::SolutionsSpent:
+            return "the solutions were spent";
+        case design::DesignEnd::TimeSpent:
+            return "the time was spent";
+        default:
+            return "it was stopped: this is the best painting so far";
+    }
+}
+
+template <class Value>
+Json member_of(const std::optional<TargetError>& error, Value TargetError::*which) {
+    return error ? Json((*error).*which) : Json(nullptr);
+}
+
+/// The share of the best single pattern's error that the design has taken away.
+Json share_closed(const DesignReport& report) {
+    if (!report.error || !report.best_uniform || report.best_uniform->mean <= 0.0) return nullptr;
+    return 1.0 - report.error->mean / report.best_uniform->mean;
+}
+
+/// What keeps the target out of reach, where that is known.
+Json warnings_json(const DesignReport& report) {
+    Json warnings = Json::array();
+    const auto add = [&](double times, const char* which, const char* problem) {
+        warnings.push_back("the target asks for " + base::format_number(times, 3) +
+                           " times the displacement of the " + which +
+                           " single pattern tried: the load is too " + problem + " for it");
+    };
+    if (report.wanted_of_softest > kTooFar) add(report.wanted_of_softest, "softest", "small");
+    if (report.wanted_of_stiffest > 0.0 && report.wanted_of_stiffest < kTooNear)
+        add(report.wanted_of_stiffest, "stiffest", "large");
+    return warnings;
+}
+
+}  // namespace
+
+Edited with_design(const State& state, const DesignReport& report) {
+    Edited edit{state, "design"};
+    Painting painting = painted_as(state, report.project.tessellation);
+    if (painting != *state.painting)
+        edit.state.painting = std::make_shared<const Painting>(std::move(painting));
+    if (report.project.load_cases != *state.load_cases)
+        edit.state.load_cases =
+            std::make_shared<const std::vector<simulation::LoadCase>>(report.project.load_cases);
+    return edit;
+}
+
+Json designed_event(const DesignFound& found, std::int64_t revision) {
+    const DesignReport& report = found.report;
+    return {{"event", "designed"},
+            {"revision", revision},
+            {"sketch", found.stage == DesignFound::Stage::Sketch},
+            {"error_mean", member_of(report.error, &TargetError::mean)},
+            {"error_largest", member_of(report.error, &TargetError::largest)},
+            {"stable", member_of(report.error, &TargetError::is_stable)},
+            {"error_best_uniform", member_of(report.best_uniform, &TargetError::mean)},
+            {"best_uniform_pattern", report.best_uniform_pattern},
+            {"uniform_tried", report.uniform_tried},
+            {"share_closed", share_closed(report)},
+            {"is_better", report.is_better()},
+            {"patterns", report.patterns},
+            {"load_cases", report.load_cases},
+            {"factors", report.factors},
+            {"warnings", warnings_json(report)},
+            {"end", design::design_end_name(report.end)},
+            {"words", end_words(report.end)},
+            {"seconds", report.seconds},
+            {"solutions", report.solutions},
+            {"full_solutions", report.full_solutions},
+            {"seed", report.seed}};
+}
+
+}  // namespace fretwork::studio

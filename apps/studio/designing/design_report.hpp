@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/design/design.hpp>
+#include <studio/document/history.hpp>
+
+namespace fretwork::studio {
+
+/// A painting that a design has found.
+struct DesignFound {
+    /// After few solutions, so that people see where it leads; or what the design has come to.
+    enum class Stage { Sketch, Answer };
+    Stage stage = Stage::Answer;
+    design::DesignReport report;
+};
+
+/// The document with the painting, and, where the design was free to change them, the loads.
+Edited with_design(const State& state, const design::DesignReport& report);
+
+/// The event `designed`.
+base::Json designed_event(const DesignFound& found, std::int64_t revision);
+
+}  // namespace fretwork::studio

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <studio/designing/design_report.hpp>
+#include <studio/designing/design_request.hpp>
+#include <studio/server/background.hpp>
+#include <studio/server/pages.hpp>
+
+#include <functional>
+#include <optional>
+
+namespace fretwork::studio {
+
+/// The design of the document that is shown: one at a time, on a thread of its own. It is given up as soon as
+/// somebody else changes what it works on. Used on the server's thread.
+class Designs {
+  public:
+    /// @param take  paints the document; called on the server's thread
+    Designs(HttpServer& server, Pages& pages, std::function<void(const DesignFound&)> take);
+
+    /// Throws InputError if one is at work.
+    void begin(const StatePtr& state, DesignWish wish, std::int64_t revision);
+    /// End the search; its best painting so far is taken.
+    void stop() { thread_.cancel(); }
+    /// Another document is shown: nothing of the present design is taken any more.
+    void forget();
+    /// The document as it is now, after any edit. One that the design did not make gives it up.
+    void follow(const StatePtr& now);
+    /// The document as the design has painted it.
+    void painted(const StatePtr& now);
+    /// What joins the edits of one design to one step of undo.
+    [[nodiscard]] std::string merge_key() const { return "design:" + std::to_string(number_); }
+    /// Send a page how the design is doing, or how the last one ended.
+    void send(ClientId client) { pages_.send(client, last_); }
+
+  private:
+    struct Run {
+        StatePtr state;  ///< as the design knows the document
+        std::int64_t revision = 0;
+    };
+    /// What the thread is given.
+    struct Work {
+        int number = 0;
+        StatePtr state;
+        DesignWish wish;
+        std::int64_t revision = 0;
+    };
+    void run(const Work& work, const base::Control& control);
+    void tell_progress(const Work& work, const design::DesignProgress& progress);
+    void give(const Work& work, DesignFound found);
+    void fail(int number, std::int64_t revision, const std::string& error);
+    void show(const base::Json& event);
+
+    HttpServer& server_;
+    Pages& pages_;
+    std::function<void(const DesignFound&)> take_;
+    int number_ = 0;  ///< of the last design
+    std::optional<Run> run_;
+    Outgoing last_;
+    Background thread_;
+};
+
+}  // namespace fretwork::studio
