@@ -16,4 +16,5 @@ export default tseslint.config(
       '@typescript-eslint/no-unused-vars': ['error', { argsIgnorePattern: '^_' }],
     },
   },
+  { files: ['src/words.ts'], rules: { 'max-lines': 'off' } }, // a table
 );

@@ -7,10 +7,12 @@ import { mode, startOpen, type Mode } from './document/ui';
 import { wantPatterns } from './pattern/table';
 import { HelpSheet } from './manners/help';
 import { LineNotice, Notes } from './manners/notes';
+import { DesignPanel } from './panels/design_panel';
 import { HoldPanel } from './panels/hold_panel';
 import { LoadPanel } from './panels/load_panel';
 import { LookPanel } from './panels/look_panel';
 import { PaintPanel } from './panels/paint_panel';
+import { StatusLine } from './panels/status_line';
 import { TopBar } from './panels/top_bar';
 import { ConflictSheet } from './manners/conflict';
 import { UnsavedSheet } from './manners/unsaved';
@@ -20,7 +22,7 @@ import { Tooltip } from './widgets/tooltip';
 import './panels/panels.css';
 import './app.css';
 
-const PANELS: Record<Mode, () => preact.JSX.Element> = { paint: PaintPanel, hold: HoldPanel, load: LoadPanel, look: LookPanel };
+const PANELS: Record<Mode, () => preact.JSX.Element> = { paint: PaintPanel, hold: HoldPanel, load: LoadPanel, design: DesignPanel, look: LookPanel };
 
 const isOpen = computed(() => documentNow.value !== null);
 const layoutName = computed(() => documentNow.value?.layout);
@@ -45,6 +47,7 @@ export function App() {
           <Views />
         </main>
       )}
+      {ready && <StatusLine />}
       {(startOpen.value || (!ready && hello.value)) && <Start />}
       <HelpSheet />
       <UnsavedSheet />

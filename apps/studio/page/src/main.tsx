@@ -2,10 +2,12 @@
 
 import { render } from 'preact';
 import { App } from './app';
+import { designed, designing } from './document/design';
 import { takeLatencies } from './document/latency';
 import * as store from './document/store';
 import { ask, cut, start } from './document/studio';
 import { surface } from './document/surface';
+import { target } from './document/target';
 import { watchKeys } from './manners/shortcuts';
 import { watchClosing } from './manners/unsaved';
 import type { Point } from './protocol/messages';
@@ -26,6 +28,8 @@ start();
 const forTests = {
   takeLatencies,
   store,
+  design: { designed, designing },
+  target,
   scene: currentScene,
   cut,
   ask,

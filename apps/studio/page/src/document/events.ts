@@ -4,9 +4,13 @@
 import { batch } from '@preact/signals';
 import type { Beams, Solution } from '../protocol/binary';
 import type { Reaction, ServerEvent, Solved, StudioDocument } from '../protocol/messages';
+import { designed, designing, takeDesigned, takeDesigning } from './design';
 import * as store from './store';
+import { target } from './target';
+import { lookedAt } from './truth';
 import { tell } from './tell';
 import { pending } from './ui';
+import { W } from '../words';
 
 /** Which event the next solution belongs to: a binary message follows the event that announces it. */
 type Awaited = { of: 'solved'; info: Solved } | { of: 'compared' } | { of: 'modes' } | null;
@@ -27,9 +31,9 @@ export function takeEvent(message: ServerEvent): void {
 function take(message: ServerEvent): void {
   switch (message.event) {
     case 'document':
-      forget();
+      forget(message);
       store.documentNow.value = message;
-      if (message.recovered) tell('Changes that were not saved are back. Undo leads to what is in the file.');
+      if (message.recovered) tell(W.events.unsavedChangesWereRestored);
       break;
     case 'changed':
       change(message);
@@ -55,7 +59,15 @@ function take(message: ServerEvent): void {
       break;
     case 'making':
       store.making.value = message;
-      store.makingPlace.value = -1;
+      break;
+    case 'designing':
+      takeDesigning(message);
+      break;
+    case 'designed':
+      takeDesigned(message);
+      break;
+    case 'model_error':
+      store.estimated.value = message;
       break;
     case 'warning':
       tell(message.text, 'warning');
@@ -70,7 +82,14 @@ function reactionOf(row: Reaction | number[]): Reaction {
   return { node, force: [fx, fy, fz], moment: [mx, my, mz] };
 }
 
-function forget(): void {
+/** A target is of the nodes of one surface. */
+const isSameSurface = (next: StudioDocument): boolean =>
+  JSON.stringify(store.documentNow.peek()?.interface_nodes) === JSON.stringify(next.interface_nodes);
+
+function forget(next: StudioDocument): void {
+  if (!isSameSurface(next)) target.value = [];
+  [designing.value, designed.value] = [null, null];
+  store.estimated.value = null;
   pending.value = new Map();
   store.live.value = null;
   store.problem.value = null;
@@ -83,7 +102,7 @@ function forget(): void {
 
 function forgetMaking(): void {
   store.making.value = null;
-  store.makingPlace.value = -1;
+  lookedAt.value = null;
 }
 
 /** Forgets the paint ahead of the server that is now in the document. */
@@ -103,11 +122,15 @@ function change(message: Partial<StudioDocument>): void {
     store.others.value = new Map();
     store.compared.value = null;
     store.shapes.value = null;
+    designed.value = null;
+    store.estimated.value = null;
   }
+  if (message.model !== undefined || message.tile_models) store.estimated.value = null;
 }
 
-function failed({ error, background, revision }: { error: string; background?: boolean; revision: number }): void {
-  store.working.value = null;
+function failed({ error, model, background, revision }: { error: string; model: string; background?: boolean; revision: number }): void {
+  if (model === 'design') designing.value = null;
+  else store.working.value = null;
   if (!background) [store.live.value, store.problem.value, store.answered.value, store.positioned.value] = [null, error, revision, revision];
   else if (error !== 'cancelled') tell(error, 'error');
 }

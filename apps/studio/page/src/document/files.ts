@@ -8,6 +8,7 @@ import { makingQuery, type Made } from './making';
 import { shapeIndex } from './look';
 import { documentNow, hello, shapes } from './store';
 import { tell } from './tell';
+import { W } from '../words';
 
 export async function base64(file: Blob): Promise<string> {
   const bytes = new Uint8Array(await file.arrayBuffer());
@@ -52,17 +53,17 @@ export interface ExportRow {
 }
 /** Our words for kinds of file that people know; others come with the program's. */
 const KNOWN: ExportRow[] = [
-  { ending: 'html', title: 'Web page', words: 'the bent surface in one file, for anybody with a browser' },
-  { ending: 'svg', title: 'SVG', words: 'a drawing' },
-  { ending: 'dxf', title: 'DXF', words: 'for the laser cutter', made: 'cut' },
-  { ending: 'stl', title: 'STL', words: 'a solid for the printer', made: 'solid' },
-  { ending: '3mf', title: '3MF', words: 'a solid with units', made: 'solid' },
-  { ending: 'txt', title: 'Facts for making', words: 'mass, lengths, narrow places, stresses', made: 'facts' },
-  { ending: 'json', title: 'The same as JSON', words: 'for programs', made: 'facts' },
-  { ending: 'obj', title: 'OBJ', words: 'centre lines' },
-  { ending: 'ply', title: 'PLY', words: 'centre lines' },
-  { ending: 'vtu', title: 'VTU', words: 'for ParaView' },
-  { ending: 'csv', title: 'CSV', words: 'displacements as a table' },
+  { ending: 'html', title: W.files.webPage, words: W.files.theBentSurfaceIn },
+  { ending: 'svg', title: W.files.svg, words: W.files.drawing },
+  { ending: 'dxf', title: W.files.dxf, words: W.files.forLaserCutters, made: 'cut' },
+  { ending: 'stl', title: W.files.stl, words: W.files.solidForDPrinting, made: 'solid' },
+  { ending: '3mf', title: W.files.mf, words: W.files.solidWithUnits, made: 'solid' },
+  { ending: 'txt', title: W.files.fabricationReport, words: W.files.massLengthsNarrowGaps, made: 'facts' },
+  { ending: 'json', title: W.files.reportAsJson, words: W.files.machineReadable, made: 'facts' },
+  { ending: 'obj', title: W.files.obj, words: W.files.centrelines },
+  { ending: 'ply', title: W.files.ply, words: W.files.centrelines },
+  { ending: 'vtu', title: W.files.vtu, words: W.files.forParaview },
+  { ending: 'csv', title: W.files.csv, words: W.files.tableOfDisplacements },
 ];
 
 /** The kinds of files that the server writes, the known ones first; pictures have a menu of their own. */
@@ -85,7 +86,7 @@ function isAnotherShape(made?: Made): boolean {
 /** The server writes it as the command line does. Refusals come with a reason. */
 export async function exportTo({ ending, made }: ExportRow): Promise<void> {
   if (isAnotherShape(made)) {
-    tell('Files hold the answer to the load, which is not shown now: close the modes or the load path first.', 'error');
+    tell(W.files.filesContainTheResult, 'error');
     return;
   }
   // The page's address may say more than the token, which is not of the file.
@@ -94,7 +95,7 @@ export async function exportTo({ ending, made }: ExportRow): Promise<void> {
   for (const [name, text] of Object.entries(made ? makingQuery(made) : {})) query.set(name, text);
   try {
     const answer = await fetch(`/export?${query}`);
-    if (!answer.ok) throw new Error((await answer.text()).trim() || `The export failed (${answer.status}).`);
+    if (!answer.ok) throw new Error((await answer.text()).trim() || W.files.theExportFailed(answer.status));
     offer(await answer.blob(), `${stem()}.${ending}`);
     const remark = answer.headers.get('Fretwork-Remark');
     if (remark) tell(`${remark[0]!.toUpperCase()}${remark.slice(1)}.`, 'warning');

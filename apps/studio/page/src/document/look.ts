@@ -2,6 +2,7 @@
 // How results are shown.
 
 import { computed, signal } from '@preact/signals';
+import { strength } from './store';
 import { probed } from './ui';
 
 export type FieldName =
@@ -16,7 +17,9 @@ const isBarProbed = computed(() => probed.value?.kind === 'beam');
 export const beamFields = computed<string[]>(() => {
   if (isBarProbed.value) return ALL_ON_BARS;
   const name = ON_BARS[field.value];
-  return name ? [name] : [];
+  // With a strength, the status line counts the bars above it.
+  const counted = strength.value === null ? [] : ['von_mises'];
+  return [...new Set([...(name ? [name] : []), ...counted])];
 });
 
 /** Displacements are drawn this many times as large as they are. */

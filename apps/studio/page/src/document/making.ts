@@ -2,6 +2,7 @@
 // How a surface is to be cut or printed, as one writes it: entries of `fretwork export`.
 
 import { signal } from '@preact/signals';
+import { W } from '../words';
 
 /** The purpose of a made file: each uses some of the entries. */
 export type Made = 'cut' | 'solid' | 'facts';
@@ -16,11 +17,11 @@ export interface MakingEntry {
   unit: string;
 }
 export const MAKING: readonly MakingEntry[] = [
-  { name: 'fillet', title: 'Fillets', words: 'radius of inner corners', of: ['cut', 'solid', 'facts'], example: '0', unit: 'mm' },
-  { name: 'frame', title: 'Frame', words: 'width of bars along the rim', of: ['cut', 'solid', 'facts'], example: '0', unit: 'mm' },
-  { name: 'bolts', title: 'Bolts', words: 'diameter of holes at the supports', of: ['cut', 'solid', 'facts'], example: 'none', unit: 'mm' },
-  { name: 'kerf', title: 'Kerf', words: 'what the cutter takes away', of: ['cut'], example: '0', unit: 'mm' },
-  { name: 'bed', title: 'Sheets', words: 'width x height: larger surfaces are cut into parts that join', of: ['cut'], example: '600x400', unit: 'mm' },
+  { name: 'fillet', title: W.making.fillets, words: W.making.radiusAtInnerCorners, of: ['cut', 'solid', 'facts'], example: '0', unit: 'mm' },
+  { name: 'frame', title: W.making.frame, words: W.making.widthOfTheEdge, of: ['cut', 'solid', 'facts'], example: '0', unit: 'mm' },
+  { name: 'bolts', title: W.making.bolts, words: W.making.holeDiameterAtSupports, of: ['cut', 'solid', 'facts'], example: 'none', unit: 'mm' },
+  { name: 'kerf', title: W.making.kerf, words: W.making.widthOfTheCut, of: ['cut'], example: '0', unit: 'mm' },
+  { name: 'bed', title: W.making.sheets, words: W.making.widthXHeightLarger, of: ['cut'], example: '600x400', unit: 'mm' },
 ];
 
 /** By the entries' names; empty or missing: not given. */

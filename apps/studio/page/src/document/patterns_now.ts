@@ -14,6 +14,9 @@ export const tilePatterns = computed<string[]>(() => {
   return (painting.value ?? []).map((index, tile) => ahead.get(tile) ?? ids[index] ?? '');
 });
 
+/** The tiles that have none. */
+export const patternless = computed<number[]>(() => tilePatterns.value.flatMap((pattern, tile) => (pattern === '' ? [tile] : [])));
+
 export const usedPatterns = computed<string[]>(() => {
   const used = new Set(tilePatterns.value);
   return palette.value.filter((pattern) => used.has(pattern));

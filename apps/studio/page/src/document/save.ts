@@ -7,13 +7,14 @@ import type { SaveConflict } from '../protocol/messages';
 import { ask, tryAsk } from './studio';
 import { documentNow } from './store';
 import { tell } from './tell';
+import { W } from '../words';
 
 export type ConflictChoice = 'theirs' | 'mine' | 'elsewhere' | 'stay';
 /** The question that is open, and what takes its answer. */
 export const conflictAsked = signal<{ conflict: SaveConflict; answer: (choice: ConflictChoice) => void } | null>(null);
 
 function askForPath(): string | null {
-  return window.prompt('Save as (a file on the machine where the studio runs):', `${documentNow.peek()?.name || 'surface'}.json`);
+  return window.prompt(W.save.saveAsPathOn, `${documentNow.peek()?.name || 'surface'}.json`);
 }
 
 /** To its file; a document that has none asks for one. Resolves to whether it lies there now. */
@@ -30,7 +31,7 @@ async function saveElsewhere(): Promise<boolean> {
 async function write(where: { path?: string; replaces?: string }): Promise<boolean> {
   try {
     await ask('save', where);
-    tell('Saved.');
+    tell(W.save.saved);
     return true;
   } catch (error) {
     if (error instanceof Refusal && error.conflict) return settle(error.conflict);

@@ -3,9 +3,10 @@
 
 import { computed, signal } from '@preact/signals';
 import type { Beams, Solution } from '../protocol/binary';
-import type { Hello, Making, PatternTable, Recoverable, SentLoadCase, Solved, StudioDocument } from '../protocol/messages';
+import type { EstimatedError, Hello, Making, PatternTable, Recoverable, SentLoadCase, Solved, StudioDocument } from '../protocol/messages';
 import type { LineState } from '../protocol/connection';
 import { sizeOf } from './section';
+import { W } from '../words';
 
 export interface SolvedModel {
   info: Solved;
@@ -34,7 +35,7 @@ export const problem = signal<string | null>(null);
 export const notTheAnswer = computed<string | null>(() => {
   if (problem.value) return problem.value;
   const info = live.value?.info;
-  return info && !info.converged && !info.provisional ? (info.warnings[0] ?? 'No equilibrium was found.') : null;
+  return info && !info.converged && !info.provisional ? (info.warnings[0] ?? W.store.noEquilibriumWasFound) : null;
 });
 /** The last solution of other models, by name: the full model on demand. */
 export const others = signal<ReadonlyMap<string, SolvedModel>>(new Map());
@@ -55,10 +56,11 @@ export interface Shape {
 /** The steps of a load path, or the modes, that are played back. */
 export const shapes = signal<Shape | null>(null);
 
+/** How far the live solution is from the full model's, as estimated; null: not known, or not doubtful. */
+export const estimated = signal<EstimatedError | null>(null);
+
 /** Whether the present painting can be made; null while that is looked at. */
 export const making = signal<Making | null>(null);
-/** Which of its places is looked at; -1: none. */
-export const makingPlace = signal(-1);
 
 export const patternTable = signal<PatternTable | null>(null);
 

@@ -3,15 +3,24 @@
 
 import { computed, signal } from '@preact/signals';
 import { documentNow } from './store';
+import { W } from '../words';
 
-export type Mode = 'paint' | 'hold' | 'load' | 'look';
+export type Mode = 'paint' | 'hold' | 'load' | 'design' | 'look';
 export const MODES: { mode: Mode; title: string; key: string }[] = [
-  { mode: 'paint', title: 'Paint', key: '1' },
-  { mode: 'hold', title: 'Hold', key: '2' },
-  { mode: 'load', title: 'Load', key: '3' },
-  { mode: 'look', title: 'Look', key: '4' },
+  { mode: 'paint', title: W.ui.paint, key: '1' },
+  { mode: 'hold', title: W.ui.supports, key: '2' },
+  { mode: 'load', title: W.ui.load, key: '3' },
+  { mode: 'design', title: W.ui.design, key: '4' },
+  { mode: 'look', title: W.ui.results, key: '5' },
 ];
 export const mode = signal<Mode>('paint');
+/** What a click in the plane means while one designs. */
+export const designPicks = signal<'nodes' | 'tiles'>('nodes');
+/** Whether the side view is open, where a target curve is drawn. */
+export const sideViewOpen = signal(false);
+/** Modes in which nodes are chosen. */
+export const choosesNodes = computed(() => mode.value === 'hold' || mode.value === 'load' || (mode.value === 'design' && designPicks.value === 'nodes'));
+export const choosesTiles = computed(() => mode.value === 'paint' || (mode.value === 'design' && designPicks.value === 'tiles'));
 
 export type PaintTool = 'brush' | 'fill' | 'replace' | 'pick' | 'gradient' | 'select' | 'lasso';
 export type NodeTool = 'select' | 'lasso' | 'rim';
@@ -27,7 +36,7 @@ export const brushOrFirst = computed(() => brush.value ?? documentNow.value?.pal
 export const selectedTiles = signal<ReadonlySet<number>>(new Set());
 export const selectedNodes = signal<ReadonlySet<number>>(new Set());
 /** The load or prescribed displacement that is shown in full. */
-export const activeEntry = signal<{ kind: 'load' | 'prescribed'; index: number } | null>(null);
+export const activeEntry = signal<{ kind: 'load' | 'prescribed' | 'target'; index: number } | null>(null);
 
 export type Split = 'both' | 'plane' | 'space';
 export const split = signal<Split>('both');

@@ -12,6 +12,7 @@ import { Choice } from '../widgets/widgets';
 import { ranges, setRange, shownPatterns } from './filters';
 import { rowsById } from './order';
 import { extent, onScale, PROPERTIES, propertyRow, type Property, type PropertyName } from './properties';
+import { W } from '../words';
 
 const across = signal<PropertyName>('bending_young');
 const upward = signal<PropertyName>('membrane_poisson');
@@ -102,8 +103,8 @@ export function Chart() {
   const options = PROPERTIES.map(({ name, title }) => ({ value: name, title }));
   return (
     <div class="chart">
-      <Choice label="Upward" value={upward.value} options={options} onPick={(name) => { setRange(upward.value, null); upward.value = name; }} />
-      <canvas ref={canvas} aria-label={`Patterns by ${frame.x.property.title} and ${frame.y.property.title}. Drag a box to filter.`}
+      <Choice label={W.chart.upward} value={upward.value} options={options} onPick={(name) => { setRange(upward.value, null); upward.value = name; }} />
+      <canvas ref={canvas} aria-label={W.chart.patternsByAndDrag(frame.x.property.title, frame.y.property.title)}
         onPointerDown={(event) => { start.current = at(event); event.currentTarget.setPointerCapture(event.pointerId); }}
         onPointerMove={(event) => {
           if (!start.current) return;
@@ -112,7 +113,7 @@ export function Chart() {
         }}
         onPointerUp={release} />
       <div class="chart-ends"><span>{words(frame.x.property, frame.x.range[0])}</span>
-        <Choice label="Across" value={across.value} options={options} onPick={(name) => { setRange(across.value, null); across.value = name; }} />
+        <Choice label={W.chart.across} value={across.value} options={options} onPick={(name) => { setRange(across.value, null); across.value = name; }} />
         <span>{words(frame.x.property, frame.x.range[1])}</span></div>
     </div>
   );

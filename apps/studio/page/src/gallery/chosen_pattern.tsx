@@ -8,6 +8,7 @@ import { rowsById } from './order';
 import { propertyRow, type PropertyName } from './properties';
 import { RELATIONS } from './similar';
 import { Thumbnail } from './thumbnail';
+import { W } from '../words';
 
 const SHOWN: PropertyName[] = ['mass', 'bending_young', 'bending_poisson', 'membrane_young', 'membrane_poisson', 'error'];
 
@@ -18,7 +19,7 @@ export function ChosenPattern({ id }: { id: string }) {
     <div class="chosen">
       <Thumbnail id={id} size={92} bar={0.062} />
       <dl>
-        <dt>edges</dt>
+        <dt>{W.chosenPattern.edges}</dt>
         <dd>{patternEdges(id).length}</dd>
         {row && SHOWN.map((name) => {
           const property = propertyRow(name);

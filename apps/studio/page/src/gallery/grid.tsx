@@ -8,6 +8,7 @@ import { shown } from '../document/units';
 import { propertyRow } from './properties';
 import { sortBy } from './filters';
 import { Thumbnail } from './thumbnail';
+import { W } from '../words';
 
 const CELL = 68;
 const SPARE_ROWS = 2;
@@ -40,7 +41,7 @@ export function Grid({ rows }: { rows: readonly PatternRow[] }) {
     if (y + CELL > element.scrollTop + element.clientHeight) element.scrollTop = y + CELL - element.clientHeight;
   };
   return (
-    <div class="grid" ref={host} role="listbox" aria-label="Patterns" tabIndex={0} onKeyDown={move}>
+    <div class="grid" ref={host} role="listbox" aria-label={W.grid.patterns} tabIndex={0} onKeyDown={move}>
       <div style={{ height: `${Math.ceil(rows.length / columns) * CELL}px` }}>
         {rows.slice(first, last).map((row, i) => {
           const at = first + i;
@@ -57,8 +58,8 @@ function Cell({ row, left, top, width }: { row: PatternRow; left: number; top: n
   const property = propertyRow(sortBy.value);
   const value = property.name === 'edges' ? '' : ` · ${property.short} ${shown(property.of(row), property.quantity)}`;
   return (
-    <button type="button" role="option" tabIndex={-1} class="cell" aria-selected={brushOrFirst.value === row.id} aria-label={`Pattern ${row.id}`} data-pattern={row.id}
-      data-tip={`${row.edges} edges${value}`} style={{ left: `${left}px`, top: `${top}px`, width: `${width}px`, height: `${CELL}px` }}
+    <button type="button" role="option" tabIndex={-1} class="cell" aria-selected={brushOrFirst.value === row.id} aria-label={W.grid.pattern(row.id)} data-pattern={row.id}
+      data-tip={W.grid.edges(row.edges, value)} style={{ left: `${left}px`, top: `${top}px`, width: `${width}px`, height: `${CELL}px` }}
       onClick={() => (brush.value = row.id)}>
       <Thumbnail id={row.id} size={CELL - 14} />
     </button>

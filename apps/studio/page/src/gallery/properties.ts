@@ -3,6 +3,7 @@
 
 import type { Quantity } from '../document/units';
 import type { PatternRow } from '../protocol/messages';
+import { W } from '../words';
 
 export type PropertyName =
   | 'edges' | 'mass' | 'bending_young' | 'bending_poisson' | 'bending_shear' | 'membrane_young' | 'membrane_poisson' | 'membrane_shear' | 'error';
@@ -18,15 +19,15 @@ export interface Property {
 }
 
 export const PROPERTIES: Property[] = [
-  { name: 'edges', title: 'Edges', short: 'edges', quantity: 'plain', logarithmic: false, of: (row) => row.edges },
-  { name: 'mass', title: 'Mass', short: 'mass', quantity: 'area_mass', logarithmic: false, of: (row) => row.mass },
-  { name: 'bending_young', title: 'Bending stiffness', short: 'bending', quantity: 'bending', logarithmic: true, of: (row) => row.bending?.young ?? null },
-  { name: 'bending_poisson', title: 'Bending Poisson’s ratio', short: 'ν bending', quantity: 'plain', logarithmic: false, of: (row) => row.bending?.poisson ?? null },
-  { name: 'bending_shear', title: 'Twisting stiffness', short: 'twisting', quantity: 'bending', logarithmic: true, of: (row) => row.bending?.shear ?? null },
-  { name: 'membrane_young', title: 'Membrane stiffness', short: 'membrane', quantity: 'membrane', logarithmic: true, of: (row) => row.membrane?.young ?? null },
-  { name: 'membrane_poisson', title: 'Membrane Poisson’s ratio', short: 'ν membrane', quantity: 'plain', logarithmic: false, of: (row) => row.membrane?.poisson ?? null },
-  { name: 'membrane_shear', title: 'Membrane shear stiffness', short: 'shear', quantity: 'membrane', logarithmic: true, of: (row) => row.membrane?.shear ?? null },
-  { name: 'error', title: 'Calibration error', short: 'error', quantity: 'plain', logarithmic: false, of: (row) => row.error },
+  { name: 'edges', title: W.properties.edges, short: 'edges', quantity: 'plain', logarithmic: false, of: (row) => row.edges },
+  { name: 'mass', title: W.properties.mass, short: 'mass', quantity: 'area_mass', logarithmic: false, of: (row) => row.mass },
+  { name: 'bending_young', title: W.properties.bendingStiffness, short: 'bending', quantity: 'bending', logarithmic: true, of: (row) => row.bending?.young ?? null },
+  { name: 'bending_poisson', title: W.properties.bendingPoissonSRatio, short: 'ν bending', quantity: 'plain', logarithmic: false, of: (row) => row.bending?.poisson ?? null },
+  { name: 'bending_shear', title: W.properties.twistingStiffness, short: 'twisting', quantity: 'bending', logarithmic: true, of: (row) => row.bending?.shear ?? null },
+  { name: 'membrane_young', title: W.properties.membraneStiffness, short: 'membrane', quantity: 'membrane', logarithmic: true, of: (row) => row.membrane?.young ?? null },
+  { name: 'membrane_poisson', title: W.properties.membranePoissonSRatio, short: 'ν membrane', quantity: 'plain', logarithmic: false, of: (row) => row.membrane?.poisson ?? null },
+  { name: 'membrane_shear', title: W.properties.membraneShearStiffness, short: 'shear', quantity: 'membrane', logarithmic: true, of: (row) => row.membrane?.shear ?? null },
+  { name: 'error', title: W.properties.calibrationError, short: 'error', quantity: 'plain', logarithmic: false, of: (row) => row.error },
 ];
 export const propertyRow = (name: PropertyName): Property => PROPERTIES.find((row) => row.name === name) as Property;
 

@@ -4,13 +4,14 @@
 import { drawingDistance } from '../pattern/pattern_id';
 import type { PatternRow } from '../protocol/messages';
 import { extent, onScale, propertyRow, type PropertyName } from './properties';
+import { W } from '../words';
 
 export type Relation = 'like' | 'stiffer' | 'softer' | 'other_look';
 export const RELATIONS: { relation: Relation; title: string; tip: string }[] = [
-  { relation: 'like', title: 'Like this', tip: 'Alike in behaviour and in look' },
-  { relation: 'stiffer', title: 'Stiffer', tip: 'Stiffer in bending, the nearest first' },
-  { relation: 'softer', title: 'Softer', tip: 'Softer in bending, the nearest first' },
-  { relation: 'other_look', title: 'Other look', tip: 'The same behaviour, another look' },
+  { relation: 'like', title: W.similar.similar, tip: W.similar.similarStiffnessAndGeometry },
+  { relation: 'stiffer', title: W.similar.stiffer, tip: W.similar.stifferInBendingClosest },
+  { relation: 'softer', title: W.similar.softer, tip: W.similar.softerInBendingClosest },
+  { relation: 'other_look', title: W.similar.otherGeometry, tip: W.similar.similarStiffnessDifferentGeometry },
 ];
 
 const BEHAVIOUR: PropertyName[] = ['bending_young', 'bending_poisson', 'bending_shear', 'membrane_young', 'membrane_poisson'];

@@ -4,6 +4,7 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { conflictAsked } from '../document/save';
 import { Button } from '../widgets/widgets';
+import { W } from '../words';
 
 export function ConflictSheet() {
   const host = useRef<HTMLDivElement>(null);
@@ -22,17 +23,17 @@ export function ConflictSheet() {
   return (
     <div class="veil ask" onKeyDown={keys}>
       <div class="sheet question" role="alertdialog" aria-modal="true" aria-labelledby="conflict-title" aria-describedby="conflict-words" ref={host}>
-        <h1 id="conflict-title">{isOwn ? `“${name}” was changed elsewhere` : `Replace “${name}”?`}</h1>
+        <h1 id="conflict-title">{isOwn ? W.conflict.wasChangedElsewhere(name ?? '') : W.conflict.replace(name ?? '')}</h1>
         <p id="conflict-words">
           {isOwn
-            ? 'Another program wrote this file after it was opened here. Saving would take those changes back.'
-            : 'Another project is in this file.'}
+            ? W.conflict.anotherProgramChangedThis
+            : W.conflict.thisFileContainsAnother}
         </p>
         <div class="row">
-          <Button id="conflict-elsewhere" kind="main" title="Leave that file as it is, and save this surface in another one" label="Save as another file" onPress={() => answer('elsewhere')} />
-          {isOwn && <Button id="conflict-theirs" title="Open the file as it is now; the changes made here are given up" label="Keep theirs" onPress={() => answer('theirs')} />}
-          <Button id="conflict-mine" title="Replace the file by this surface" label={isOwn ? 'Keep mine' : 'Replace it'} onPress={() => answer('mine')} />
-          <Button id="conflict-stay" title="Do not save now" label="Cancel" onPress={() => answer('stay')} />
+          <Button id="conflict-elsewhere" kind="main" title={W.conflict.keepThatFileAnd} label={W.conflict.saveToAnotherFile} onPress={() => answer('elsewhere')} />
+          {isOwn && <Button id="conflict-theirs" title={W.conflict.reloadTheFileAnd} label={W.conflict.reloadFile} onPress={() => answer('theirs')} />}
+          <Button id="conflict-mine" title={W.conflict.overwriteTheFileWith} label={W.conflict.overwrite} onPress={() => answer('mine')} />
+          <Button id="conflict-stay" title={W.conflict.doNotSave} label={W.conflict.cancel} onPress={() => answer('stay')} />
         </div>
       </div>
     </div>

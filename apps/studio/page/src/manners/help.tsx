@@ -4,14 +4,15 @@ import { X } from 'lucide-preact';
 import { helpOpen } from '../document/ui';
 import { Button } from '../widgets/widgets';
 import { SHORTCUTS } from './shortcuts';
+import { W } from '../words';
 import './help.css';
 
 const POINTER: [string, string][] = [
-  ['Drag in space', 'turn'],
-  ['Right drag in space', 'move'],
-  ['Wheel', 'zoom'],
-  ['Drag an arrow’s free end', 'change the force; Shift lets it leave the axes'],
-  ['Middle drag, or Space and drag', 'move the plane'],
+  [W.help.dragInD, 'turn'],
+  [W.help.rightDragInD, 'move'],
+  [W.help.wheel, 'zoom'],
+  [W.help.dragAnArrowTip, W.help.changeTheForceShift],
+  [W.help.middleDragOrSpace, W.help.panInD],
 ];
 
 export function HelpSheet() {
@@ -20,10 +21,10 @@ export function HelpSheet() {
   const close = () => (helpOpen.value = false);
   return (
     <div class="veil" onClick={(event) => event.target === event.currentTarget && close()}>
-      <div class="sheet help" role="dialog" aria-modal="true" aria-label="Keys">
+      <div class="sheet help" role="dialog" aria-modal="true" aria-label={W.help.keyboardShortcuts}>
         <header role="none">
-          <h1>Keys and pointer</h1>
-          <Button kind="bare" title="Close" icon={X} onPress={close} />
+          <h1>{W.help.keyboardAndPointer}</h1>
+          <Button kind="bare" title={W.help.close} icon={X} onPress={close} />
         </header>
         <div class="help-groups">
           {groups.map((group) => (
@@ -38,7 +39,7 @@ export function HelpSheet() {
             </section>
           ))}
           <section>
-            <h2>Pointer</h2>
+            <h2>{W.help.pointer}</h2>
             <dl class="pointer-list">{POINTER.map(([what, words]) => [<dt key={what}>{what}</dt>, <dd key={words}>{words}</dd>])}</dl>
           </section>
         </div>

@@ -4,6 +4,7 @@ import { X } from 'lucide-preact';
 import { line } from '../document/store';
 import { dismiss, notes } from '../document/tell';
 import { Button } from '../widgets/widgets';
+import { W } from '../words';
 
 export function Notes() {
   return (
@@ -11,7 +12,7 @@ export function Notes() {
       {notes.value.map(({ id, text, tone }) => (
         <div key={id} class={`note ${tone}`} role={tone === 'error' ? 'alert' : 'status'}>
           <span>{text}</span>
-          <Button kind="bare" title="Close" icon={X} onPress={() => dismiss(id)} />
+          <Button kind="bare" title={W.notes.close} icon={X} onPress={() => dismiss(id)} />
         </div>
       ))}
     </div>
@@ -20,7 +21,7 @@ export function Notes() {
 
 export function LineNotice() {
   if (line.value === 'refused')
-    return <div class="lost" role="alert">This address is of an earlier run of the studio. Open the address that the studio printed when it was started again; what was not saved is offered there.</div>;
+    return <div class="lost" role="alert">{W.notes.thisAddressBelongsTo}</div>;
   if (line.value !== 'lost') return null;
-  return <div class="lost" role="alert">The connection to the studio is lost; trying again … Your work is kept: if the studio has ended, start it again and open the address that it prints.</div>;
+  return <div class="lost" role="alert">{W.notes.connectionLostReconnectingYour}</div>;
 }

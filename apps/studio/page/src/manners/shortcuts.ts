@@ -13,6 +13,7 @@ import { holdChosen } from '../panels/hold_panel';
 import { pressChosen } from '../panels/load_panel';
 import { currentScene } from '../views/space/current';
 import { fit } from '../views/plane/viewport';
+import { W } from '../words';
 
 export interface Shortcut {
   keys: string;
@@ -50,35 +51,35 @@ function fixOrPress(): void {
 }
 
 export const SHORTCUTS: Shortcut[] = [
-  { keys: 'Ctrl Z', words: 'Undo', group: 'Document', run: undo },
-  { keys: 'Ctrl Shift Z', words: 'Redo', group: 'Document', run: redo },
-  { keys: 'Ctrl Y', words: 'Redo', group: 'Document', run: redo },
-  { keys: 'Ctrl S', words: 'Save', group: 'Document', run: () => void save() },
-  ...MODES.map((row) => ({ keys: row.key, words: row.title, group: 'What to do', run: () => (mode.value = row.mode) })),
-  { keys: 'B', words: 'Brush', group: 'Paint', run: paintWith('brush') },
-  { keys: 'G', words: 'Fill connected tiles', group: 'Paint', run: paintWith('fill') },
-  { keys: 'R', words: 'Replace a pattern everywhere', group: 'Paint', run: paintWith('replace') },
-  { keys: 'I', words: 'Pick a pattern (or Alt and click)', group: 'Paint', run: paintWith('pick') },
-  { keys: 'D', words: 'Gradient', group: 'Paint', run: paintWith('gradient') },
-  { keys: '[', words: 'Narrower brush', group: 'Paint', run: wider(-1) },
-  { keys: ']', words: 'Wider brush', group: 'Paint', run: wider(1) },
-  { keys: 'T', words: 'Turn the selected tiles', group: 'Paint', run: () => selectedTiles.value.size && turn([...selectedTiles.value], 1) },
-  { keys: 'C', words: 'Chart of patterns', group: 'Paint', run: () => (galleryWide.value = !galleryWide.value) },
-  { keys: 'V', words: 'Choose by click or box (Shift adds)', group: 'Choose', run: chooseWith('select') },
-  { keys: 'L', words: 'Choose with a lasso', group: 'Choose', run: chooseWith('lasso') },
-  { keys: 'E', words: 'Choose a stretch of the rim', group: 'Choose', run: () => (nodeTool.value = 'rim') },
-  { keys: 'Escape', words: 'Choose nothing', group: 'Choose', run: letGo },
-  { keys: 'X', words: 'Fix the chosen nodes; in Load: a force on them', group: 'Hold and load', run: fixOrPress },
-  { keys: 'P', words: 'Pin the chosen nodes', group: 'Hold and load', run: holding(['ux', 'uy', 'uz']) },
-  { keys: 'O', words: 'Put the chosen nodes on rollers', group: 'Hold and load', run: holding(['uz']) },
-  { keys: '5', words: 'From the corner', group: 'View', run: () => currentScene.value?.look('iso') },
-  { keys: '6', words: 'From above', group: 'View', run: () => currentScene.value?.look('top') },
-  { keys: '7', words: 'From the front', group: 'View', run: () => currentScene.value?.look('front') },
-  { keys: 'F', words: 'See all of it in space', group: 'View', run: () => currentScene.value?.look(null) },
-  { keys: '0', words: 'See all of it in the plane', group: 'View', run: fit },
-  { keys: 'Tab ↹', words: 'Through all controls', group: 'View', run: () => undefined },
-  { keys: '\\', words: 'Plane, space, or both', group: 'View', run: () => (split.value = { both: 'space', space: 'plane', plane: 'both' }[split.value] as typeof split.value) },
-  { keys: '?', words: 'This sheet', group: 'View', run: () => (helpOpen.value = !helpOpen.value) },
+  { keys: 'Ctrl Z', words: W.shortcuts.undo, group: W.shortcuts.document, run: undo },
+  { keys: 'Ctrl Shift Z', words: W.shortcuts.redo, group: W.shortcuts.document, run: redo },
+  { keys: 'Ctrl Y', words: W.shortcuts.redo, group: W.shortcuts.document, run: redo },
+  { keys: 'Ctrl S', words: W.shortcuts.save, group: W.shortcuts.document, run: () => void save() },
+  ...MODES.map((row) => ({ keys: row.key, words: row.title, group: W.shortcuts.mode, run: () => (mode.value = row.mode) })),
+  { keys: 'B', words: W.shortcuts.brush, group: W.shortcuts.paint, run: paintWith('brush') },
+  { keys: 'G', words: W.shortcuts.fillConnectedTiles, group: W.shortcuts.paint, run: paintWith('fill') },
+  { keys: 'R', words: W.shortcuts.replaceAPatternEverywhere, group: W.shortcuts.paint, run: paintWith('replace') },
+  { keys: 'I', words: W.shortcuts.pickAPatternOr, group: W.shortcuts.paint, run: paintWith('pick') },
+  { keys: 'D', words: W.shortcuts.gradient, group: W.shortcuts.paint, run: paintWith('gradient') },
+  { keys: '[', words: W.shortcuts.narrowerBrush, group: W.shortcuts.paint, run: wider(-1) },
+  { keys: ']', words: W.shortcuts.widerBrush, group: W.shortcuts.paint, run: wider(1) },
+  { keys: 'T', words: W.shortcuts.rotateTheSelectedTiles, group: W.shortcuts.paint, run: () => selectedTiles.value.size && turn([...selectedTiles.value], 1) },
+  { keys: 'C', words: W.shortcuts.patternChart, group: W.shortcuts.paint, run: () => (galleryWide.value = !galleryWide.value) },
+  { keys: 'V', words: W.shortcuts.selectByClickOr, group: W.shortcuts.select, run: chooseWith('select') },
+  { keys: 'L', words: W.shortcuts.selectWithALasso, group: W.shortcuts.select, run: chooseWith('lasso') },
+  { keys: 'E', words: W.shortcuts.selectAlongTheEdge, group: W.shortcuts.select, run: () => (nodeTool.value = 'rim') },
+  { keys: 'Escape', words: W.shortcuts.clearSelection, group: W.shortcuts.select, run: letGo },
+  { keys: 'X', words: W.shortcuts.fixTheSelectedNodes, group: W.shortcuts.supportsAndLoads, run: fixOrPress },
+  { keys: 'P', words: W.shortcuts.pinTheSelectedNodes, group: W.shortcuts.supportsAndLoads, run: holding(['ux', 'uy', 'uz']) },
+  { keys: 'O', words: W.shortcuts.putTheSelectedNodes, group: W.shortcuts.supportsAndLoads, run: holding(['uz']) },
+  { keys: '6', words: W.shortcuts.isometric, group: W.shortcuts.view, run: () => currentScene.value?.look('iso') },
+  { keys: '7', words: W.shortcuts.top, group: W.shortcuts.view, run: () => currentScene.value?.look('top') },
+  { keys: '8', words: W.shortcuts.front, group: W.shortcuts.view, run: () => currentScene.value?.look('front') },
+  { keys: 'F', words: W.shortcuts.fitDView, group: W.shortcuts.view, run: () => currentScene.value?.look(null) },
+  { keys: '0', words: W.shortcuts.fitDView2, group: W.shortcuts.view, run: fit },
+  { keys: 'Tab ↹', words: W.shortcuts.nextControl, group: W.shortcuts.view, run: () => undefined },
+  { keys: '\\', words: W.shortcuts.dDOrBoth, group: W.shortcuts.view, run: () => (split.value = { both: 'space', space: 'plane', plane: 'both' }[split.value] as typeof split.value) },
+  { keys: '?', words: W.shortcuts.thisHelp, group: W.shortcuts.view, run: () => (helpOpen.value = !helpOpen.value) },
 ];
 
 function pressed(event: KeyboardEvent): string {

@@ -7,6 +7,7 @@ import { save } from '../document/save';
 import { documentNow } from '../document/store';
 import type { Discarding } from '../protocol/requests';
 import { Button } from '../widgets/widgets';
+import { W } from '../words';
 
 type Choice = 'save' | 'discard' | 'stay';
 const asked = signal<((choice: Choice) => void) | null>(null);
@@ -45,12 +46,12 @@ export function UnsavedSheet() {
   return (
     <div class="veil ask" onKeyDown={keys}>
       <div class="sheet question" role="alertdialog" aria-modal="true" aria-labelledby="unsaved-title" aria-describedby="unsaved-words" ref={host}>
-        <h1 id="unsaved-title">Save “{documentNow.value?.name || 'untitled'}” first?</h1>
-        <p id="unsaved-words">It has changes that are in no file yet.</p>
+        <h1 id="unsaved-title">{W.unsaved.title(documentNow.value?.name || W.unsaved.untitled)}</h1>
+        <p id="unsaved-words">{W.unsaved.itHasUnsavedChanges}</p>
         <div class="row">
-          <Button id="unsaved-save" kind="main" title="To its file, then go on" label="Save" onPress={() => answer('save')} />
-          <Button id="unsaved-discard" title="Give the changes up for good" label="Discard" onPress={() => answer('discard')} />
-          <Button id="unsaved-stay" title="Stay with this surface" label="Cancel" onPress={() => answer('stay')} />
+          <Button id="unsaved-save" kind="main" title={W.unsaved.saveThenContinue} label={W.unsaved.save} onPress={() => answer('save')} />
+          <Button id="unsaved-discard" title={W.unsaved.discardTheChangesFor} label={W.unsaved.discard} onPress={() => answer('discard')} />
+          <Button id="unsaved-stay" title={W.unsaved.keepWorkingOnThis} label={W.unsaved.cancel} onPress={() => answer('stay')} />
         </div>
       </div>
     </div>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import type { Point } from '../protocol/messages';
-
 /** Patterns for `fretwork paint` whose field is 0 at one point and 1 at another; beyond, the first and the last pattern go on. */
 export function alongLine(from: Point, to: Point): string {
   const [dx, dy] = [to[0] - from[0], to[1] - from[1]];

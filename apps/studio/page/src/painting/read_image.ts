@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { base64 } from '../document/files';
+import { W } from '../words';
 
 const LARGEST = 512;
 
@@ -11,7 +12,7 @@ export async function pngInBase64(file: File): Promise<string> {
 
 async function redrawn(file: File): Promise<Blob> {
   const bitmap = await createImageBitmap(file).catch(() => {
-    throw new Error(`${file.name} is not a picture that this browser reads.`);
+    throw new Error(W.readImage.thisBrowserCannotRead(file.name));
   });
   const shrink = Math.min(1, LARGEST / Math.max(bitmap.width, bitmap.height));
   const canvas = new OffscreenCanvas(Math.max(1, Math.round(bitmap.width * shrink)), Math.max(1, Math.round(bitmap.height * shrink)));

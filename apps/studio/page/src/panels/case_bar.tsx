@@ -6,6 +6,7 @@ import { signal } from '@preact/signals';
 import { addLoadCase, editLoadCase, removeLoadCase, selectLoadCase } from '../document/edits';
 import { documentNow, loadCase } from '../document/store';
 import { Button } from '../widgets/widgets';
+import { W } from '../words';
 
 const renaming = signal(false);
 
@@ -20,7 +21,7 @@ export function CaseBar() {
   return (
     <div class="case-bar">
       {renaming.value ? (
-        <input class="text-input" aria-label="Name of the load case" value={present.name} ref={(element) => element?.focus()}
+        <input class="text-input" aria-label={W.caseBar.nameOfTheLoad} value={present.name} ref={(element) => element?.focus()}
           onBlur={(event) => rename(event.currentTarget.value)}
           onKeyDown={(event) => {
             event.stopPropagation();
@@ -28,18 +29,18 @@ export function CaseBar() {
             if (event.key === 'Escape') renaming.value = false;
           }} />
       ) : (
-        <select class="choice" id="load-case" aria-label="Load case" value={String(now.selected_load_case)} onDblClick={() => (renaming.value = true)} data-tip="Load case; double click renames it"
+        <select class="choice" id="load-case" aria-label={W.caseBar.loadCase} value={String(now.selected_load_case)} onDblClick={() => (renaming.value = true)} data-tip={W.caseBar.loadCaseDoubleClick}
           onChange={(event) => {
             if (event.currentTarget.value === 'rename') renaming.value = true;
             else selectLoadCase(Number(event.currentTarget.value));
           }}>
           {now.load_cases.map((one, index) => <option key={index} value={String(index)}>{one.name}</option>)}
-          <option value="rename">Rename …</option>
+          <option value="rename">{W.caseBar.rename}</option>
         </select>
       )}
-      <Button kind="bare" title="New load case" icon={Plus} onPress={() => addLoadCase()} />
-      <Button kind="bare" title="Copy this load case" icon={Copy} onPress={() => addLoadCase({ ...present, name: `${present.name} copy` })} />
-      <Button kind="bare" title="Remove this load case" icon={Trash2} disabled={now.load_cases.length < 2} onPress={() => removeLoadCase(now.selected_load_case)} />
+      <Button kind="bare" title={W.caseBar.newLoadCase} icon={Plus} onPress={() => addLoadCase()} />
+      <Button kind="bare" title={W.caseBar.copyThisLoadCase} icon={Copy} onPress={() => addLoadCase({ ...present, name: `${present.name} copy` })} />
+      <Button kind="bare" title={W.caseBar.removeThisLoadCase} icon={Trash2} disabled={now.load_cases.length < 2} onPress={() => removeLoadCase(now.selected_load_case)} />
     </div>
   );
 }

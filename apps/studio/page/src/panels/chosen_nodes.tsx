@@ -7,12 +7,13 @@ import { surface } from '../document/surface';
 import { selectedNodes } from '../document/ui';
 import type { Side } from '../protocol/messages';
 import { Button } from '../widgets/widgets';
+import { W } from '../words';
 
 const SIDES: { title: string; side: Side }[] = [
-  { title: 'Left', side: 'left' },
-  { title: 'Right', side: 'right' },
-  { title: 'Top', side: 'top' },
-  { title: 'Bottom', side: 'bottom' },
+  { title: W.chosenNodes.left, side: 'left' },
+  { title: W.chosenNodes.right, side: 'right' },
+  { title: W.chosenNodes.top, side: 'top' },
+  { title: W.chosenNodes.bottom, side: 'bottom' },
 ];
 
 /** The nodes within a tenth of the box around the middle of the surface. */
@@ -27,7 +28,7 @@ function middleNodes(): number[] {
   return near.length ? near : [away.indexOf(Math.min(...away))];
 }
 
-export function ChosenNodes({ purpose }: { purpose: 'hold' | 'load' }) {
+export function ChosenNodes({ purpose }: { purpose: 'hold' | 'load' | 'design' }) {
   const chosen = selectedNodes.value;
   const take = (nodes: number[]) => (selectedNodes.value = new Set(nodes));
   const now = surface.value;
@@ -35,18 +36,18 @@ export function ChosenNodes({ purpose }: { purpose: 'hold' | 'load' }) {
   return (
     <div class="chosen-nodes">
       <div class="foot-head">
-        <span id="nodes-chosen">{chosen.size ? `${chosen.size} node${chosen.size > 1 ? 's' : ''} chosen` : 'Choose nodes'}</span>
-        {chosen.size > 0 && <Button kind="bare" title="Choose none" shortcut="Esc" icon={X} onPress={() => take([])} />}
+        <span id="nodes-chosen">{chosen.size ? W.chosenNodes.selected(chosen.size) : W.chosenNodes.selectNodes}</span>
+        {chosen.size > 0 && <Button kind="bare" title={W.chosenNodes.clearSelection} shortcut="Esc" icon={X} onPress={() => take([])} />}
       </div>
       <div class="chips">
         {SIDES.map(({ title, side }) => (
           <button key={side} type="button" class="chip" id={`choose-${side}`} onClick={() => take(documentNow.peek()?.sides[side] ?? [])}>{title}</button>
         ))}
-        <button type="button" class="chip" onClick={() => take([...now.onRim])}>Whole rim</button>
-        {purpose === 'load' && <button type="button" class="chip" id="choose-middle" onClick={() => take(middleNodes())}>Middle</button>}
-        {purpose === 'load' && <button type="button" class="chip" onClick={() => take(now.nodes.map((_, i) => i))}>All</button>}
+        <button type="button" class="chip" onClick={() => take([...now.onRim])}>{W.chosenNodes.wholeEdge}</button>
+        {purpose !== 'hold' && <button type="button" class="chip" id="choose-middle" onClick={() => take(middleNodes())}>{W.chosenNodes.middle}</button>}
+        {purpose !== 'hold' && <button type="button" class="chip" onClick={() => take(now.nodes.map((_, i) => i))}>{W.chosenNodes.all}</button>}
       </div>
-      {chosen.size === 0 && <p class="hint">Click or draw a box in the plane, drag along the rim, or click in space. Shift adds.</p>}
+      {chosen.size === 0 && <p class="hint">{W.chosenNodes.clickOrDragA}</p>}
     </div>
   );
 }

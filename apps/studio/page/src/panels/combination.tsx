@@ -4,6 +4,7 @@
 import { combine } from '../document/edits';
 import { documentNow, loadCase } from '../document/store';
 import { NumberField } from '../widgets/number';
+import { W } from '../words';
 
 export function Combination() {
   const now = documentNow.value;
@@ -13,13 +14,13 @@ export function Combination() {
   const factor = (name: string): number => present.combines?.find(({ load_case }) => load_case === name)?.factor ?? 0;
   return (
     <>
-      <h2>Together with</h2>
+      <h2>{W.combination.combineWith}</h2>
       {others.map(({ name }) => (
         <label key={name} class="field"><span>{name}</span>
-          <NumberField narrow label={`How many times ${name} acts as well`} value={factor(name)} quantity="factor" onChange={(value) => combine(name, value)} />
+          <NumberField narrow label={W.combination.factorOf(name)} value={factor(name)} quantity="factor" onChange={(value) => combine(name, value)} />
         </label>
       ))}
-      <p class="hint">Adds their loads times the factor, and their supports. 0: off.</p>
+      <p class="hint">{W.combination.addsTheirSupportsAnd}</p>
     </>
   );
 }

@@ -4,6 +4,7 @@ import { signal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { download, exportTo, offered, savePicture } from '../document/files';
 import { MakingFields } from './making_fields';
+import { W } from '../words';
 
 export const exportOpen = signal(false);
 
@@ -33,9 +34,9 @@ export function ExportMenu() {
     event.stopPropagation();
   };
   return (
-    <div class="card menu" role="dialog" aria-label="Save as another kind of file" ref={host} onKeyDown={keys}>
-      <button type="button" data-export="json" onClick={() => pick(() => void download())}><b>Project</b><span>everything, to open here or on the command line</span></button>
-      <button type="button" data-export="png" onClick={() => pick(() => void savePicture())}><b>Picture</b><span>the view in space, PNG with transparent ground</span></button>
+    <div class="card menu" role="dialog" aria-label={W.exportMenu.export} ref={host} onKeyDown={keys}>
+      <button type="button" data-export="json" onClick={() => pick(() => void download())}><b>{W.exportMenu.project}</b><span>{W.exportMenu.everythingForTheStudio}</span></button>
+      <button type="button" data-export="png" onClick={() => pick(() => void savePicture())}><b>{W.exportMenu.picture}</b><span>{W.exportMenu.theDViewPng}</span></button>
       <hr />
       {offered().map((row) => (
         <button key={row.ending} type="button" data-export={row.ending} onClick={() => pick(() => void exportTo(row))}><b>{row.title}</b><span>{row.words}</span></button>

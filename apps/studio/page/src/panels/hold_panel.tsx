@@ -10,11 +10,12 @@ import { DOFS, type Dof, type Support } from '../protocol/messages';
 import { Button } from '../widgets/widgets';
 import { CaseBar } from './case_bar';
 import { ChosenNodes } from './chosen_nodes';
+import { W } from '../words';
 
 const KINDS: { title: string; tip: string; fixed: Dof[]; colour: string; key: string }[] = [
-  { title: 'Fixed', tip: 'Neither moves nor turns: clamped', fixed: [...DOFS], colour: '--fixed', key: 'X' },
-  { title: 'Pinned', tip: 'Does not move, is free to turn', fixed: ['ux', 'uy', 'uz'], colour: '--pinned', key: 'P' },
-  { title: 'Roller', tip: 'Rests on a table: only z is held', fixed: ['uz'], colour: '--partly', key: 'O' },
+  { title: W.holdPanel.fixed, tip: W.holdPanel.clampedNoMovementNo, fixed: [...DOFS], colour: '--fixed', key: 'X' },
+  { title: W.holdPanel.pinned, tip: W.holdPanel.noMovementFreeRotation, fixed: ['ux', 'uy', 'uz'], colour: '--pinned', key: 'P' },
+  { title: W.holdPanel.roller, tip: W.holdPanel.restsOnATable, fixed: ['uz'], colour: '--partly', key: 'O' },
 ];
 
 export function holdChosen(fixed: Dof[]): void {
@@ -35,10 +36,10 @@ export function HoldPanel() {
             <Button key={title} id={`hold-${title.toLowerCase()}`} title={tip} shortcut={key} disabled={!some} label={<><i class="ball" style={{ background: `var(${colour})` }} />{title}</>}
               onPress={() => holdChosen(fixed)} />
           ))}
-          <Button title="Let go" disabled={!some} label="Free" onPress={() => holdChosen([])} />
+          <Button title={W.holdPanel.releaseTheSelectedNodes} disabled={!some} label={W.holdPanel.release} onPress={() => holdChosen([])} />
         </div>
-        <h2>Supports</h2>
-        {supports.length === 0 && <p class="hint">Nothing holds the surface yet. Choose nodes in either view, then press one of the buttons above.</p>}
+        <h2>{W.holdPanel.supports}</h2>
+        {supports.length === 0 && <p class="hint">{W.holdPanel.noSupportsYetSelect}</p>}
         <ul class="entries">{supports.map((support, index) => <SupportRow key={index} support={support} index={index} />)}</ul>
       </div>
     </>
@@ -54,14 +55,14 @@ function SupportRow({ support, index }: { support: Support; index: number }) {
   };
   return (
     <li class="entry">
-      <button type="button" class="entry-title" data-tip="Choose these nodes" onClick={() => (selectedNodes.value = new Set(nodes))}>
+      <button type="button" class="entry-title" data-tip={W.holdPanel.selectTheseNodes} onClick={() => (selectedNodes.value = new Set(nodes))}>
         <i class="ball" style={{ background: `var(${HOLD_COLOURS[holdKind(support.fixed)]})` }} />
         {selectionWords(support, nodes.length)}
       </button>
-      <Button kind="bare" title="Remove this support" icon={Trash2} onPress={() => removeSupport(index)} />
-      <div class="dofs" role="group" aria-label="Held directions">
+      <Button kind="bare" title={W.holdPanel.removeSupport} icon={Trash2} onPress={() => removeSupport(index)} />
+      <div class="dofs" role="group" aria-label={W.holdPanel.fixedDirections}>
         {DOFS.map((dof) => (
-          <button key={dof} type="button" class="dof" aria-pressed={support.fixed.includes(dof)} data-tip={`${dof[0] === 'u' ? 'Movement along' : 'Turning about'} ${dof[1]}`}
+          <button key={dof} type="button" class="dof" aria-pressed={support.fixed.includes(dof)} data-tip={`${dof[0] === 'u' ? W.holdPanel.translationAlong : W.holdPanel.rotationAbout} ${dof[1]}`}
             onClick={() => toggle(dof)}>{dof}</button>
         ))}
       </div>

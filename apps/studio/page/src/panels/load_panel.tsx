@@ -14,6 +14,7 @@ import { Combination } from './combination';
 import { ChosenNodes } from './chosen_nodes';
 import { LoadRow } from './load_row';
 import { PrescribedRow } from './prescribed_row';
+import { W } from '../words';
 
 const FIRST_FORCE = -0.1;
 const FIRST_MOMENT = 0.002;
@@ -60,17 +61,17 @@ export function LoadPanel() {
       <div class="panel-scroll">
         <ChosenNodes purpose="load" />
         <div class="row">
-          <Button id="add-force" title="A force on the chosen nodes; drag its free end in space" shortcut="X" disabled={!some} icon={Download} label="Force" onPress={pressChosen} />
-          <Button title="A moment on the chosen nodes" disabled={!some} icon={RotateCcw} label="Moment" onPress={turnChosen} />
-          <Button title="Move the chosen nodes by a given length; drag them in space" disabled={!some} icon={MoveVertical} label="Move" onPress={moveChosen} />
+          <Button id="add-force" title={W.loadPanel.applyAForceTo} shortcut="X" disabled={!some} icon={Download} label={W.loadPanel.force} onPress={pressChosen} />
+          <Button title={W.loadPanel.applyAMomentTo} disabled={!some} icon={RotateCcw} label={W.loadPanel.moment} onPress={turnChosen} />
+          <Button title={W.loadPanel.prescribeADisplacementOf} disabled={!some} icon={MoveVertical} label={W.loadPanel.displace} onPress={moveChosen} />
         </div>
         <div class="row">
-          <Button id="add-area-load" title="A load on each square metre: of what is chosen, or of all" icon={LayoutGrid} label={some ? 'Area load' : 'Area load on all of it'} onPress={coverChosen} />
+          <Button id="add-area-load" title={W.loadPanel.loadPerSquareMetre} icon={LayoutGrid} label={some ? W.loadPanel.areaLoad : W.loadPanel.areaLoadEverywhere} onPress={coverChosen} />
         </div>
-        <h2>Weight</h2>
+        <h2>{W.loadPanel.weight}</h2>
         <Gravity />
-        <h2>Loads</h2>
-        {nothing && !isLoaded.value && <p class="hint">Nothing acts on the surface yet. Choose nodes, then press “Force”, or let its own weight act.</p>}
+        <h2>{W.loadPanel.loads}</h2>
+        {nothing && !isLoaded.value && <p class="hint">{W.loadPanel.noLoadsYetSelect}</p>}
         <ul class="entries">
           {loadMarks.value.map((mark) => <LoadRow key={`load-${mark.index}`} mark={mark} />)}
           {prescribedMarks.value.map((mark) => <PrescribedRow key={`move-${mark.index}`} mark={mark} />)}
@@ -87,14 +88,14 @@ function Gravity() {
   const on = hasGravity.value;
   return (
     <div class="gravity">
-      <Check label={<><Weight aria-hidden />Own weight</>} value={on} onChange={(value) => void editLoadCase(() => ({ gravity: [0, 0, value ? -STANDARD_GRAVITY : 0] }))} />
+      <Check label={<><Weight aria-hidden />{W.loadPanel.selfWeight}</>} value={on} onChange={(value) => void editLoadCase(() => ({ gravity: [0, 0, value ? -STANDARD_GRAVITY : 0] }))} />
       {on && setting && (
         <>
-          <label class="field"><span>Gravity, along z</span>
-            <NumberField label="Gravity along z" value={gravity[2]} quantity="acceleration" onChange={(z) => void editLoadCase(() => ({ gravity: [gravity[0], gravity[1], z] }))} />
+          <label class="field"><span>{W.loadPanel.gravityAlongZ}</span>
+            <NumberField label={W.loadPanel.gravityAlongZ} value={gravity[2]} quantity="acceleration" onChange={(z) => void editLoadCase(() => ({ gravity: [gravity[0], gravity[1], z] }))} />
           </label>
-          <label class="field"><span>Density</span>
-            <NumberField label="Density of the material" least={0} value={setting.material.density} quantity="density"
+          <label class="field"><span>{W.loadPanel.density}</span>
+            <NumberField label={W.loadPanel.materialDensity} least={0} value={setting.material.density} quantity="density"
               onChange={(density) => setSetting({ ...setting, material: { ...setting.material, density } })} />
           </label>
         </>

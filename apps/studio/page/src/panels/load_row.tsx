@@ -9,6 +9,7 @@ import { shown, type Quantity } from '../document/units';
 import type { Load, Vector } from '../protocol/messages';
 import { Button, Segments } from '../widgets/widgets';
 import { NumberField } from '../widgets/number';
+import { W } from '../words';
 
 /** The load on each square metre or metre, if it is given so. */
 function spreadOf({ per_area, per_length }: Load) {
@@ -18,10 +19,10 @@ function spreadOf({ per_area, per_length }: Load) {
 
 function described({ load, force, moment }: LoadMark) {
   const spread = spreadOf(load);
-  if (spread) return { twists: false, spread, words: shown(size(spread.vector), spread.quantity), how: `is ${shown(size(force), 'force')}` };
+  if (spread) return { twists: false, spread, words: shown(size(spread.vector), spread.quantity), how: W.loadRow.text(shown(size(force), 'force')) };
   const twists = size(moment) > 0 || (load.moment !== undefined && load.force === undefined);
   const words = twists ? shown(size(moment), 'moment') : shown(size(force), 'force');
-  return { twists, spread, words, how: load.amount === 'total' ? 'in all' : 'each' };
+  return { twists, spread, words, how: load.amount === 'total' ? W.loadRow.total : 'each' };
 }
 
 /** One load: its size, where it acts, and its components to type. */
@@ -36,16 +37,16 @@ export function LoadRow({ mark }: { mark: LoadMark }) {
         <Picture aria-hidden class={twists ? 'tint-moment' : 'tint-force'} />
         <span class="entry-words"><b>{words}</b> {how}, {selectionWords(load, nodes.length)}</span>
       </button>
-      <Button kind="bare" title="Remove this load" icon={Trash2} onPress={() => { activeEntry.value = null; removeLoad(index); }} />
+      <Button kind="bare" title={W.loadRow.removeLoad} icon={Trash2} onPress={() => { activeEntry.value = null; removeLoad(index); }} />
       {open && (
         <div class="entry-body">
           {spread && <Components label={spread.label} vector={spread.vector} quantity={spread.quantity} onChange={(vector) => replaceLoad(index, { ...load, [spread.key]: vector })} />}
-          {!twists && !spread && <Components label="Force" vector={mark.force} quantity="force" onChange={(force) => replaceLoad(index, { ...load, force })} />}
-          {twists && <Components label="Moment" vector={mark.moment} quantity="moment" onChange={(moment) => replaceLoad(index, { ...load, moment })} />}
+          {!twists && !spread && <Components label={W.loadRow.force} vector={mark.force} quantity="force" onChange={(force) => replaceLoad(index, { ...load, force })} />}
+          {twists && <Components label={W.loadRow.moment} vector={mark.moment} quantity="moment" onChange={(moment) => replaceLoad(index, { ...load, moment })} />}
           <div class="field">
-            {!spread && <Segments label="Amount" value={load.amount ?? 'each'} onPick={(amount) => replaceLoad(index, { ...load, amount })}
-              options={[{ value: 'total', title: 'in all', tip: 'The nodes share it' }, { value: 'each', title: 'on each', tip: 'Every node gets it' }]} />}
-            <button type="button" class="chip" onClick={() => (selectedNodes.value = new Set(nodes))}>show nodes</button>
+            {!spread && <Segments label={W.loadRow.amount} value={load.amount ?? 'each'} onPick={(amount) => replaceLoad(index, { ...load, amount })}
+              options={[{ value: 'total', title: W.loadRow.total, tip: W.loadRow.sharedByTheNodes }, { value: 'each', title: W.loadRow.each, tip: W.loadRow.appliedToEveryNode }]} />}
+            <button type="button" class="chip" onClick={() => (selectedNodes.value = new Set(nodes))}>{W.loadRow.selectNodes}</button>
           </div>
         </div>
       )}
@@ -65,7 +66,7 @@ export function Components({ label, vector, quantity, onChange }: ComponentsProp
       {(['x', 'y', 'z'] as const).map((axis, i) => (
         <label key={axis}>
           <span>{axis}</span>
-          <NumberField narrow id={`${label.toLowerCase()}-${axis}`} label={`${label} along ${axis}`} value={vector[i]} quantity={quantity}
+          <NumberField narrow id={`${label.toLowerCase()}-${axis}`} label={W.loadRow.along(label, axis)} value={vector[i]} quantity={quantity}
             onChange={(value) => onChange(vector.map((old, c) => (c === i ? value : old)) as Vector)} />
         </label>
       ))}

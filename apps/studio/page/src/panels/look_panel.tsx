@@ -12,6 +12,7 @@ import { digits, inShownUnits, shown } from '../document/units';
 import { Button, Check } from '../widgets/widgets';
 import { MaterialFields } from './material_fields';
 import { Models } from './models';
+import { W } from '../words';
 
 const PATH_STEPS = 20;
 const MODE_COUNT = 6;
@@ -19,23 +20,23 @@ const MODE_COUNT = 6;
 export function LookPanel() {
   return (
     <div class="panel-scroll">
-      <h2>Model</h2>
+      <h2>{W.lookPanel.model}</h2>
       <Models />
-      <h2>Answer</h2>
+      <h2>{W.lookPanel.result}</h2>
       <Answer />
-      <h2>Full model</h2>
+      <h2>{W.lookPanel.fullModel}</h2>
       <FullModel />
-      <h2>Play</h2>
+      <h2>{W.lookPanel.animate}</h2>
       <div class="row">
-        <Button title="How the surface bends while the load grows" icon={Play} label="Load path" disabled={!live.value} onPress={() => void animate(() => tryAsk('path', { steps: PATH_STEPS }))} />
-        <Button title="How it swings by itself, and how fast" label="Modes" onPress={() => void animate(() => tryAsk('modes', { count: MODE_COUNT }))} />
-        <Button title="How it buckles, and at how many times the load" label="Buckling" onPress={() => void animate(() => tryAsk('buckling', { count: MODE_COUNT }))} />
+        <Button title={W.lookPanel.deformationAsTheLoad} icon={Play} label={W.lookPanel.loadPath} disabled={!live.value} onPress={() => void animate(() => tryAsk('path', { steps: PATH_STEPS }))} />
+        <Button title={W.lookPanel.naturalFrequencies} label={W.lookPanel.modes} onPress={() => void animate(() => tryAsk('modes', { count: MODE_COUNT }))} />
+        <Button title={W.lookPanel.criticalLoadFactors} label={W.lookPanel.buckling} onPress={() => void animate(() => tryAsk('buckling', { count: MODE_COUNT }))} />
       </div>
-      <h2>Show</h2>
-      <Check label="Shape at rest" value={showRest.value} onChange={(value) => (showRest.value = value)} />
-      <Check label="Supports and loads" value={showMarks.value} onChange={(value) => (showMarks.value = value)} />
-      <Check label="Shadows" value={shadows.value} onChange={(value) => (shadows.value = value)} />
-      <h2>Material and bars</h2>
+      <h2>{W.lookPanel.show}</h2>
+      <Check label={W.lookPanel.undeformedShape} value={showRest.value} onChange={(value) => (showRest.value = value)} />
+      <Check label={W.lookPanel.supportsAndLoads} value={showMarks.value} onChange={(value) => (showMarks.value = value)} />
+      <Check label={W.lookPanel.shadows} value={shadows.value} onChange={(value) => (shadows.value = value)} />
+      <h2>{W.lookPanel.materialAndBars}</h2>
       <MaterialFields />
     </div>
   );
@@ -52,22 +53,22 @@ async function animate(begin: () => Promise<object | null>): Promise<void> {
 function Answer() {
   const now = live.value;
   if (problem.value) return <p class="trouble">{inShownUnits(problem.value)}</p>;
-  if (!now) return <p class="hint">Once the surface is painted, held and loaded, what it does stands here.</p>;
+  if (!now) return <p class="hint">{W.lookPanel.paintTheSurfaceAdd}</p>;
   const { info } = now;
   if (notTheAnswer.value) return <p class="trouble">{notTheAnswer.value}</p>;
   return (
     <>
       <dl class="facts">
-        <dt>largest displacement</dt><dd id="largest" data-value={info.largest_displacement}>{shown(info.largest_displacement, 'length')}</dd>
-        <dt>computed in</dt><dd>{digits(1000 * info.seconds)} ms</dd>
-        {info.stable === false && <><dt>stable</dt><dd class="bad">no</dd></>}
+        <dt>{W.lookPanel.largestDisplacement}</dt><dd id="largest" data-value={info.largest_displacement}>{shown(info.largest_displacement, 'length')}</dd>
+        <dt>{W.lookPanel.computedIn}</dt><dd>{W.lookPanel.milliseconds(digits(1000 * info.seconds))}</dd>
+        {info.stable === false && <><dt>{W.lookPanel.stable}</dt><dd class="bad">{W.lookPanel.no}</dd></>}
       </dl>
       {info.warnings.map((warning) => <p key={warning} class="warning">{warning}</p>)}
       {info.reactions && info.reactions.length > 0 && (
         <details>
-          <summary>Reactions at {info.reactions.length} nodes</summary>
+          <summary>{W.lookPanel.reactions(info.reactions.length)}</summary>
           <table class="reactions">
-            <thead><tr><th>node</th><th>x</th><th>y</th><th>z</th></tr></thead>
+            <thead><tr><th>{W.lookPanel.node}</th><th>x</th><th>y</th><th>z</th></tr></thead>
             <tbody>
               {info.reactions.map(({ node, force }) => (
                 <tr key={node} tabIndex={0} onClick={() => (probed.value = { kind: 'node', index: node })}>
@@ -92,25 +93,25 @@ function FullModel() {
     field.value = 'error';
     await tryAsk('compare', { model: 'full' });
   };
-  if (isLive) return <p class="hint">The live model is the full one.</p>;
+  if (isLive) return <p class="hint">{W.lookPanel.theLiveModelIs}</p>;
   if (busy?.background) {
     return (
       <div class="working">
         <div class="progress" role="progressbar" aria-valuenow={Math.round(100 * busy.share)}><div style={{ width: `${100 * busy.share}%` }} /></div>
-        <Button title="Stop" label="Cancel" onPress={cancelWork} />
+        <Button title={W.lookPanel.stop} label={W.lookPanel.cancel} onPress={cancelWork} />
       </div>
     );
   }
   return (
     <>
       <div class="row">
-        <Button id="solve-full" title="Every bar of every pattern, once, in the background" icon={Gauge} label={full ? 'Again' : 'Solve in full'} disabled={!live.value} onPress={() => void solveFull()} />
-        <Button id="error-map" title={full ? 'Colours show how far the live model is from the full one' : 'Solve in full first: colours then show how far the live model is from the full one'} icon={Scale} label="Error map" disabled={!full} onPress={() => void compare()} />
+        <Button id="solve-full" title={W.lookPanel.solveOnceWithEvery} icon={Gauge} label={full ? W.lookPanel.solveAgain : W.lookPanel.solveFullModel} disabled={!live.value} onPress={() => void solveFull()} />
+        <Button id="error-map" title={full ? W.lookPanel.colourByTheDistance : W.lookPanel.solveTheFullModel} icon={Scale} label={W.lookPanel.errorMap} disabled={!full} onPress={() => void compare()} />
       </div>
-      {!full && <p class="hint" id="error-map-needs">The error map needs the full model: solve in full first.</p>}
-      {full && <Check label="Lay it over, in grey" value={showFull.value} onChange={(value) => (showFull.value = value)} />}
-      {full && <p class="hint">Its largest displacement: {shown(full.info.largest_displacement, 'length')}, in {digits(full.info.seconds)} s</p>}
-      {error && <p class="hint">Error: {shown(error.mean, 'length')} in the mean, {shown(error.largest, 'length')} at most; {digits(100 * error.relative)} % of all movement</p>}
+      {!full && <p class="hint" id="error-map-needs">{W.lookPanel.solveTheFullModel2}</p>}
+      {full && <Check label={W.lookPanel.overlayFullModel} value={showFull.value} onChange={(value) => (showFull.value = value)} />}
+      {full && <p class="hint">{W.lookPanel.fullDisplacement(shown(full.info.largest_displacement, 'length'), digits(full.info.seconds))}</p>}
+      {error && <p class="hint">{W.lookPanel.error(shown(error.mean, 'length'), shown(error.largest, 'length'), digits(100 * error.relative))}</p>}
     </>
   );
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { MAKING, making } from '../document/making';
+import { W } from '../words';
 
 /** The entries that DXF, STL, 3MF and the facts use. */
 export function MakingFields() {
   return (
     <details class="making" onToggle={(event) => event.currentTarget.scrollIntoView({ block: 'end' })}>
-      <summary>For cutting and printing</summary>
+      <summary>{W.makingFields.fabricationOptions}</summary>
       {MAKING.map(({ name, title, words, example, unit }) => (
         <label key={name} title={words}>
           <b>{title}</b>

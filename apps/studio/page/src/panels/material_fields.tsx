@@ -6,6 +6,7 @@ import { documentNow } from '../document/store';
 import type { Setting } from '../protocol/messages';
 import { Choice } from '../widgets/widgets';
 import { NumberField } from '../widgets/number';
+import { W } from '../words';
 
 interface Preset {
   name: string;
@@ -13,11 +14,15 @@ interface Preset {
   density: number;
 }
 const PRESETS: Preset[] = [
-  { name: 'The paper’s, 1 GPa', young_modulus: 1e9, density: 1240 },
+  { name: W.materialFields.paperGpa, young_modulus: 1e9, density: 1240 },
   { name: 'PLA', young_modulus: 2.3465e9, density: 1240 },
   { name: 'PETG', young_modulus: 2.0e9, density: 1270 },
-  { name: 'Plywood', young_modulus: 9e9, density: 680 },
+  { name: W.materialFields.plywood, young_modulus: 9e9, density: 680 },
 ];
+
+const presetOf = (material: Setting['material']): Preset | undefined =>
+  PRESETS.find((row) => row.young_modulus === material.young_modulus && row.density === material.density);
+export const materialName = (material: Setting['material']): string => presetOf(material)?.name ?? W.materialFields.customMaterial;
 
 const torsion = (a: number, b: number): number => {
   const [long, short] = [Math.max(a, b), Math.min(a, b)];
@@ -40,32 +45,32 @@ export function MaterialFields() {
   // The newest format; the server keeps the first that a setting needs.
   const change = (part: Partial<Setting>) => setSetting({ ...setting, format: 'fretwork/setting/3', ...part });
   const bears = (strength: number | undefined) => change({ material: { ...material, strength } });
-  const preset = PRESETS.find((row) => row.young_modulus === material.young_modulus && row.density === material.density);
+  const preset = presetOf(material);
   return (
     <>
-      <div class="field"><span>Material</span>
-        <Choice label="Material" value={preset?.name ?? ''} options={[...(preset ? [] : [{ value: '', title: 'own' }]), ...PRESETS.map(({ name }) => ({ value: name, title: name }))]}
+      <div class="field"><span>{W.materialFields.material}</span>
+        <Choice label={W.materialFields.material} value={preset?.name ?? ''} options={[...(preset ? [] : [{ value: '', title: W.materialFields.custom }]), ...PRESETS.map(({ name }) => ({ value: name, title: name }))]}
           onPick={(name) => {
             const row = PRESETS.find((one) => one.name === name);
             // The strength is that of the material before.
             if (row) change({ material: { ...material, strength: undefined, young_modulus: row.young_modulus, density: row.density } });
           }} />
       </div>
-      <label class="field"><span>Young’s modulus</span>
-        <NumberField label="Young's modulus" least={1} value={material.young_modulus} quantity="stress" onChange={(young_modulus) => change({ material: { ...material, young_modulus } })} />
+      <label class="field"><span>{W.materialFields.youngSModulus}</span>
+        <NumberField label={W.materialFields.youngSModulus2} least={1} value={material.young_modulus} quantity="stress" onChange={(young_modulus) => change({ material: { ...material, young_modulus } })} />
       </label>
-      <label class="field" title="The stress that the material bears: utilization is a share of it"><span>Strength</span>
-        <NumberField label="Strength of the material" least={1} value={material.strength} quantity="stress" onChange={bears} onClear={() => bears(undefined)} />
+      <label class="field" title={W.materialFields.stressAtFailureUtilization}><span>{W.materialFields.strength}</span>
+        <NumberField label={W.materialFields.materialStrength} least={1} value={material.strength} quantity="stress" onChange={bears} onClear={() => bears(undefined)} />
       </label>
-      {!isRectangle && <p class="hint">The bars are of type {setting.section.type}; a width or height given here makes them rectangles.</p>}
-      <label class="field"><span>Bar width, in the plane</span>
-        <NumberField label="Bar width" least={1e-5} value={width} quantity="length" onChange={(value) => change({ section: section(value, height) })} />
+      {!isRectangle && <p class="hint">{W.materialFields.otherSection(setting.section.type ?? '')}</p>}
+      <label class="field"><span>{W.materialFields.barWidthInPlane}</span>
+        <NumberField label={W.materialFields.barWidth} least={1e-5} value={width} quantity="length" onChange={(value) => change({ section: section(value, height) })} />
       </label>
-      <label class="field"><span>Bar height</span>
-        <NumberField label="Bar height" least={1e-5} value={height} quantity="length" onChange={(value) => change({ section: section(width, value) })} />
+      <label class="field"><span>{W.materialFields.barHeight}</span>
+        <NumberField label={W.materialFields.barHeight} least={1e-5} value={height} quantity="length" onChange={(value) => change({ section: section(width, value) })} />
       </label>
-      <div class="field" title="Real bars merge in joints that have a size: stiff joints are nearer to what is printed or cut, centrelines are the paper’s model"><span>Joints</span>
-        <Choice label="Joints" value={setting.joints ?? 'centreline'} options={[{ value: 'centreline', title: 'points' }, { value: 'stiff', title: 'stiff' }]}
+      <div class="field" title={W.materialFields.stiffJointsHaveA}><span>{W.materialFields.joints}</span>
+        <Choice label={W.materialFields.joints} value={setting.joints ?? 'centreline'} options={[{ value: 'centreline', title: W.materialFields.points }, { value: 'stiff', title: W.materialFields.stiff }]}
           onPick={(joints) => change({ joints })} />
       </div>
     </>

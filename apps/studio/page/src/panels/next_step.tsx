@@ -6,6 +6,7 @@ import { tilePatterns } from '../document/patterns_now';
 import { documentNow, live, notTheAnswer, problem, working } from '../document/store';
 import { inShownUnits } from '../document/units';
 import { mode, type Mode } from '../document/ui';
+import { W } from '../words';
 
 interface Step {
   text: string;
@@ -17,11 +18,11 @@ interface Step {
 function stepNow(): Step | null {
   if (!documentNow.value) return null;
   const bare = tilePatterns.value.filter((pattern) => pattern === '').length;
-  if (bare > 0) return { text: `${bare} tile${bare > 1 ? 's have' : ' has'} no pattern yet. Pick one at the left and paint.`, action: 'Paint', to: 'paint', tone: 'step' };
-  if (!isHeld.value) return { text: 'Next: say where the surface is held.', action: 'Hold it', to: 'hold', tone: 'step' };
-  if (!isLoaded.value) return { text: 'Next: load it, and it bends.', action: 'Load it', to: 'load', tone: 'step' };
-  if (problem.value) return { text: `There is no answer. ${problem.value}`, tone: 'trouble' };
-  if (notTheAnswer.value) return { text: `What is drawn is not the answer. ${notTheAnswer.value}`, tone: 'trouble' };
+  if (bare > 0) return { text: W.nextStep.unpainted(bare), action: W.nextStep.paint, to: 'paint', tone: 'step' };
+  if (!isHeld.value) return { text: W.nextStep.nextAddSupports, action: W.nextStep.addSupports, to: 'hold', tone: 'step' };
+  if (!isLoaded.value) return { text: W.nextStep.nextAddALoad, action: W.nextStep.addALoad, to: 'load', tone: 'step' };
+  if (problem.value) return { text: W.nextStep.noResult(problem.value), tone: 'trouble' };
+  if (notTheAnswer.value) return { text: W.nextStep.theShapeShownIs(notTheAnswer.value), tone: 'trouble' };
   return null;
 }
 
@@ -43,8 +44,8 @@ export function NextStep() {
 export function Status() {
   const busy = working.value;
   const now = live.value;
-  if (busy) return <span class="status" aria-live="polite"><i class="pulse" />computing {busy.background ? 'in the background' : busy.model} {busy.share > 0.02 ? `${Math.round(100 * busy.share)} %` : ''}</span>;
+  if (busy) return <span class="status" aria-live="polite"><i class="pulse" />{W.nextStep.computing(busy.background ? W.nextStep.inTheBackground : busy.model, Math.round(100 * busy.share))}</span>;
   if (notTheAnswer.value || !now) return <span class="status" />;
-  if (now.info.provisional) return <span class="status" aria-live="off"><i class="pulse" />on the way</span>;
-  return <span class="status" data-tip="Time of the last answer of the live model"><i class="ready" />{Math.max(1, Math.round(1000 * now.info.seconds))} ms</span>;
+  if (now.info.provisional) return <span class="status" aria-live="off"><i class="pulse" />{W.nextStep.solving}</span>;
+  return <span class="status" data-tip={W.nextStep.timeOfTheLast}><i class="ready" />{W.nextStep.milliseconds(Math.max(1, Math.round(1000 * now.info.seconds)))}</span>;
 }

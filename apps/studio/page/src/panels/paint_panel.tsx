@@ -11,6 +11,7 @@ import { orderedPalette } from '../gallery/order';
 import { pngInBase64 } from '../painting/read_image';
 import { Button, Choice } from '../widgets/widgets';
 import { obstacle } from './models';
+import { W } from '../words';
 
 const targets = (): number[] => {
   const chosen = [...selectedTiles.peek()];
@@ -42,21 +43,21 @@ export function PaintPanel() {
       <Gallery />
       <footer class="panel-foot">
         <div class="foot-head">
-          <span id="tiles-chosen">{chosen.size ? `${chosen.size} tile${chosen.size > 1 ? 's' : ''} selected` : 'All tiles'}</span>
-          {chosen.size > 0 && <Button kind="bare" title="Select none" shortcut="Esc" icon={X} onPress={() => (selectedTiles.value = new Set())} />}
+          <span id="tiles-chosen">{chosen.size ? W.paintPanel.selected(chosen.size) : W.paintPanel.allTiles}</span>
+          {chosen.size > 0 && <Button kind="bare" title={W.paintPanel.clearSelection} shortcut="Esc" icon={X} onPress={() => (selectedTiles.value = new Set())} />}
         </div>
         <div class="row">
-          <Button title="Paint them with the pattern above" icon={PaintBucket} label="Fill"
+          <Button title={W.paintPanel.paintWithThePattern} icon={PaintBucket} label={W.paintPanel.fill}
             onPress={() => { const pattern = brushOrFirst.value; if (pattern) paint(targets(), pattern); }} />
-          <Button title="Patterns of the palette by chance; again for another chance" icon={Dices} label="Random"
+          <Button title={W.paintPanel.randomPatternsFromThe} icon={Dices} label={W.paintPanel.random}
             onPress={() => paintBy({ patterns: `random:${seed++}`, palette: orderedPalette.value })} />
-          <Button title="By a picture: dark places get the stiffest patterns of the palette" icon={ImageDown} label="Image" onPress={chooseImage} />
-          <Button title="Turn the patterns by one vertex" shortcut="T" icon={RotateCw} onPress={() => turn(targets(), 1)} />
+          <Button title={W.paintPanel.paintFromAPicture} icon={ImageDown} label={W.paintPanel.image} onPress={chooseImage} />
+          <Button title={W.paintPanel.rotateThePatternsBy} shortcut="T" icon={RotateCw} onPress={() => turn(targets(), 1)} />
         </div>
         {chosen.size > 0 && (
-          <div class="field"><span>Computed as</span>
-            <Choice label="Model of the selected tiles" value={model} onPick={(name) => setTileModel([...chosen], name)}
-              options={[{ value: '', title: 'like all others' }, ...models.filter(({ share }) => !share).map((one) => ({ value: one.name, title: one.name, disabled: obstacle(one) !== null }))]} />
+          <div class="field"><span>{W.paintPanel.model}</span>
+            <Choice label={W.paintPanel.modelOfTheSelected} value={model} onPick={(name) => setTileModel([...chosen], name)}
+              options={[{ value: '', title: W.paintPanel.sameAsAll }, ...models.filter(({ share }) => !share).map((one) => ({ value: one.name, title: one.name, disabled: obstacle(one) !== null }))]} />
           </div>
         )}
       </footer>

@@ -11,6 +11,7 @@ import { shown } from '../document/units';
 import { DOFS, type Dof, type Prescribed } from '../protocol/messages';
 import { Button, Choice } from '../widgets/widgets';
 import { NumberField } from '../widgets/number';
+import { W } from '../words';
 
 let gesture = newGesture('slide');
 
@@ -33,19 +34,19 @@ export function PrescribedRow({ mark }: { mark: PrescribedMark }) {
         <MoveVertical aria-hidden class="tint-move" />
         <span class="entry-words"><b>{dof} = {shown(value, quantity)}</b>, {selectionWords(entry, nodes.length)}</span>
       </button>
-      <Button kind="bare" title="Remove" icon={Trash2} onPress={() => { activeEntry.value = null; removePrescribed(index); }} />
+      <Button kind="bare" title={W.prescribedRow.remove} icon={Trash2} onPress={() => { activeEntry.value = null; removePrescribed(index); }} />
       {open && (
         <div class="entry-body">
-          <input type="range" aria-label={`Prescribed ${dof}`} min={-reach} max={reach} step={reach / 500} value={value}
+          <input type="range" aria-label={W.prescribedRow.prescribed(dof)} min={-reach} max={reach} step={reach / 500} value={value}
             onPointerDown={() => (gesture = newGesture('slide'))}
             onInput={(event) => {
               markInput(event.timeStamp);
               dragPrescribed(index, { ...where(), [dof]: Number(event.currentTarget.value) }, gesture);
             }} />
           <div class="field">
-            <Choice label="Direction" value={dof} options={DOFS.map((one) => ({ value: one, title: one }))}
+            <Choice label={W.prescribedRow.direction} value={dof} options={DOFS.map((one) => ({ value: one, title: one }))}
               onPick={(one: Dof) => replacePrescribed(index, { ...where(), [one]: turns === (one[0] === 'r') ? value : 0 })} />
-            <NumberField label={`Prescribed ${dof}`} value={value} quantity={quantity} onChange={(next) => replacePrescribed(index, { ...where(), [dof]: next })} />
+            <NumberField label={W.prescribedRow.prescribed(dof)} value={value} quantity={quantity} onChange={(next) => replacePrescribed(index, { ...where(), [dof]: next })} />
           </div>
         </div>
       )}

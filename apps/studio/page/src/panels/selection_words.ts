@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import type { Selection } from '../protocol/messages';
+import { W } from '../words';
 
 /** Where an entry of a load case is. */
 export function selectionWords(selection: Selection, count: number): string {
-  if (selection.between) return `along the rim, ${count} nodes`;
-  if (selection.side) return `${selection.side} side, ${count} nodes`;
-  if (selection.tiles) return `${selection.tiles.length} tile${selection.tiles.length === 1 ? '' : 's'}`;
-  if (count === 1 && selection.nodes) return `node ${selection.nodes[0]}`;
-  return `${count} node${count === 1 ? '' : 's'}`;
+  if (selection.between) return W.selectionWords.alongTheEdgeNodes(count);
+  if (selection.side) return W.selectionWords.sideNodes(selection.side, count);
+  if (selection.tiles) return W.selectionWords.tiles(selection.tiles.length);
+  if (count === 1 && selection.nodes) return W.selectionWords.node(selection.nodes[0]);
+  return W.selectionWords.nodes(count);
 }

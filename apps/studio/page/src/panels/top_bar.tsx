@@ -9,7 +9,7 @@ import { unitSystem } from '../document/units';
 import { switchTheme, theme } from '../manners/theme';
 import { Button, Segments } from '../widgets/widgets';
 import { ExportMenu, exportOpen } from './export_menu';
-import { Status } from './next_step';
+import { W } from '../words';
 import './top_bar.css';
 
 export function Mark() {
@@ -27,41 +27,40 @@ export function TopBar() {
   return (
     <header class="top-bar">
       <div class="brand"><Mark /></div>
-      {!startOpen.value && now && <h1 class="unseen">{now.name || 'untitled'}: Fretwork studio</h1>}
+      {!startOpen.value && now && <h1 class="unseen">{W.topBar.heading(now.name || W.topBar.untitled)}</h1>}
       {now && (
         <>
-          <button type="button" class="document-name" data-tip={now.path ?? 'Not saved to a file yet'} onClick={() => (startOpen.value = true)}>
-            <b>{now.name || 'untitled'}</b>{!now.saved && <i class="unsaved" aria-label="not saved" />}
+          <button type="button" class="document-name" data-tip={now.path ?? W.topBar.notSavedYet} onClick={() => (startOpen.value = true)}>
+            <b>{now.name || W.topBar.untitled}</b>{!now.saved && <i class="unsaved" aria-label={W.topBar.unsavedChanges} />}
           </button>
           <div class="cluster">
-            <Button kind="bare" title="New or open" icon={FilePlus2} onPress={() => (startOpen.value = true)} />
-            <Button kind="bare" id="save" title="Save" shortcut="Ctrl S" icon={Save} onPress={() => void save()} />
+            <Button kind="bare" title={W.topBar.newOrOpen} icon={FilePlus2} onPress={() => (startOpen.value = true)} />
+            <Button kind="bare" id="save" title={W.topBar.save} shortcut="Ctrl S" icon={Save} onPress={() => void save()} />
             <span class="anchor">
-              <Button kind="bare" id="export" title="Save as another kind of file" icon={Download} pressed={exportOpen.value} onPress={() => (exportOpen.value = !exportOpen.value)} />
+              <Button kind="bare" id="export" title={W.topBar.export} icon={Download} pressed={exportOpen.value} onPress={() => (exportOpen.value = !exportOpen.value)} />
               <ExportMenu />
             </span>
           </div>
           <div class="cluster">
-            <Button kind="bare" id="undo" title={history.undo ? `Undo: ${history.undo}` : 'Nothing to undo'} shortcut="Ctrl Z" icon={Undo2} disabled={!history.undo} onPress={undo} />
-            <Button kind="bare" id="redo" title={history.redo ? `Redo: ${history.redo}` : 'Nothing to redo'} shortcut="Ctrl Shift Z" icon={Redo2} disabled={!history.redo} onPress={redo} />
+            <Button kind="bare" id="undo" title={history.undo ? W.topBar.undo(history.undo) : W.topBar.nothingToUndo} shortcut="Ctrl Z" icon={Undo2} disabled={!history.undo} onPress={undo} />
+            <Button kind="bare" id="redo" title={history.redo ? W.topBar.redo(history.redo) : W.topBar.nothingToRedo} shortcut="Ctrl Shift Z" icon={Redo2} disabled={!history.redo} onPress={redo} />
           </div>
-          <nav class="modes" aria-label="What to do">
-            <Segments label="What to do" value={mode.value} onPick={(next) => (mode.value = next)}
+          <nav class="modes" aria-label={W.topBar.mode}>
+            <Segments label={W.topBar.mode} value={mode.value} onPick={(next) => (mode.value = next)}
               options={MODES.map((row) => ({ value: row.mode, title: row.title, shortcut: row.key, tip: row.title }))} />
           </nav>
-          <Status />
         </>
       )}
       <span class="gap" />
       <div class="cluster">
         {now && (
-          <Segments<Split> label="Views" iconsOnly={false} value={split.value} onPick={(next) => (split.value = next)}
-            options={[{ value: 'plane', title: 'Plane' }, { value: 'both', title: '', tip: 'Both', icon: Columns2 }, { value: 'space', title: 'Space' }]} />
+          <Segments<Split> label={W.topBar.views} iconsOnly={false} value={split.value} onPick={(next) => (split.value = next)}
+            options={[{ value: 'plane', title: W.topBar.plane }, { value: 'both', title: '', tip: W.topBar.dAndD, icon: Columns2 }, { value: 'space', title: W.topBar.space }]} />
         )}
-        <Button kind="bare" title={unitSystem.value === 'mm' ? 'Millimetres; press for metres' : 'Metres; press for millimetres'} label={<b class="unit">{unitSystem.value === 'mm' ? 'mm' : 'm'}</b>}
+        <Button kind="bare" title={unitSystem.value === 'mm' ? W.topBar.millimetresClickForMetres : W.topBar.metresClickForMillimetres} label={<b class="unit">{unitSystem.value === 'mm' ? 'mm' : 'm'}</b>}
           onPress={() => (unitSystem.value = unitSystem.value === 'mm' ? 'SI' : 'mm')} />
-        <Button kind="bare" title={theme.value === 'light' ? 'Dark' : 'Light'} icon={theme.value === 'light' ? Moon : Sun} onPress={switchTheme} />
-        <Button kind="bare" id="help" title="Keys" shortcut="?" icon={CircleHelp} onPress={() => (helpOpen.value = true)} />
+        <Button kind="bare" title={theme.value === 'light' ? W.topBar.darkTheme : W.topBar.lightTheme} icon={theme.value === 'light' ? Moon : Sun} onPress={switchTheme} />
+        <Button kind="bare" id="help" title={W.topBar.keyboardShortcuts} shortcut="?" icon={CircleHelp} onPress={() => (helpOpen.value = true)} />
       </div>
     </header>
   );

@@ -4,6 +4,7 @@
 import { decode, type Beams, type Solution } from './binary';
 import type { Answer, SaveConflict, ServerEvent } from './messages';
 import type { AnswerTo, More, RequestName } from './requests';
+import { W } from '../words';
 
 export type LineState = 'connecting' | 'open' | 'lost' | 'refused';
 
@@ -63,7 +64,7 @@ export class Connection {
   /** Ask for something. Fails with a Refusal in the server's own words, or when the line is cut before the answer. */
   ask<Name extends RequestName>(what: Name, ...[says]: More<Name>): Promise<AnswerTo<Name>> {
     if (this.socket?.readyState !== WebSocket.OPEN) {
-      return Promise.reject(new Error('The studio is not reachable right now.'));
+      return Promise.reject(new Error(W.line.unreachable));
     }
     const id = this.nextId++;
     this.socket.send(JSON.stringify({ id, do: what, ...says }));
@@ -93,7 +94,7 @@ export class Connection {
 
   private async lost(): Promise<void> {
     this.listener.state('lost');
-    for (const waiting of this.waiting.values()) waiting.reject(new Error('The connection to the studio was cut.'));
+    for (const waiting of this.waiting.values()) waiting.reject(new Error(W.line.cut));
     this.waiting.clear();
     if (await this.listener.isRefused()) return this.listener.state('refused');
     setTimeout(() => this.open(), this.pause);

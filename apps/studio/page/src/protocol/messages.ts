@@ -111,6 +111,8 @@ export interface TileModel {
   name: string;
   summary: string;
   large_displacements: boolean;
+  /** Every bar of every tile: others are compared with it. */
+  reference?: boolean;
   /** Parameters that are fitted to the responses of a pattern: the model needs a library of these. */
   parameters?: { name: string; unit: string }[];
   /** Its name is followed by `:` and the share of tiles that have all of their bars, 0 to 1. */
@@ -178,6 +180,8 @@ export interface Solved {
   /** null: not known yet, since loads are being dragged. */
   stable: boolean | null;
   load_factor: number;
+  /** Bent so far that the model may be off: its error is estimated. null: nothing is known. */
+  doubtful: boolean | null;
   converged: boolean;
   warnings: string[];
   largest_displacement: number;
@@ -190,6 +194,52 @@ export interface Solved {
   steps?: number;
 }
 
+/** A displacement; null: this component is free. */
+export type FreeVector = [number | null, number | null, number | null];
+/** A target as in files, without its format. */
+export interface TargetGoals {
+  goals: { nodes: number[]; displacements: FreeVector[] }[];
+}
+/** How a design is doing. */
+export interface Designing {
+  /** Nonlinear solutions so far, and the most of them. */
+  solutions: number;
+  most: number;
+  seconds: number;
+  /** Root of the mean square distance, a share of the largest displacement wanted; null: not known yet. */
+  misfit: number | null;
+}
+/** The result of a design, whose painting is the document's now. Errors are shares of the largest displacement wanted. */
+export interface Designed {
+  /** A first painting: the search goes on. */
+  sketch: boolean;
+  /** With all bars; null: it was stopped before that was known. */
+  error_mean: number | null;
+  error_largest: number | null;
+  stable: boolean | null;
+  /** Of the best single pattern. */
+  error_best_uniform: number | null;
+  best_uniform_pattern: string;
+  uniform_tried: number;
+  /** The share of that error that the design has taken away. */
+  share_closed: number | null;
+  is_better: boolean;
+  patterns: string[];
+  load_cases: string[];
+  factors: number[];
+  warnings: string[];
+  /** How it ended, in words. */
+  words: string;
+  seconds: number;
+  solutions: number;
+  full_solutions: number;
+}
+/** The estimated distance of the live solution from the full model's, as shares of the largest displacement. */
+export interface EstimatedError {
+  mean: number;
+  largest: number;
+}
+
 /** Where bars overlap, or what is cut is narrower than can be cut. */
 export interface MakingPlace {
   kind: 'overlap' | 'gap' | 'opening';
@@ -200,6 +250,8 @@ export interface MakingPlace {
 export interface Making {
   /** None: nothing stands in the way of making it. */
   words: string[];
+  /** How many there are, also beyond those that are listed. */
+  counts: Record<MakingPlace['kind'], number>;
   places: MakingPlace[];
 }
 
@@ -212,6 +264,9 @@ export type ServerEvent =
   | { event: 'modes'; revision: number; values: number[]; kind: 'vibration' | 'buckling' }
   | { event: 'compared'; revision: number; model: string; mean: number; largest: number; relative: number }
   | ({ event: 'making'; revision: number } & Making)
+  | ({ event: 'designing'; revision: number } & Designing)
+  | ({ event: 'designed'; revision: number } & Designed)
+  | ({ event: 'model_error'; revision: number; model: string } & EstimatedError)
   | { event: 'warning'; revision: number; text: string };
 
 /** A file that `save` would replace, and that nobody here has seen. */

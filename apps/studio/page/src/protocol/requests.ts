@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The requests of the page and their answers, as in apps/studio/protocol.md.
 
-import type { Hello, LoadCase, PatternTable, Point, Recoverable, Setting } from './messages';
+import type { Hello, LoadCase, PatternTable, Point, Recoverable, Setting, TargetGoals } from './messages';
 
 /** A file of the browser's machine. */
 export interface SentFile {
@@ -59,6 +59,19 @@ export type PaintRequest = Merging &
     | { tiles?: readonly number[]; patterns: string; palette: string; file?: SentFile }
   );
 
+/** Each as the option of `fretwork design`. */
+export interface DesignRequest {
+  target: TargetGoals;
+  /** The tiles that may change; left out: all. */
+  tiles?: readonly number[];
+  palette?: string;
+  max_patterns?: number;
+  free?: ('factor' | 'prescribed')[];
+  seconds?: number;
+  solutions?: number;
+  seed?: number;
+}
+
 type Nothing = Record<never, never>;
 
 /** Each request with what it says, and with its answer. */
@@ -87,6 +100,9 @@ export interface Requests {
   select_load_case: { says: { index: number }; answer: Nothing };
   undo: { says: Nothing; answer: Nothing };
   redo: { says: Nothing; answer: Nothing };
+
+  design: { says: DesignRequest; answer: Nothing };
+  stop_design: { says: Nothing; answer: Nothing };
 
   solve: { says: { model: string; background: true }; answer: Nothing };
   path: { says: { steps: number }; answer: Nothing };

@@ -10,6 +10,7 @@ import { setReadable, sizeAdvice, unreadable } from './tile_size';
 import type { Point } from '../protocol/messages';
 import type { Measured } from '../protocol/requests';
 import { ALL, choosePart, height, isMesh, keepsFaces, LARGEST, measured, outline, outlineTrouble, part, setWidth, tilesAbout, tileSize, width } from './outline';
+import { W } from '../words';
 
 export const painting = signal<'one' | 'bare'>('one');
 const over = signal(false);
@@ -40,20 +41,20 @@ export function NewFromOutline({ busy, choose, take, make }: Props) {
       }}>
       <button type="button" class="drop-target" id="choose-outline" onClick={choose}>
         {file && measured.value ? <Preview of={measured.value} /> : <FileUp aria-hidden />}
-        {file ? <MeasuredOutline name={file.name} /> : <span><b>Drop an outline here</b><br />SVG, DXF, OBJ, PLY or OFF. Or press to choose.</span>}
+        {file ? <MeasuredOutline name={file.name} /> : <span><b>{W.newFromOutline.dropAnOutlineHere}</b><br />{W.newFromOutline.svgDxfObjPly}</span>}
       </button>
       <div class="drop-options">
         <PartField />
         {file && measured.value && (
-          <label class="field"><span>Width of the surface</span><NumberField id="outline-width" label="Width of the surface" least={LEAST_LENGTH} value={width.value} quantity="length" onChange={setWidth} onReadable={(is) => setReadable('width', is)} /></label>
+          <label class="field"><span>{W.newFromOutline.surfaceWidth}</span><NumberField id="outline-width" label={W.newFromOutline.surfaceWidth} least={LEAST_LENGTH} value={width.value} quantity="length" onChange={setWidth} onReadable={(is) => setReadable('width', is)} /></label>
         )}
         <TileFields takesFaces={takesFaces} />
         {advice && <p class={advice.isPossible ? 'hint' : 'drop-trouble'} role="status" id="size-advice">{advice.words}</p>}
-        <div class="field"><span>Patterns</span>
-          <Choice label="Patterns to begin with" value={painting.value} onPick={(value) => (painting.value = value)}
-            options={[{ value: 'one', title: 'one that can be made' }, { value: 'bare', title: 'none, I paint' }]} />
+        <div class="field"><span>{W.newFromOutline.patterns}</span>
+          <Choice label={W.newFromOutline.initialPatterns} value={painting.value} onPick={(value) => (painting.value = value)}
+            options={[{ value: 'one', title: W.newFromOutline.oneThatCanBe }, { value: 'bare', title: W.newFromOutline.none }]} />
         </div>
-        <Button id="make" kind="main" wide title={takesFaces ? 'Paint its faces' : 'Cover it with tiles'} label={!takesFaces && tilesAbout.value ? `Make it, of about ${tilesAbout.value} tiles` : 'Make it'} disabled={!file || busy || wrong} onPress={make} />
+        <Button id="make" kind="main" wide title={takesFaces ? W.newFromOutline.useItsFaces : W.newFromOutline.coverWithNewTiles} label={!takesFaces && tilesAbout.value ? W.newFromOutline.createOf(tilesAbout.value) : W.newFromOutline.create} disabled={!file || busy || wrong} onPress={make} />
       </div>
     </div>
   );
@@ -64,11 +65,11 @@ function PartField() {
   const parts = measured.value?.parts ?? [];
   if (parts.length < 2) return null;
   const size = ([w, h]: Point): string => `${shown(w, 'length')} × ${shown(h, 'length')}`;
-  const options = parts.map((one, at) => ({ value: at === 0 ? LARGEST : `${at + 1}`, title: `${at + 1}, ${at === 0 ? 'the largest, ' : ''}${size(one)}` }));
+  const options = parts.map((one, at) => ({ value: at === 0 ? LARGEST : `${at + 1}`, title: W.newFromOutline.part(at + 1, size(one)) }));
   return (
-    <div class="field"><span>Part of the drawing</span>
-      <Choice id="outline-part" label="Part of the drawing" value={part.value} onPick={(which) => void choosePart(which)}
-        options={[...options, { value: ALL, title: `all ${parts.length}; each needs supports` }]} />
+    <div class="field"><span>{W.newFromOutline.partOfTheDrawing}</span>
+      <Choice id="outline-part" label={W.newFromOutline.partOfTheDrawing} value={part.value} onPick={(which) => void choosePart(which)}
+        options={[...options, { value: ALL, title: W.newFromOutline.allEachNeedsSupports(parts.length) }]} />
     </div>
   );
 }
@@ -77,8 +78,8 @@ function PartField() {
 function TileFields({ takesFaces }: { takesFaces: boolean }) {
   return (
     <>
-      {isMesh.value && <Check label="Take its faces as tiles" value={keepsFaces.value} onChange={(value) => (keepsFaces.value = value)} />}
-      {!takesFaces && <label class="field"><span>Side of the tiles</span><NumberField id="tile-size" label="Side of the tiles" least={LEAST_LENGTH} value={tileSize.value} quantity="length" onChange={(value) => (tileSize.value = value)} onReadable={(is) => setReadable('tiles', is)} /></label>}
+      {isMesh.value && <Check label={W.newFromOutline.useItsFacesAs} value={keepsFaces.value} onChange={(value) => (keepsFaces.value = value)} />}
+      {!takesFaces && <label class="field"><span>{W.newFromOutline.tileSide}</span><NumberField id="tile-size" label={W.newFromOutline.tileSide} least={LEAST_LENGTH} value={tileSize.value} quantity="length" onChange={(value) => (tileSize.value = value)} onReadable={(is) => setReadable('tiles', is)} /></label>}
     </>
   );
 }
@@ -89,9 +90,9 @@ function MeasuredOutline({ name }: { name: string }) {
   return (
     <span>
       <b>{name}</b><br />
-      {now && <>{shown(width.value, 'length')} × {shown(height.value, 'length')}{width.value !== now.size[0] && <>, drawn {shown(now.size[0], 'length')} wide</>}<br /></>}
+      {now && <>{shown(width.value, 'length')} × {shown(height.value, 'length')}{width.value !== now.size[0] && W.newFromOutline.asDrawn(shown(now.size[0], 'length'))}<br /></>}
       {now?.remarks?.map((remark) => <span key={remark} class="remark">{inShownUnits(remark)}<br /></span>)}
-      another one …
+      {W.newFromOutline.chooseAnother}
     </span>
   );
 }

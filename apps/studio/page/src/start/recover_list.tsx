@@ -7,6 +7,7 @@ import { recoverable } from '../document/store';
 import { ask, tryAsk } from '../document/studio';
 import type { Recoverable } from '../protocol/messages';
 import { Button } from '../widgets/widgets';
+import { W } from '../words';
 
 const take = (answer: { recoverable: Recoverable[] } | null) => answer && (recoverable.value = answer.recoverable);
 
@@ -14,7 +15,7 @@ function when(seconds: number): string {
   const then = new Date(1000 * seconds);
   const isToday = then.toDateString() === new Date().toDateString();
   const time = then.toLocaleTimeString([], { hour: '2-digit', minute: '2-digit' });
-  return isToday ? `today, ${time}` : `${then.toLocaleDateString([], { day: 'numeric', month: 'long', year: 'numeric' })}, ${time}`;
+  return isToday ? W.recoverList.today(time) : `${then.toLocaleDateString([], { day: 'numeric', month: 'long', year: 'numeric' })}, ${time}`;
 }
 
 export function RecoverList({ open, busy }: { open: (key: string) => void; busy: boolean }) {
@@ -23,16 +24,16 @@ export function RecoverList({ open, busy }: { open: (key: string) => void; busy:
   if (list.length === 0) return null;
   return (
     <>
-      <h2>Not saved yet</h2>
+      <h2>{W.recoverList.notSavedYet}</h2>
       <ul class="recoverable">
         {list.map(({ key, name, path, time, tiles }) => (
           <li key={key}>
             <button type="button" class="recover" data-key={key} disabled={busy} onClick={() => open(key)}>
               <History aria-hidden />
               <b>{name}</b>
-              <span>{tiles} tiles, {when(time)}{path && <>, changes to {path}</>}</span>
+              <span>{W.recoverList.about(tiles, when(time), path)}</span>
             </button>
-            <Button kind="bare" title={`Drop ${name} for good`} icon={Trash2} disabled={busy} onPress={() => void tryAsk('forget', { key }).then(take)} />
+            <Button kind="bare" title={W.recoverList.deleteForGood(name)} icon={Trash2} disabled={busy} onPress={() => void tryAsk('forget', { key }).then(take)} />
           </li>
         ))}
       </ul>

@@ -17,6 +17,7 @@ import { ExampleDrawing } from './example_drawing';
 import { NewFromOutline, painting } from './new_from_outline';
 import { outline, outlineRequest, takeOutline, tilesRequest } from './outline';
 import { RecoverList } from './recover_list';
+import { W } from '../words';
 import './start.css';
 
 const busy = signal<string | null>(null);
@@ -30,7 +31,7 @@ async function begin(words: string, request: (left: Discarding) => Promise<{ rem
   trouble.value = null;
   try {
     const { remarks } = await request(left);
-    if (remarks?.length) tell(`${outline.peek()?.name ?? 'The outline'}: ${remarks.join('; ')}.`, 'warning');
+    if (remarks?.length) tell(`${outline.peek()?.name ?? W.start.outline}: ${remarks.join('; ')}.`, 'warning');
     selectedNodes.value = new Set();
     selectedTiles.value = new Set();
     mode.value = 'paint';
@@ -42,14 +43,14 @@ async function begin(words: string, request: (left: Discarding) => Promise<{ rem
   busy.value = null;
 }
 
-const fromExample = (name: string) => begin('Making the example …', (left) => ask('new', { example: name, ...left }));
+const fromExample = (name: string) => begin(W.start.openingTheExample, (left) => ask('new', { example: name, ...left }));
 
 async function fromOutline(): Promise<void> {
   const file = outline.value;
   if (!file) return;
   const patterns = painting.value === 'one' ? { patterns: 'made:one' } : {};
   const request = { outline: await outlineRequest(file), ...tilesRequest(), ...patterns };
-  await begin(`Tiling ${file.name} …`, (left) => ask('new', { ...request, ...left }));
+  await begin(W.start.tiling(file.name), (left) => ask('new', { ...request, ...left }));
 }
 
 /** A project is opened at once; an outline waits for its tile size. */
@@ -73,19 +74,19 @@ export function Start() {
   const info = hello.value;
   const close = () => (startOpen.value = false);
   return (
-    <div class="start" role="dialog" aria-label="Start">
+    <div class="start" role="dialog" aria-label={W.start.start}>
       <div class="start-inner">
         <header role="none">
           <Mark />
           <div>
-            <h1>Fretwork studio</h1>
-            <p>Paint patterns on a flat shape, hold it, load it, see it bend.</p>
+            <h1>{W.start.fretworkStudio}</h1>
+            <p>{W.start.paintTilesSetSupports}</p>
           </div>
-          {documentNow.value && <Button kind="bare" title="Back" shortcut="Esc" icon={X} onPress={close} />}
+          {documentNow.value && <Button kind="bare" title={W.start.back} shortcut="Esc" icon={X} onPress={close} />}
         </header>
         {trouble.value && <p class="trouble" role="alert" id="start-trouble">{inShownUnits(trouble.value)}</p>}
-        <RecoverList busy={busy.value !== null} open={(key) => void begin('Opening …', (left) => ask('recover', { key, ...left }))} />
-        <h2>Start from an example</h2>
+        <RecoverList busy={busy.value !== null} open={(key) => void begin(W.start.opening, (left) => ask('recover', { key, ...left }))} />
+        <h2>{W.start.startFromAnExample}</h2>
         <div class="examples">
           {(info?.examples ?? []).map((example) => (
             <button key={example.name} type="button" class="example" data-example={example.name} disabled={busy.value !== null} onClick={() => void fromExample(example.name)}>
@@ -94,12 +95,12 @@ export function Start() {
               <span>{example.description}</span>
             </button>
           ))}
-          {!info && line.value !== 'lost' && <p class="hint">One moment …</p>}
+          {!info && line.value !== 'lost' && <p class="hint">{W.start.loading}</p>}
         </div>
-        <h2>Or from an outline of your own</h2>
+        <h2>{W.start.orStartFromYour}</h2>
         <NewFromOutline busy={busy.value !== null} choose={() => choose(OUTLINES, (one) => void takeFile(one))} take={(file) => void takeFile(file)} make={() => void fromOutline()} />
         <div class="start-foot">
-          <Button kind="bare" title="A project file of this machine" icon={FolderOpen} label="Open a project …" onPress={() => choose('.json', (file) => void takeFile(file))} />
+          <Button kind="bare" title={W.start.aProjectFileOn} icon={FolderOpen} label={W.start.openAProject} onPress={() => choose('.json', (file) => void takeFile(file))} />
           {busy.value && <span class="busy" role="status"><i class="pulse" />{busy.value}</span>}
         </div>
       </div>

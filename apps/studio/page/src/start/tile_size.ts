@@ -5,6 +5,7 @@ import { computed, signal } from '@preact/signals';
 import { digits, shown } from '../document/units';
 import { HEXAGON } from './fitting_side';
 import { measured, tilesAbout, tileSize, width } from './outline';
+import { W } from '../words';
 
 /** The program takes no more. */
 const MOST_TILES = 100_000;
@@ -42,11 +43,11 @@ export const sizeAdvice = computed<SizeAdvice | null>(() => {
   const tiles = tilesAbout.value;
   if (tiles === null) return null;
   if (tiles > MOST_TILES) {
-    return { words: `That would be ${digits(tiles)} tiles, and ${MOST_TILES} are the most: choose a side of ${shown(sideFor(MOST_TILES, Math.ceil), 'length')} or more.`, isPossible: false };
+    return { words: W.tileSize.thisMakesTilesThe(digits(tiles), MOST_TILES, shown(sideFor(MOST_TILES, Math.ceil), 'length')), isPossible: false };
   }
   if (tiles < FEWEST_TILES) {
-    return { words: `A side of ${shown(tileSize.value, 'length')} is large for this surface: it makes few tiles, or is refused. With ${shown(sideFor(10 * FEWEST_TILES), 'length')} it has about ${10 * FEWEST_TILES}.`, isPossible: true };
+    return { words: W.tileSize.isLargeForThis(shown(tileSize.value, 'length'), shown(sideFor(10 * FEWEST_TILES), 'length'), 10 * FEWEST_TILES), isPossible: true };
   }
-  if (tiles > QUICK_TILES) return { words: `With this many tiles an edit takes seconds. With a side of ${shown(sideFor(QUICK_TILES / 3), 'length')} it stays quick.`, isPossible: true };
+  if (tiles > QUICK_TILES) return { words: W.tileSize.editsWillTakeSeconds(shown(sideFor(QUICK_TILES / 3), 'length')), isPossible: true };
   return null;
 });

@@ -6,6 +6,7 @@ import { surface } from '../document/surface';
 import { share, split } from '../document/ui';
 import { PlaneView } from './plane/plane';
 import { SpaceView } from './space/space';
+import { W } from '../words';
 
 const [LEAST, MOST] = [0.2, 0.8];
 const within = (value: number): number => Math.min(MOST, Math.max(LEAST, value));
@@ -43,7 +44,7 @@ export function Views() {
       style={stacked ? { gridTemplateRows: tracks, gridTemplateColumns: '100%' } : { gridTemplateColumns: tracks, gridTemplateRows: '100%' }}>
       {split.value !== 'plane' && <SpaceView />}
       {both && (
-        <div class="divider" role="separator" aria-orientation={stacked ? 'horizontal' : 'vertical'} aria-label="Between space and plane" aria-valuenow={Math.round(100 * share.value)}
+        <div class="divider" role="separator" aria-orientation={stacked ? 'horizontal' : 'vertical'} aria-label={W.views.betweenDAndD} aria-valuenow={Math.round(100 * share.value)}
           tabIndex={0} onPointerDown={(event) => event.currentTarget.setPointerCapture(event.pointerId)} onPointerMove={drag} onDblClick={() => (share.value = 0.44)} onKeyDown={keys} />
       )}
       {split.value !== 'space' && <PlaneView />}

@@ -2,6 +2,7 @@
 
 import { useLayoutEffect, useState } from 'preact/hooks';
 import { digits, typed, unitOf, type Quantity } from '../document/units';
+import { W } from '../words';
 
 const MOST_DIGITS = 4;
 const short = (value: number): string => digits(value, MOST_DIGITS).replace(/(\.\d*?)0+$/, '$1').replace(/\.$/, '');
@@ -41,7 +42,7 @@ export function NumberField({ label, value, quantity, onChange, onClear, narrow,
     setDraft(null);
   };
   const bound = (limit: number) => `${short(limit * unit.per)} ${unit.name}`;
-  const advice = typeof read !== 'number' ? `This is no number${unit.name ? ` in ${unit.name}` : ''}.` : most !== undefined && read > most ? `${bound(most)} or less, please.` : `${bound(least ?? 0)} or more, please.`;
+  const advice = typeof read !== 'number' ? W.number.notANumber(unit.name) : most !== undefined && read > most ? W.number.atMost(bound(most)) : W.number.atLeast(bound(least ?? 0));
   const keys = (event: KeyboardEvent) => {
     if (event.key === 'Enter') commit();
     if (event.key === 'Escape') setDraft(null);
@@ -55,10 +56,10 @@ export function NumberField({ label, value, quantity, onChange, onClear, narrow,
   };
   return (
     <span class={`number${narrow ? ' narrow' : ''}`}>
-      <input id={id} inputMode="decimal" aria-label={`${label}${unit.name ? `, in ${unit.name}` : ''}`} class={wrong ? 'wrong' : ''} aria-invalid={wrong} value={text} placeholder={onClear && 'none'} style={{ width: `${(narrow ? 52 : 66) + 8 * unit.name.length + 12}px`, paddingRight: `${17 + 8 * unit.name.length}px` }}
+      <input id={id} inputMode="decimal" aria-label={`${label}${unit.name ? W.number.inWords(unit.name) : ''}`} class={wrong ? 'wrong' : ''} aria-invalid={wrong} value={text} placeholder={onClear && W.number.none} style={{ width: `${(narrow ? 52 : 66) + 8 * unit.name.length + 12}px`, paddingRight: `${17 + 8 * unit.name.length}px` }}
         onFocus={(event) => event.currentTarget.select()} onInput={(event) => setDraft(event.currentTarget.value)} onBlur={commit} onKeyDown={keys} />
       <i>{unit.name}</i>
-      {wrong && <b class="number-advice" role="alert">{advice} Escape {value === undefined ? 'empties the field' : `puts ${inUnit(value)} back`}.</b>}
+      {wrong && <b class="number-advice" role="alert">{W.number.withEscape(advice, value === undefined ? undefined : inUnit(value))}</b>}
     </span>
   );
 }

@@ -2,6 +2,7 @@
 // One tooltip for everything that has data-tip, also when it is reached with the keyboard.
 
 import { signal } from '@preact/signals';
+import { W } from '../words';
 
 interface Tip {
   text: string;
@@ -45,7 +46,7 @@ export function Tooltip() {
   if (!now) return null;
   const x = Math.min(Math.max(now.x, HALF_WIDTH), window.innerWidth - HALF_WIDTH);
   return (
-    <aside aria-label="Explanation" class="tooltip" style={{ left: `${x}px`, top: `${now.y}px`, transform: `translate(-50%, ${now.above ? '-100%' : '0'})` }}>
+    <aside aria-label={W.tooltip.explanation} class="tooltip" style={{ left: `${x}px`, top: `${now.y}px`, transform: `translate(-50%, ${now.above ? '-100%' : '0'})` }}>
       {now.text}
       {now.key && <kbd>{now.key}</kbd>}
     </aside>

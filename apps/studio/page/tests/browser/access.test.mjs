@@ -26,6 +26,12 @@ const STATES = {
   hold: mode('hold'),
   load: mode('load'),
   'a load that is open': (page) => page.click('.entry-title'),
+  design: mode('design'),
+  'a target': async (page) => {
+    await page.click('#choose-right');
+    await page.click('#set-target');
+  },
+  'side view': (page) => page.click('#draw-curve'),
   look: mode('look'),
   plane: (page) => page.click('[data-value=plane]'),
   space: (page) => page.click('[data-value=space]'),

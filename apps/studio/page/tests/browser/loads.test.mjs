@@ -44,7 +44,7 @@ test('load cases act together, each times its factor', async (t) => {
   await page.click('[data-value=load]');
   const single = held(await answer(page));
   await answered(page, () => page.click('[aria-label="New load case"]')).catch(() => undefined);
-  const field = page.getByLabel('How many times bridge acts as well');
+  const field = page.getByLabel('Factor of bridge');
   await field.fill('2');
   await answered(page, () => field.press('Enter'));
   assert.deepEqual((await read(page, 'load_cases'))[1].combines, [{ load_case: 'bridge', factor: 2 }]);
@@ -66,7 +66,7 @@ test('a load on a line is shown, edited and kept, with a load on an area beside 
   await answered(page, () => page.selectOption('#load-case', '1'));
   const before = held(await answer(page));
   assert.ok(before > 0);
-  assert.match(await page.textContent('.entry-words'), /^0\.500\sN\/m is [0-9.]+\sN, right side, [0-9]+ nodes$/);
+  assert.match(await page.textContent('.entry-words'), /^0\.500\sN\/m = [0-9.]+\sN, right side, [0-9]+ nodes$/);
   await page.click('.entry-title');
   const field = page.getByLabel('Line along z');
   await field.fill('-1');

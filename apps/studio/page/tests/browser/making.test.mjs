@@ -19,15 +19,22 @@ test('a new surface can be made, one with many bars cannot, and the page leads t
   await page.waitForFunction(() => window.fretwork.store.documentNow.value !== null);
   await checked(page);
   assert.equal((await read(page, 'palette')).length, 1);
-  assert.equal(await page.locator('#making-note').count(), 0);
+  assert.match(await page.textContent('#problems'), /No problems/);
+  assert.equal(await page.textContent('#made-of'), 'Paper, 1 GPa, made');
   await picture(page, '30-new-surface', 0);
 
   const setting = await read(page, 'setting');
   setting.section.I3 *= 36; // six times as wide
   await edit(page, () => page.evaluate((wide) => window.fretwork.ask('set_setting', { setting: wide }), setting));
-  await page.waitForSelector('#making-note');
-  assert.match(await page.textContent('#making-note'), /overlap|narrower/);
-  await page.click('#making-where');
-  assert.match(await page.textContent('#making-where'), /^Place 1 of/);
+  await page.waitForSelector('#problems.bad');
+  const count = parseInt(await page.textContent('#problems'), 10);
+  const { counts } = await page.evaluate(() => window.fretwork.store.making.value);
+  assert.equal(count, counts.overlap + counts.gap + counts.opening);
+  await page.click('#problems');
+  const zoom = () => page.evaluate(() => { const [a, b] = [window.fretwork.planePlace(0), window.fretwork.planePlace(1)]; return Math.hypot(a[0] - b[0], a[1] - b[1]); });
+  const before = await zoom();
+  await page.click('.problem-list button');
+  assert.match(await page.textContent('.problem-list button i'), /^1 of/);
+  assert.ok((await zoom()) > before, 'the plane has come nearer to the place');
   await picture(page, '31-cannot-be-made', 0);
 });

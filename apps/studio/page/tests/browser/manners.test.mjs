@@ -65,7 +65,7 @@ test('the gallery finds patterns by relation and by a box in the chart', async (
   const count = async () => Number((await page.textContent('#gallery-count')).split(' of')[0].replace(',', ''));
   const all = await count();
   const firsts = new Set();
-  for (const relation of ['Like this', 'Stiffer', 'Softer', 'Other look']) {
+  for (const relation of ['Similar', 'Stiffer', 'Softer', 'Other geometry']) {
     await page.click(`text=${relation}`);
     firsts.add(await page.getAttribute('[data-pattern]', 'data-pattern'));
     assert.ok((await count()) < all, relation);
@@ -78,7 +78,7 @@ test('the gallery finds patterns by relation and by a box in the chart', async (
   const brushed = await count();
   assert.ok(brushed > 0 && brushed < all, `${brushed} of ${all}`);
   await picture(page, '13-brushed');
-  await page.click('[aria-label="Show all again"]');
+  await page.click('[aria-label="Show all"]');
   assert.equal(await count(), all);
 });
 
@@ -115,7 +115,7 @@ test('forces, moments and displacements are dragged in space, and the surface fo
   const page = await openPage(t, address);
   await solved(page);
   await page.click('[data-value=load]');
-  for (const button of ['Moment', 'Move']) {
+  for (const button of ['Moment', 'Displace']) {
     await page.click('#choose-middle');
     await edit(page, () => page.click(`.row >> text=${button}`));
   }
@@ -147,7 +147,7 @@ test('load paths and modes play, and the answer names reactions', async (t) => {
       return shapes?.kind === wanted && shapes.shapes.length === shapes.expected && shapes.shapes.length > 0;
     }, kind);
     await page.waitForSelector('.play-bar');
-    await page.click('[aria-label="Back to the live shape"]');
+    await page.click('.play-bar [aria-label="Close"]');
   }
   await page.selectOption('#field', 'von_mises');
   await page.waitForFunction(() => document.querySelector('.legend-title')?.textContent === 'Von Mises stress');

@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { edit, fretwork, makeProject, openPage, picture, read, solved, startStudio } from './studio.mjs';
 
-const STRENGTH = '[aria-label="Strength of the material, in MPa"]';
+const STRENGTH = '[aria-label="Material strength, in MPa"]';
 const strengthOf = async (page) => (await read(page, 'setting')).material.strength;
 
 /** The largest share of the strength that the command line tells. */
@@ -38,7 +38,7 @@ test('a strength is typed, shown as utilization, undone, saved, and read by the 
   const shown = parseFloat((await page.textContent('.legend-ends span:last-child')).replace('≥', ''));
   assert.ok(Math.abs(shown / 100 - worst) < 0.005 * worst, `${shown} % on the page, ${100 * worst} % on the command line`);
 
-  for (const [text, advice] of [['strong', /no number/], ['-3', /or more/]]) {
+  for (const [text, advice] of [['strong', /Not a number/], ['-3', /At least/]]) {
     await page.fill(STRENGTH, text);
     await page.press(STRENGTH, 'Enter');
     assert.match(await page.textContent('.number-advice'), advice);

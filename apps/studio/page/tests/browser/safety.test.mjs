@@ -43,7 +43,7 @@ test('after a crash every surface that was not saved is offered, opened, or drop
   assert.deepEqual((await again.$$eval('.recover b', (names) => names.map((name) => name.textContent))).sort(), ['square', 'surface']);
   assert.match(await again.textContent('.recoverable'), /tiles, today/);
   await picture(again, '17-recover', 0);
-  await again.click('[data-tip="Drop square for good"], [aria-label="Drop square for good"]');
+  await again.click('[data-tip="Delete square for good"], [aria-label="Delete square for good"]');
   await again.waitForFunction(() => document.querySelectorAll('.recover').length === 1);
   await again.click('.recover');
   await hasDocument(again, 'surface');
@@ -153,7 +153,7 @@ test('an address of an earlier run says so, and is not tried again', async (t) =
   const [bar, notice] = await Promise.all(['.top-bar', '.lost'].map((one) => page.locator(one).boundingBox()));
   assert.ok(notice.y + notice.height <= bar.y + 1, 'the notice stands above the bar and covers nothing');
   await startStudioIn(t, first.place, '--port', port, project);
-  await page.waitForSelector('text=earlier run');
+  await page.waitForSelector('text=earlier session');
   let tries = 0;
   page.on('websocket', () => ++tries);
   await page.waitForTimeout(5000);
@@ -184,7 +184,7 @@ test('what is not the answer is not drawn as if it was', async (t) => {
   await picture(page, '19-not-held');
 
   await change(page, { supports, loads: [{ box: [0.3, -10, 0.42, 10], force: [0, 0, -1e6], amount: 'total' }] });
-  await page.waitForSelector('text=What is drawn is not the answer');
+  await page.waitForSelector('text=The shape shown is not a result');
   assert.equal(await page.locator('.legend-title').count(), 0);
   assert.equal(await isAtRest(), true);
 
@@ -240,7 +240,7 @@ test('a mode has a legend without a size', async (t) => {
   await page.click('[data-value=look]');
   await page.click('text=Modes');
   await page.waitForSelector('.play-bar');
-  await page.waitForSelector('text=Shape of the mode');
+  await page.waitForSelector('text=Mode shape (normalized)');
   assert.doesNotMatch(await page.textContent('.legend-ends'), /mm/);
   await picture(page, '20-mode', 1);
 });
@@ -252,7 +252,7 @@ test('models that cannot be used say why, and the share of a mixed one is chosen
   await page.click('[data-value=look]');
   for (const model of ['paper6', 'ring10']) {
     assert.ok(await page.isDisabled(`[data-model=${model}]`), model);
-    assert.match(await page.textContent(`[data-model=${model}]`), /measured patterns/);
+    assert.match(await page.textContent(`[data-model=${model}]`), /Requires calibrated patterns/);
   }
   const chosen = await read(page, 'model');
   await page.click(`[data-model=${chosen}]`);
@@ -272,7 +272,7 @@ test('invalid sizes are reported in the units of the page, and kept', async (t) 
   const page = await openPage(t, address);
   await drop(page, 'square.svg', SQUARE);
   await page.waitForSelector('.outline-preview');
-  for (const [text, words] of [['0.2', /1\smm or more/], ['wide', /no number in mm/]]) {
+  for (const [text, words] of [['0.2', /At least 1\smm/], ['wide', /Not a number in mm/]]) {
     await page.fill('#tile-size', text);
     await page.press('#tile-size', 'Tab');
     assert.match(await page.textContent('.number-advice'), words);

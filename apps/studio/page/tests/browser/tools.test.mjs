@@ -39,10 +39,10 @@ test('an example opens, bends, and every tool works on it', async (t) => {
   await page.click('[data-value=load]');
   const [first] = await page.evaluate(() => [0].map(() => window.fretwork.planePlace(20)));
   await drag(page, [box.x + first[0] - 25, box.y + first[1] - 25], [box.x + first[0] + 25, box.y + first[1] + 25]);
-  assert.match(await page.textContent('#nodes-chosen'), /nodes? chosen/);
+  assert.match(await page.textContent('#nodes-chosen'), /nodes? selected/);
   await edit(page, () => page.click('text=Moment'));
   await page.click('#choose-middle');
-  await edit(page, () => page.click('.row >> text=Move'));
+  await edit(page, () => page.click('.row >> text=Displace'));
   await edit(page, () => page.locator('.entry.open input[type=range]').fill('0.004').catch(() => page.locator('.entry.open input[type=range]').press('ArrowRight')));
   const loadCase = (await read(page, 'load_cases'))[0];
   assert.ok(loadCase.prescribed.length > 0 && loadCase.loads.some(({ moment }) => moment));
@@ -51,7 +51,7 @@ test('an example opens, bends, and every tool works on it', async (t) => {
   await page.keyboard.press('2');
   await page.keyboard.press('e');
   await drag(page, await place(3), await place(9));
-  assert.match(await page.textContent('#nodes-chosen'), /nodes? chosen/);
+  assert.match(await page.textContent('#nodes-chosen'), /nodes? selected/);
   await edit(page, () => page.keyboard.press('p'));
   await page.click('text=mm');
   assert.match(await page.locator('.legend-ends').textContent(), / ?m/);

@@ -9,12 +9,14 @@ import { documentWith } from './document_of_tests';
 
 vi.stubGlobal('localStorage', { getItem: () => null, setItem: () => undefined });
 const { forgetAwaited, takeBinary, takeEvent } = await import('../../src/document/events');
+const { designed, designing } = await import('../../src/document/design');
+const { addTarget, target } = await import('../../src/document/target');
 const { notes } = await import('../../src/document/tell');
 
 const BEAMS: Beams = { kind: 'beams', revision: 1, nodes: 0, beams: 0, place: new Float32Array(), ends: new Uint32Array(), tile: new Uint32Array(), axis3: new Float32Array() };
 const solution = (of = 1): Solution => ({ kind: 'solution', revision: 2, of, nodes: 0, beams: 0, displacement: new Float32Array(), rotation: new Float32Array(), nodeFields: [], beamFields: [] });
 const solved = (more: Partial<Solved> = {}): Solved => ({
-  event: 'solved', revision: 2, model: 'corotational', seconds: 0.1, residual: 0, stable: true, load_factor: 1, converged: true, warnings: [], largest_displacement: 0.1, fields: [], ...more,
+  event: 'solved', revision: 2, model: 'corotational', seconds: 0.1, residual: 0, stable: true, load_factor: 1, converged: true, warnings: [], largest_displacement: 0.1, fields: [], doubtful: null, ...more,
 });
 
 beforeEach(() => {
@@ -114,8 +116,52 @@ describe('the document', () => {
     takeEvent(solved());
     takeBinary(solution());
     pending.value = new Map([[0, 'b']]);
-    takeEvent({ event: 'making', revision: 2, words: ['narrow'], places: [] });
+    takeEvent({ event: 'making', revision: 2, words: ['narrow'], counts: { overlap: 0, gap: 1, opening: 0 }, places: [] });
     takeEvent({ event: 'document', revision: 3, ...documentWith() });
     expect([store.live.value, store.making.value, pending.value.size, store.revision.value]).toEqual([null, null, 0, 3]);
+  });
+});
+
+describe('a design', () => {
+  const RESULT = {
+    sketch: false, error_mean: 0.1, error_largest: 0.2, stable: true, error_best_uniform: 0.4, best_uniform_pattern: 'a', uniform_tried: 2, share_closed: 0.75, is_better: true,
+    patterns: ['a'], load_cases: [], factors: [], warnings: [], words: 'the solutions were spent', seconds: 1, solutions: 3, full_solutions: 2,
+  };
+  it('is at work until its answer is here; its sketch is shown before', () => {
+    takeEvent({ event: 'designing', revision: 1, solutions: 2, most: 60, seconds: 0.1, misfit: 0.5 });
+    takeEvent({ event: 'designed', revision: 1, ...RESULT, sketch: true });
+    expect([designing.value?.solutions, designed.value?.sketch]).toEqual([2, true]);
+    takeEvent({ event: 'changed', revision: 2, painting: [1, 1] });
+    takeEvent({ event: 'designed', revision: 1, ...RESULT });
+    expect([designing.value, designed.value?.share_closed]).toEqual([null, 0.75]);
+  });
+  it('is no longer told of another painting', () => {
+    takeEvent({ event: 'designed', revision: 1, ...RESULT });
+    takeEvent({ event: 'changed', revision: 2, painting: [1, 1] });
+    expect(designed.value).toBeNull();
+  });
+  it('that failed is over, and the live solution stays', () => {
+    takeEvent(solved());
+    takeBinary(solution());
+    takeEvent({ event: 'designing', revision: 1, solutions: 2, most: 60, seconds: 0.1, misfit: 0.5 });
+    takeEvent({ event: 'failed', revision: 1, model: 'design', background: true, error: 'the palette is empty' });
+    expect([designing.value, store.live.value?.info.model]).toEqual([null, 'corotational']);
+    expect(notes.value.at(-1)?.text).toBe('the palette is empty');
+  });
+  it('keeps its target when the line is mended, and loses it with the surface', () => {
+    addTarget({ nodes: [4], wanted: [[null, null, 0.01]] });
+    takeEvent({ event: 'document', revision: 3, ...documentWith({ name: 'push' }) });
+    expect(target.value.length).toBe(1);
+    takeEvent({ event: 'document', revision: 4, ...documentWith(), interface_nodes: [[0, 0]] });
+    expect(target.value.length).toBe(0);
+  });
+});
+
+describe('the estimate of the error', () => {
+  it('goes when what it was of is edited', () => {
+    takeEvent({ event: 'model_error', revision: 1, model: 'corotational', mean: 0.01, largest: 0.02 });
+    expect(store.estimated.value?.largest).toBe(0.02);
+    takeEvent({ event: 'changed', revision: 2, model: 'full' });
+    expect(store.estimated.value).toBeNull();
   });
 });

@@ -2,9 +2,11 @@
 // The upper layer: what is pointed at and chosen, supports and loads. Cheap, so that it keeps up with the pointer.
 
 import { HOLD_COLOURS, heldNodes, loadMarks, prescribedMarks } from '../../document/marks';
-import { making, makingPlace } from '../../document/store';
 import type { Surface } from '../../document/surface';
-import { mode, probed, selectedNodes, selectedTiles } from '../../document/ui';
+import { patternless } from '../../document/patterns_now';
+import { liveTarget } from '../../document/target';
+import { barEnds, overstressed, placeLookedAt, problems } from '../../document/truth';
+import { choosesNodes, choosesTiles, mode, probed, selectedNodes, selectedTiles } from '../../document/ui';
 import { themeColour } from '../../manners/theme';
 import type { Point } from '../../protocol/messages';
 import { useView } from './draw_tiles';
@@ -26,7 +28,9 @@ export function drawOverlay(context: Context, view: Viewport, ratio: number, sur
   context.setTransform(1, 0, 0, 1, 0, 0);
   context.clearRect(0, 0, context.canvas.width, context.canvas.height);
   useView(context, view, ratio);
-  if (mode.value === 'paint') drawTileMarks(context, view, surface);
+  drawUnpainted(context, view, surface);
+  drawOverstressed(context, view);
+  if (choosesTiles.value) drawTileMarks(context, view, surface);
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
   drawNodeMarks(context, view, surface);
   drawShape(context, view);
@@ -62,14 +66,15 @@ function dot(context: Context, at: Point, radius: number, colour: string, ring?:
 }
 
 function drawNodeMarks(context: Context, view: Viewport, surface: Surface): void {
-  const editing = mode.value === 'hold' || mode.value === 'load';
+  const editing = choosesNodes.value;
   const radius = Math.min(Math.max(0.14 * surface.side * view.zoom, 2.5), 7);
   const place = (node: number): Point => toScreen(view, surface.nodes[node] ?? [0, 0]);
   if (editing) for (let node = 0; node < surface.nodes.length; ++node) dot(context, place(node), Math.min(0.45 * radius, 2.5), themeColour('--ink-3'));
-  if (!editing) drawFaintMarks(context, place, 0.5 * radius);
+  if (!editing || mode.value === 'design') drawFaintMarks(context, place, 0.5 * radius);
   else drawMarks(context, place, radius);
+  if (mode.value === 'design') for (const { node } of liveTarget.value) diamond(context, place(node), 0.9 * radius, themeColour('--target'));
   drawRings(context, surface, place, radius);
-  drawMakingPlaces(context, view);
+  drawProblemPlaces(context, view);
 }
 
 function drawMarks(context: Context, place: (node: number) => Point, radius: number): void {
@@ -97,14 +102,40 @@ function drawFaintMarks(context: Context, place: (node: number) => Point, radius
   for (const mark of prescribedMarks.value) for (const node of mark.nodes) diamond(context, place(node), radius, themeColour('--move'));
 }
 
-/** Where bars overlap or gaps are too narrow; the one that is looked at is ringed. */
-function drawMakingPlaces(context: Context, view: Viewport): void {
+/** Where bars overlap or gaps are too narrow; the place that is looked at is ringed. */
+function drawProblemPlaces(context: Context, view: Viewport): void {
   const colour = themeColour('--error');
-  making.value?.places.forEach(({ place }, index) => {
-    const at = toScreen(view, place);
-    if (index !== makingPlace.value) return dot(context, at, 2, colour);
-    ring(context, at, 14, 2.5, colour);
-  });
+  for (const { kind, places } of problems.value) {
+    if (kind !== 'unpainted' && kind !== 'stress') for (const place of places) dot(context, toScreen(view, place), 2, colour);
+  }
+  if (placeLookedAt.value) ring(context, toScreen(view, placeLookedAt.value), 14, 2.5, colour);
+}
+
+/** Tiles without a pattern, red. */
+function drawUnpainted(context: Context, view: Viewport, surface: Surface): void {
+  if (patternless.value.length === 0) return;
+  const bare = tilePath(surface, patternless.value);
+  context.fillStyle = context.strokeStyle = themeColour('--error');
+  context.globalAlpha = 0.12;
+  context.fill(bare);
+  context.globalAlpha = 0.6;
+  context.lineWidth = 1 / view.zoom;
+  context.stroke(bare);
+  context.globalAlpha = 1;
+}
+
+/** Bars above the strength, red. */
+function drawOverstressed(context: Context, view: Viewport): void {
+  context.beginPath();
+  for (const bar of overstressed.value) {
+    const ends = barEnds(bar);
+    if (!ends) continue;
+    context.moveTo(...ends[0]);
+    context.lineTo(...ends[1]);
+  }
+  context.strokeStyle = themeColour('--error');
+  context.lineWidth = 3 / view.zoom;
+  context.stroke();
 }
 
 function ring(context: Context, at: Point, radius: number, width: number, colour = themeColour('--accent')): void {

@@ -4,7 +4,7 @@ import { newGesture, paint, paintBy, strokeTo } from '../../document/edits';
 import { markInput } from '../../document/latency';
 import { tilePatterns } from '../../document/patterns_now';
 import { neighbours, surface, tileAt } from '../../document/surface';
-import { brush, brushOrFirst, brushRings, paintTool, pending, selectedTiles } from '../../document/ui';
+import { brush, brushOrFirst, brushRings, nodeTool, paintTool, pending, selectedTiles } from '../../document/ui';
 import { orderedPalette } from '../../gallery/order';
 import { alongLine } from '../../painting/gradient';
 import { allWith, ringsAround, sameRegion } from '../../painting/regions';
@@ -82,6 +82,10 @@ function gradient(start: PlanePointer): Gesture {
   };
 }
 
+function chooseTiles(pointer: PlanePointer, how: 'box' | 'lasso'): Gesture {
+  return areaGesture(pointer, how, { places: surface.peek()?.centers ?? [], under: tileUnder, chosen: selectedTiles });
+}
+
 export const tilesTool: Tool = {
   hover(pointer) {
     const next = pointer ? meant(tileUnder(pointer)) : [];
@@ -106,11 +110,16 @@ export const tilesTool: Tool = {
         return gradient(pointer);
       case 'select':
       case 'lasso':
-        return areaGesture(pointer, paintTool.peek() === 'lasso' ? 'lasso' : 'box', {
-          places: surface.peek()?.centers ?? [],
-          under: tileUnder,
-          chosen: selectedTiles,
-        });
+        return chooseTiles(pointer, paintTool.peek() === 'lasso' ? 'lasso' : 'box');
     }
   },
+};
+
+/** Selects tiles and paints none. */
+export const choosingTool: Tool = {
+  hover(pointer) {
+    const tile = pointer ? tileUnder(pointer) : -1;
+    if (tile !== (hoveredTiles.peek()[0] ?? -1)) hoveredTiles.value = tile < 0 ? [] : [tile];
+  },
+  press: (pointer) => chooseTiles(pointer, nodeTool.peek() === 'lasso' ? 'lasso' : 'box'),
 };

@@ -4,19 +4,21 @@
 import { effect, type ReadonlySignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { tilePatterns } from '../../document/patterns_now';
-import { barSection, making, makingPlace } from '../../document/store';
+import { barSection, beams } from '../../document/store';
 import { surface } from '../../document/surface';
 import { heldNodes, loadMarks, prescribedMarks } from '../../document/marks';
-import { mode, probed, selectedNodes, selectedTiles, split } from '../../document/ui';
+import { liveTarget } from '../../document/target';
+import { placeLookedAt, problems } from '../../document/truth';
+import { choosesNodes, choosesTiles, mode, probed, selectedNodes, selectedTiles, split } from '../../document/ui';
 import { NextStep } from '../../panels/next_step';
 import { theme } from '../../manners/theme';
 import { drawOverlay } from './draw_overlay';
 import { drawTiles } from './draw_tiles';
 import { drawing, hoveredNode, hoveredNodes, hoveredTiles } from './overlay_state';
-import { MakingNote } from './making_note';
 import { PlaneBar } from './plane_bar';
 import { attachPlanePointer } from './plane_pointer';
 import { fit, viewport } from './viewport';
+import { W } from '../../words';
 import './plane.css';
 
 
@@ -45,9 +47,8 @@ export function PlaneView() {
   return (
     <div class="plane" ref={host}>
       <canvas ref={lower} />
-      <canvas ref={upper} id="plane" data-mode={mode.value} tabIndex={0} aria-label="The flat surface. Wheel to zoom, middle drag or Space and drag to move." />
+      <canvas ref={upper} id="plane" data-mode={mode.value} tabIndex={0} aria-label={W.plane.dViewWheelTo} />
       <PlaneBar />
-      <MakingNote />
       {split.value === 'plane' && <NextStep />}
     </div>
   );
@@ -55,7 +56,8 @@ export function PlaneView() {
 
 const tileSignals = [viewport, surface, theme, tilePatterns, barSection];
 const markSignals = [
-  viewport, surface, theme, mode, probed, selectedNodes, selectedTiles, heldNodes, loadMarks, prescribedMarks, hoveredTiles, hoveredNode, hoveredNodes, drawing, making, makingPlace,
+  viewport, surface, theme, mode, probed, selectedNodes, selectedTiles, heldNodes, loadMarks, prescribedMarks, hoveredTiles, hoveredNode, hoveredNodes, drawing, problems, placeLookedAt,
+  liveTarget, choosesNodes, choosesTiles, beams,
 ];
 
 /** Draw in the next frame after one of some signals has changed: what a person does goes to the server first. */

@@ -2,15 +2,15 @@
 // Pointer and wheel in the plane: move and zoom the view, or hand on to the mode's tool.
 
 import { surface } from '../../document/surface';
-import { mode } from '../../document/ui';
-import { tilesTool } from './paint_tools';
+import { choosesTiles, mode } from '../../document/ui';
+import { choosingTool, tilesTool } from './paint_tools';
 import { nodesTool } from './node_tools';
 import type { Gesture, PlanePointer, Tool } from './gesture';
 import { hoveredNode, hoveredTiles } from './overlay_state';
 import { moved, toPlane, viewport, zoomedAt } from './viewport';
 
 const FINGER_PX = 16;
-const toolNow = (): Tool => (mode.peek() === 'paint' ? tilesTool : nodesTool);
+const toolNow = (): Tool => (mode.peek() === 'paint' ? tilesTool : choosesTiles.peek() ? choosingTool : nodesTool);
 
 function read(canvas: HTMLCanvasElement, event: PointerEvent): PlanePointer {
   const box = canvas.getBoundingClientRect();

@@ -5,6 +5,7 @@ import type { FieldName } from '../../document/look';
 import type { Quantity } from '../../document/units';
 import type { Solution } from '../../protocol/binary';
 import type { ColourMap } from './colours';
+import { W } from '../../words';
 
 export interface FieldRow {
   name: FieldName;
@@ -16,23 +17,23 @@ export interface FieldRow {
 }
 
 export const FIELDS: FieldRow[] = [
-  { name: 'plain', title: 'No colours', quantity: 'plain', map: 'sizes', on: 'none' },
-  { name: 'displacement', title: 'Displacement', quantity: 'length', map: 'sizes', on: 'nodes' },
-  { name: 'uz', title: 'Deflection (z)', quantity: 'length', map: 'signed', on: 'nodes' },
-  { name: 'rotation', title: 'Rotation', quantity: 'angle', map: 'sizes', on: 'nodes' },
-  { name: 'N', title: 'Axial force', quantity: 'force', map: 'signed', on: 'bars' },
-  { name: 'M2', title: 'Bending moment, out of plane', quantity: 'moment', map: 'signed', on: 'bars' },
-  { name: 'M3', title: 'Bending moment, in plane', quantity: 'moment', map: 'signed', on: 'bars' },
-  { name: 'T', title: 'Torsion', quantity: 'moment', map: 'signed', on: 'bars' },
-  { name: 'V2', title: 'Shear force, in plane', quantity: 'force', map: 'signed', on: 'bars' },
-  { name: 'V3', title: 'Shear force, out of plane', quantity: 'force', map: 'signed', on: 'bars' },
-  { name: 'von_mises', title: 'Von Mises stress', quantity: 'stress', map: 'sizes', on: 'bars' },
-  { name: 'stress', title: 'Normal stress', quantity: 'stress', map: 'sizes', on: 'bars' },
-  { name: 'utilization', title: 'Utilization', quantity: 'share', map: 'sizes', on: 'bars' },
-  { name: 'error', title: 'Error against the full model', quantity: 'length', map: 'sizes', on: 'nodes' },
+  { name: 'plain', title: W.fields.noColour, quantity: 'plain', map: 'sizes', on: 'none' },
+  { name: 'displacement', title: W.fields.displacement, quantity: 'length', map: 'sizes', on: 'nodes' },
+  { name: 'uz', title: W.fields.deflectionZ, quantity: 'length', map: 'signed', on: 'nodes' },
+  { name: 'rotation', title: W.fields.rotation, quantity: 'angle', map: 'sizes', on: 'nodes' },
+  { name: 'N', title: W.fields.axialForce, quantity: 'force', map: 'signed', on: 'bars' },
+  { name: 'M2', title: W.fields.bendingMomentOutOf, quantity: 'moment', map: 'signed', on: 'bars' },
+  { name: 'M3', title: W.fields.bendingMomentInPlane, quantity: 'moment', map: 'signed', on: 'bars' },
+  { name: 'T', title: W.fields.torsion, quantity: 'moment', map: 'signed', on: 'bars' },
+  { name: 'V2', title: W.fields.shearForceInPlane, quantity: 'force', map: 'signed', on: 'bars' },
+  { name: 'V3', title: W.fields.shearForceOutOf, quantity: 'force', map: 'signed', on: 'bars' },
+  { name: 'von_mises', title: W.fields.vonMisesStress, quantity: 'stress', map: 'sizes', on: 'bars' },
+  { name: 'stress', title: W.fields.normalStress, quantity: 'stress', map: 'sizes', on: 'bars' },
+  { name: 'utilization', title: W.fields.utilization, quantity: 'share', map: 'sizes', on: 'bars' },
+  { name: 'error', title: W.fields.errorToTheFull, quantity: 'length', map: 'sizes', on: 'nodes' },
 ];
 /** How far nodes of a mode move, against the one that moves most: a mode has no size. */
-export const MODE_ROW: FieldRow = { name: 'displacement', title: 'Shape of the mode, without a size', quantity: 'plain', map: 'sizes', on: 'nodes' };
+export const MODE_ROW: FieldRow = { name: 'displacement', title: W.fields.modeShapeNormalized, quantity: 'plain', map: 'sizes', on: 'nodes' };
 export const fieldRow = (name: FieldName): FieldRow => FIELDS.find((row) => row.name === name) as FieldRow;
 
 /** Whether there is something to show: what bars bear comes when it is asked for. */

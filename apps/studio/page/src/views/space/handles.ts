@@ -6,11 +6,13 @@ import { dragLoad, dragPrescribed, newGesture } from '../../document/edits';
 import { markInput } from '../../document/latency';
 import { scale as drawnScale } from '../../document/look';
 import { loadMarks, prescribedMarks, type LoadMark, type PrescribedMark } from '../../document/marks';
-import { activeEntry } from '../../document/ui';
+import { movedBy, replaceTarget, target } from '../../document/target';
+import { activeEntry, mode } from '../../document/ui';
 import type { Load, Vector } from '../../protocol/messages';
 import { pushes, reachOf, takenAs, type ArrowScale } from './marks_view';
 import { middle, onScreen } from './placed';
 import { snapped } from './snap';
+import { entryPlace } from './target_view';
 
 interface View {
   camera: Camera;
@@ -45,8 +47,10 @@ interface Handle {
   take(at: [number, number], view: View): Drag;
 }
 
-/** All that can be taken: tips of arrows, and diamonds. */
+/** All that can be taken: tips of arrows, and diamonds; while one designs, those of the target. */
 export function handles(arrows: ArrowScale): Handle[] {
+  if (mode.peek() === 'design')
+    return target.peek().map((entry, index) => ({ place: entryPlace(entry), take: (at: [number, number], view: View) => dragTarget(index, at, view) }));
   const tips = loadMarks.peek().flatMap((mark) =>
     (['force', 'moment'] as const).flatMap((key) => {
       if (Math.hypot(...mark[key]) === 0) return [];
@@ -91,6 +95,30 @@ function dragArrow(mark: LoadMark, key: 'force' | 'moment', { view, arrows, tip 
 function written({ load, extent }: LoadMark, key: 'force' | 'moment', vector: Vector): Partial<Load> {
   if (!extent) return { [key]: vector };
   return { [load.per_length ? 'per_length' : 'per_area']: vector.map((value) => value / extent) as Vector };
+}
+
+/** Up and down; with Shift in the plane of the picture. */
+function dragTarget(index: number, start: [number, number], view: View): Drag {
+  const entry = target.peek()[index];
+  const origin = entryPlace(entry);
+  const facing = view.camera.getWorldDirection(new Vector3());
+  const level = new Vector3(facing.x, facing.y, 0);
+  const factor = drawnScale.peek() || 1;
+  const along = (at: [number, number], free: boolean): Vector3 => {
+    const upright = !free && level.lengthSq() > 1e-6;
+    const plane = new Plane().setFromNormalAndCoplanarPoint(upright ? level.clone().normalize() : facing, origin);
+    const met = rayAt(at, view).intersectPlane(plane, new Vector3());
+    const by = met ? met.sub(origin) : new Vector3();
+    return free ? by : by.set(0, 0, by.z);
+  };
+  activeEntry.value = { kind: 'target', index };
+  return {
+    move({ at, free }) {
+      const by = along(at, free).sub(along(start, free)).divideScalar(factor);
+      replaceTarget(index, movedBy(entry, by.toArray() as Vector));
+    },
+    end: () => undefined,
+  };
 }
 
 function dragDiamond(mark: PrescribedMark, start: [number, number], view: View): Drag {

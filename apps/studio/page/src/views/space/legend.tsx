@@ -3,10 +3,13 @@
 
 import { computed } from '@preact/signals';
 import { documentNow, live, others, shapes, strength } from '../../document/store';
+import { liveError } from '../../document/target';
+import { mode } from '../../document/ui';
 import { field, showFull } from '../../document/look';
 import { shown as inUnits } from '../../document/units';
 import { gradientCss } from './colours';
 import { fieldRow } from './fields';
+import { W } from '../../words';
 import { interpolated, legend } from './legend_state';
 
 /** Colours are asked for that are a share of what is not known. */
@@ -15,32 +18,51 @@ const lacksStrength = computed(() => live.value !== null && field.value === 'uti
 const LacksStrength = () => (
   <>
     <div class="legend-title">{fieldRow('utilization').title}</div>
-    <p class="hint legend-hint" id="lacks-strength">A share of the material’s strength, which is not given: it is a field under Look.</p>
+    <p class="hint legend-hint" id="lacks-strength">{W.legend.aShareOfThe}</p>
   </>
 );
+
+const targetError = computed(() => (mode.value === 'design' ? liveError.value : null));
+
+function TargetLegend({ largest }: { largest: number }) {
+  return (
+    <div class="legend-target">
+      <div class="legend-title">{W.design.legend}</div>
+      <div class="legend-bar" style={{ background: gradientCss('sizes') }} />
+      <div class="legend-ends"><span>{inUnits(0, 'length')}</span><span>{inUnits(largest, 'length')}</span></div>
+    </div>
+  );
+}
+
+function FieldLegend({ now }: { now: NonNullable<typeof legend.value> }) {
+  const { row, low, high, isCut } = now;
+  return (
+    <>
+      <div class="legend-title">{row.title}</div>
+      <div class="legend-bar" style={{ background: gradientCss(row.map) }} />
+      <div class="legend-ends">
+        <span>{isCut && low < 0 && '≤ '}{inUnits(low, row.quantity)}</span>
+        <span>{inUnits((low + high) / 2, row.quantity)}</span>
+        <span>{isCut && '≥ '}{inUnits(high, row.quantity)}</span>
+      </div>
+    </>
+  );
+}
 
 export function LegendCard() {
   const now = legend.value;
   const full = showFull.value && others.value.has('full') && live.value?.info.model !== 'full' && !shapes.value;
-  if (!now && !full && !interpolated.value && !lacksStrength.value) return null;
+  const wanted = targetError.value;
+  if (!now && !full && !interpolated.value && !lacksStrength.value && !wanted) return null;
   return (
-    <div class="card legend" role="img" aria-label="Legend">
-      {now && (
-        <>
-          <div class="legend-title">{now.row.title}</div>
-          <div class="legend-bar" style={{ background: gradientCss(now.row.map) }} />
-          <div class="legend-ends">
-            <span>{now.isCut && now.low < 0 && '≤ '}{inUnits(now.low, now.row.quantity)}</span>
-            <span>{inUnits((now.low + now.high) / 2, now.row.quantity)}</span>
-            <span>{now.isCut && '≥ '}{inUnits(now.high, now.row.quantity)}</span>
-          </div>
-        </>
-      )}
+    <div class="card legend" role="img" aria-label={W.legend.legend}>
+      {now && <FieldLegend now={now} />}
+      {wanted && <TargetLegend largest={wanted.largest} />}
       {!now && lacksStrength.value && <LacksStrength />}
-      {interpolated.value && <p class="hint legend-hint">This model knows how the rims of tiles move; what lies inside follows them.</p>}
+      {interpolated.value && <p class="hint legend-hint">{W.legend.insideTilesTheShape}</p>}
       {full && (
         <div class="legend-models">
-          <span><i style={{ background: '#9b9fa5' }} />full model</span>
+          <span><i style={{ background: '#9b9fa5' }} />{W.legend.fullModel}</span>
           {!now && <span><i style={{ background: '#4a8ee0' }} />{documentNow.value?.model}</span>}
         </div>
       )}

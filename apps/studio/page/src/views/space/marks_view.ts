@@ -1,50 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Supports as spheres (fixed red, pinned green, single directions amber), forces and moments as arrows, prescribed displacements as diamonds.
 
-import {
-  Color, ConeGeometry, CylinderGeometry, Group, InstancedMesh, Matrix4, MeshBasicMaterial, MeshStandardMaterial, OctahedronGeometry, Quaternion, SphereGeometry, Vector3,
-  type BufferGeometry,
-} from 'three';
+import { ConeGeometry, CylinderGeometry, Group, OctahedronGeometry, Quaternion, SphereGeometry, Vector3 } from 'three';
 import { HOLD_COLOURS, heldNodes, loadMarks, prescribedMarks, size, type LoadMark } from '../../document/marks';
 import { activeEntry, selectedNodes } from '../../document/ui';
 import { themeColour } from '../../manners/theme';
+import { Crowd } from './crowd';
 import { middle, nodePlace } from './placed';
-
-/** Many small things of one shape; room grows when needed. */
-class Crowd {
-  mesh: InstancedMesh;
-  private used = 0;
-  private readonly matrix = new Matrix4();
-  private readonly tint = new Color();
-
-  constructor(private readonly geometry: BufferGeometry, private readonly group: Group, private readonly lit = true) {
-    this.mesh = this.make(64);
-  }
-  private make(room: number): InstancedMesh {
-    const mesh = new InstancedMesh(this.geometry, this.lit ? new MeshStandardMaterial({ roughness: 0.45 }) : new MeshBasicMaterial(), room);
-    mesh.frustumCulled = false;
-    mesh.castShadow = true;
-    this.group.add(mesh);
-    return mesh;
-  }
-  begin(room: number): void {
-    this.used = 0;
-    if (room <= this.mesh.instanceMatrix.count) return;
-    this.group.remove(this.mesh);
-    this.mesh.dispose();
-    this.mesh = this.make(2 * room);
-  }
-  add(place: Vector3, turn: Quaternion, extent: Vector3, colour: string): void {
-    this.mesh.setMatrixAt(this.used, this.matrix.compose(place, turn, extent));
-    this.mesh.setColorAt(this.used, this.tint.set(colour));
-    ++this.used;
-  }
-  end(): void {
-    this.mesh.count = this.used;
-    this.mesh.instanceMatrix.needsUpdate = true;
-    if (this.mesh.instanceColor) this.mesh.instanceColor.needsUpdate = true;
-  }
-}
 
 const MOST_SMALL_ARROWS = 24;
 const UP = new Vector3(0, 1, 0);

@@ -6,11 +6,14 @@ import { beams } from '../../document/store';
 import { shown } from '../../document/shown';
 import { surface } from '../../document/surface';
 
-export function nodePlace(node: number, into = new Vector3()): Vector3 {
+export function restPlace(node: number, into = new Vector3()): Vector3 {
   const bars = beams.peek();
   const rest = surface.peek()?.nodes[node];
-  if (bars && node < bars.nodes) into.fromArray(bars.place, 3 * node);
-  else into.set(rest?.[0] ?? 0, rest?.[1] ?? 0, 0);
+  return bars && node < bars.nodes ? into.fromArray(bars.place, 3 * node) : into.set(rest?.[0] ?? 0, rest?.[1] ?? 0, 0);
+}
+
+export function nodePlace(node: number, into = new Vector3()): Vector3 {
+  restPlace(node, into);
   const now = shown.peek();
   if (now && 3 * node + 2 < now.solution.displacement.length) {
     const d = now.solution.displacement;

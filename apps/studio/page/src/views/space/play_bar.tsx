@@ -7,30 +7,31 @@ import { play, stop } from '../../document/shown';
 import { shapes } from '../../document/store';
 import { digits } from '../../document/units';
 import { Button } from '../../widgets/widgets';
+import { W } from '../../words';
 
 export function PlayBar() {
   const now = shapes.value;
   if (!now || now.shapes.length === 0) return null;
   const index = Math.min(shapeIndex.value, now.shapes.length - 1);
   const words = {
-    path: `${digits(100 * (now.values[index] ?? 0))} % of the load`,
-    vibration: `mode ${index + 1}: ${digits(now.values[index] ?? 0)} Hz`,
-    buckling: `mode ${index + 1}: at ${digits(now.values[index] ?? 0)} × the load`,
+    path: W.playBar.ofTheLoad(digits(100 * (now.values[index] ?? 0))),
+    vibration: W.playBar.modeHz(index + 1, digits(now.values[index] ?? 0)),
+    buckling: W.playBar.modeAtTheLoad(index + 1, digits(now.values[index] ?? 0)),
   }[now.kind];
   const close = () => {
     stop();
     shapes.value = null;
   };
   return (
-    <div class="card play-bar" role="group" aria-label="Playback">
-      <Button kind="bare" title={playing.value ? 'Pause' : 'Play'} icon={playing.value ? Pause : Play} onPress={() => (playing.value ? stop() : play())} />
-      <input type="range" aria-label={now.kind === 'path' ? 'Step' : 'Mode'} min={0} max={now.shapes.length - 1} value={index}
+    <div class="card play-bar" role="group" aria-label={W.playBar.playback}>
+      <Button kind="bare" title={playing.value ? W.playBar.pause : W.playBar.animate} icon={playing.value ? Pause : Play} onPress={() => (playing.value ? stop() : play())} />
+      <input type="range" aria-label={now.kind === 'path' ? W.playBar.step : W.playBar.mode} min={0} max={now.shapes.length - 1} value={index}
         onInput={(event) => {
           if (now.kind === 'path') stop();
           shapeIndex.value = Number(event.currentTarget.value);
         }} />
       <output>{words}</output>
-      <Button kind="bare" title="Back to the live shape" icon={X} onPress={close} />
+      <Button kind="bare" title={W.playBar.close} icon={X} onPress={close} />
     </div>
   );
 }

@@ -8,6 +8,7 @@ import { heldNodes } from '../../document/marks';
 import { probed } from '../../document/ui';
 import { shown as inUnits } from '../../document/units';
 import { FIELDS, utilization, type FieldRow } from './fields';
+import { W } from '../../words';
 
 const AXES = ['x', 'y', 'z'];
 
@@ -20,7 +21,7 @@ export function ProbeCard() {
 const Head = ({ title }: { title: string }) => (
   <header>
     <strong>{title}</strong>
-    <button type="button" class="button bare icon small" aria-label="Close" onClick={() => (probed.value = null)}><X aria-hidden /></button>
+    <button type="button" class="button bare icon small" aria-label={W.probe.close} onClick={() => (probed.value = null)}><X aria-hidden /></button>
   </header>
 );
 
@@ -36,8 +37,8 @@ function BarCard({ bar }: { bar: number }) {
   });
   return (
     <div class="card probe" data-bar={bar}>
-      <Head title={tile === undefined ? `Bar ${bar}` : `Bar of tile ${tile + 1}`} />
-      {rows.length === 0 && <p class="hint">{now ? 'This model gives no forces of its bars.' : 'Nothing is computed yet.'}</p>}
+      <Head title={tile === undefined ? W.probe.bar(bar) : W.probe.barInTile(tile + 1)} />
+      {rows.length === 0 && <p class="hint">{now ? W.probe.thisModelGivesNo : W.probe.noResultYet}</p>}
       <table>
         <tbody>
           {rows.map(({ row, ends }) => (
@@ -58,19 +59,19 @@ function NodeCard({ at }: { at: { index: number } }) {
   const turned = three(now?.solution.rotation);
   return (
     <div class="card probe" data-node={at.index}>
-      <Head title={`Node ${at.index}`} />
+      <Head title={W.probe.node(at.index)} />
       {now ? (
         <table>
           <tbody>
-            <Row title="moved" id="probe-displacement" values={moved} quantity="length" />
-            <Row title="turned" values={turned} quantity="angle" />
-            {reaction && <Row title="reaction" values={reaction.force} quantity="force" />}
+            <Row title={W.probe.displacement} id="probe-displacement" values={moved} quantity="length" />
+            <Row title={W.probe.rotation} values={turned} quantity="angle" />
+            {reaction && <Row title={W.probe.reaction} values={reaction.force} quantity="force" />}
           </tbody>
         </table>
       ) : (
-        <p class="hint">Nothing is computed yet.</p>
+        <p class="hint">{W.probe.noResultYet}</p>
       )}
-      {held && <p class="hint">held: {held.fixed.join(' ')}</p>}
+      {held && <p class="hint">{W.probe.fixed(held.fixed.join(' '))}</p>}
     </div>
   );
 }

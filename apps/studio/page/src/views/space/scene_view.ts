@@ -8,6 +8,7 @@ import { heldNodes, loadMarks, prescribedMarks } from '../../document/marks';
 import { shown } from '../../document/shown';
 import { barSection, beams, compared, live, others, shapes, strength } from '../../document/store';
 import { surface } from '../../document/surface';
+import { liveTarget, target } from '../../document/target';
 import { activeEntry, mode, selectedNodes } from '../../document/ui';
 import { theme, themeColour } from '../../manners/theme';
 import type { Beams } from '../../protocol/binary';
@@ -19,6 +20,7 @@ import { handles } from './handles';
 import { interpolated, legend } from './legend_state';
 import { nodePlace, onScreen } from './placed';
 import { Stage, type ViewName } from './stage';
+import { TargetView } from './target_view';
 
 /** Solutions whose gaps were filled for the drawing. */
 const filled = new WeakSet<object>();
@@ -40,6 +42,7 @@ export class SceneView {
   private readonly rest = new Bars({ colour: GREY, opacity: 0.25 });
   private readonly all = [this.main, this.full, this.rest];
   private readonly marks = new MarksView();
+  private readonly target = new TargetView();
   private readonly values = new FieldValues();
   private filler: { of: Beams; gaps: GapFiller } | null = null;
   /** The surface that the camera was last set for; it is set again when the surface is bent for the first time. */
@@ -49,7 +52,7 @@ export class SceneView {
   constructor(canvas: HTMLCanvasElement) {
     this.stage = new Stage(canvas);
     for (const bars of this.all) this.stage.scene.add(bars.group);
-    this.stage.scene.add(this.marks.group);
+    this.stage.scene.add(this.marks.group, this.target.group);
     this.stage.beforeDraw((quality) => quality === 'fine' && this.stage.light(new Box3().setFromPoints(this.places())));
     this.stage.beforeDraw((quality) => this.all.forEach((bars) => (bars.quality = quality)));
     this.stops.push(
@@ -57,6 +60,7 @@ export class SceneView {
       effect(() => this.showShape()),
       effect(() => this.showOverlays()),
       effect(() => this.showMarkers()),
+      effect(() => this.showTarget()),
       effect(() => this.frame()),
       effect(() => void (this.stage.shadows = shadows.value)),
     );
@@ -152,6 +156,14 @@ export class SceneView {
     const reach = Math.hypot(tiles.box.max[0] - tiles.box.min[0], tiles.box.max[1] - tiles.box.min[1]);
     if (!this.dragging) this.arrows = arrowScale(loadMarks.value, reach);
     this.marks.update(tiles.side, this.arrows);
+    this.stage.draw();
+  }
+
+  private showTarget(): void {
+    for (const signal of [target, liveTarget, shown, theme]) void signal.value;
+    this.target.group.visible = mode.value === 'design';
+    const tiles = surface.value;
+    if (tiles) this.target.update(tiles.side);
     this.stage.draw();
   }
 

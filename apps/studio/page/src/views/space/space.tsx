@@ -7,12 +7,14 @@ import { shown } from '../../document/shown';
 import { NextStep } from '../../panels/next_step';
 import { LegendCard } from './legend';
 import { ProbeCard } from './probe';
+import { SideView } from './side_view';
 import { SceneView } from './scene_view';
 import { attachPointer } from './pointer';
 import { onScreen, probedPlace } from './placed';
 import { currentScene } from './current';
 import { ViewBar } from './view_bar';
 import { PlayBar } from './play_bar';
+import { W } from '../../words';
 import './space.css';
 
 export function SpaceView() {
@@ -43,10 +45,11 @@ export function SpaceView() {
   }, []);
   return (
     <div class="space" ref={host}>
-      <canvas ref={canvas} aria-label="The surface in space. Drag to turn, right drag to move, wheel to zoom." tabIndex={0} />
+      <canvas ref={canvas} aria-label={W.space.dViewDragTo} tabIndex={0} />
       <div class="pin" ref={pin} hidden><ProbeCard /></div>
       <NextStep />
       <LegendCard />
+      <SideView />
       <div class="space-foot">
         <PlayBar />
         <ViewBar />

@@ -7,6 +7,7 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { Accumulator } from './accumulator';
 import { Lights, spread } from './lights';
 import { drawsInSoftware } from './software';
+import { W } from '../../words';
 
 export type ViewName = 'iso' | 'top' | 'front' | 'side';
 const FRAME_MARGIN = 1.1;
@@ -225,7 +226,7 @@ export class Stage {
     const blob = await new Promise<Blob | null>((done) => this.renderer.domElement.toBlob(done, 'image/png'));
     this.renderer.setPixelRatio(ratio);
     this.drawNow();
-    if (!blob) throw new Error('The picture could not be made.');
+    if (!blob) throw new Error(W.stage.thePictureCouldNot);
     return blob;
   }
 }

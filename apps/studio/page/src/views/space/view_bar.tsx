@@ -8,6 +8,7 @@ import { Button, Choice } from '../../widgets/widgets';
 import { savePicture } from '../../document/files';
 import { currentScene } from './current';
 import { available, FIELDS } from './fields';
+import { W } from '../../words';
 
 const stepOf = (value: number): number => SCALES.reduce((best, step, i) => (Math.abs(step - value) < Math.abs(SCALES[best] - value) ? i : best), 0);
 
@@ -17,22 +18,22 @@ export function ViewBar() {
   return (
     <div class="view-bar">
       <div class="card bar-group">
-        <Button kind="bare" title="From the corner" shortcut="5" icon={Axis3d} onPress={() => scene?.look('iso')} />
-        <Button kind="bare" title="From above" shortcut="6" icon={Square} onPress={() => scene?.look('top')} />
-        <Button kind="bare" title="From the front" shortcut="7" icon={RectangleHorizontal} onPress={() => scene?.look('front')} />
-        <Button kind="bare" title="See all of it" shortcut="F" icon={Maximize} onPress={() => scene?.look(null)} />
-        <Button kind="bare" title="Save a picture with transparent ground" icon={Camera} onPress={() => void savePicture()} />
+        <Button kind="bare" title={W.viewBar.isometric} shortcut="6" icon={Axis3d} onPress={() => scene?.look('iso')} />
+        <Button kind="bare" title={W.viewBar.top} shortcut="7" icon={Square} onPress={() => scene?.look('top')} />
+        <Button kind="bare" title={W.viewBar.front} shortcut="8" icon={RectangleHorizontal} onPress={() => scene?.look('front')} />
+        <Button kind="bare" title={W.viewBar.fitView} shortcut="F" icon={Maximize} onPress={() => scene?.look(null)} />
+        <Button kind="bare" title={W.viewBar.saveAPictureWith} icon={Camera} onPress={() => void savePicture()} />
       </div>
       <div class="card bar-group grow">
-        <label class="scale" data-tip="Displacements are drawn this many times as large as they are. Forces and numbers stay true.">
-          <span>Scale</span>
-          <input type="range" aria-label="Scale of displacements" min={0} max={SCALES.length - 1} step={1} value={stepOf(scale.value)}
+        <label class="scale" data-tip={W.viewBar.scaleOfTheDrawn}>
+          <span>{W.viewBar.scale}</span>
+          <input type="range" aria-label={W.viewBar.displacementScale} min={0} max={SCALES.length - 1} step={1} value={stepOf(scale.value)}
             onInput={(event) => (scale.value = SCALES[Number(event.currentTarget.value)])} />
-          <output id="scale-words">{scale.value === 1 ? 'true size' : `${scale.value} ×`}</output>
+          <output id="scale-words">{scale.value === 1 ? W.viewBar.trueSize : `${scale.value} ×`}</output>
         </label>
       </div>
       <div class="card bar-group">
-        <Choice id="field" label="Colour by" value={field.value} options={options.map(({ name, title }) => ({ value: name, title }))} onPick={(name) => (field.value = name)} />
+        <Choice id="field" label={W.viewBar.colourBy} value={field.value} options={options.map(({ name, title }) => ({ value: name, title }))} onPick={(name) => (field.value = name)} />
       </div>
     </div>
   );
