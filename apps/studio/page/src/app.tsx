@@ -15,6 +15,7 @@ import { PaintPanel } from './panels/paint_panel';
 import { StatusLine } from './panels/status_line';
 import { TopBar } from './panels/top_bar';
 import { ConflictSheet } from './manners/conflict';
+import { SaveAsSheet } from './manners/save_as';
 import { UnsavedSheet } from './manners/unsaved';
 import { Start, takeFile } from './start/start';
 import { Views } from './views/views';
@@ -52,6 +53,7 @@ export function App() {
       <HelpSheet />
       <UnsavedSheet />
       <ConflictSheet />
+      <SaveAsSheet />
       <Notes />
       <Tooltip />
     </div>

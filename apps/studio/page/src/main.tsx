@@ -13,7 +13,7 @@ import { watchClosing } from './manners/unsaved';
 import type { Point } from './protocol/messages';
 import { toScreen, viewport } from './views/plane/viewport';
 import { currentScene } from './views/space/current';
-import { probedPlace } from './views/space/placed';
+import { nodePlace, probedPlace } from './views/space/placed';
 import { watchTips } from './widgets/tooltip';
 import './styles/tokens.css';
 import './styles/widgets.css';
@@ -37,6 +37,8 @@ const forTests = {
   drawFine: (samples: number) => currentScene.value?.stage.drawFine(samples),
   /** The middle of a bar on the canvas of the surface in space. */
   barPlace: (bar: number) => currentScene.value?.placeOnCanvas(probedPlace({ kind: 'beam', index: bar })) ?? null,
+  /** A node of the bent surface on the same canvas. */
+  nodePlace: (node: number) => currentScene.value?.placeOnCanvas(nodePlace(node)) ?? null,
   planePlace: (tile: number): Point => toScreen(viewport.value, surface.value?.centers[tile] ?? [0, 0]),
 };
 declare global {

@@ -139,9 +139,31 @@ export const W = {
     sheets: 'Sheets',
     widthXHeightLarger: 'width x height; larger surfaces are split into joined parts',
   },
-  save: {
-    saveAsPathOn: 'Save as (path on the computer that runs the studio):',
+  saveAs: {
+    title: 'Save as',
+    words: 'A file on the computer that runs the studio.',
+    path: 'Path of the file',
+    name: 'surface',
+    save: 'Save',
+    saveTip: 'Save to this file',
+    cancel: 'Cancel',
+    cancelTip: 'Do not save',
     saved: 'Saved.',
+    menu: 'Save as …',
+    menuWords: 'the project in another file',
+  },
+  recent: {
+    title: 'Recent',
+  },
+  colours: {
+    label: 'Colour map',
+    standard: 'Viridis',
+    cividis: 'Cividis',
+    grey: 'Grey',
+    edit: 'Edit range and colours',
+    low: 'Lowest value',
+    high: 'Highest value',
+    auto: 'Automatic range',
   },
   store: {
     noEquilibriumWasFound: 'No equilibrium was found.',

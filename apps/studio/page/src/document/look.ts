@@ -22,6 +22,9 @@ export const beamFields = computed<string[]>(() => {
   return [...new Set([...(name ? [name] : []), ...counted])];
 });
 
+/** Bounds of colours that somebody has set, by field; without an entry they follow the values. */
+export const ranges = signal<Partial<Record<FieldName, { low: number; high: number }>>>({});
+
 /** Displacements are drawn this many times as large as they are. */
 export const scale = signal(1);
 export const showFull = signal(true);

@@ -13,8 +13,13 @@ export type ConflictChoice = 'theirs' | 'mine' | 'elsewhere' | 'stay';
 /** The question that is open, and what takes its answer. */
 export const conflictAsked = signal<{ conflict: SaveConflict; answer: (choice: ConflictChoice) => void } | null>(null);
 
-function askForPath(): string | null {
-  return window.prompt(W.save.saveAsPathOn, `${documentNow.peek()?.name || 'surface'}.json`);
+/** The question for a path that is open, and what takes its answer; null: do not save. */
+export const pathAsked = signal<((path: string | null) => void) | null>(null);
+
+async function askForPath(): Promise<string | null> {
+  const path = await new Promise<string | null>((answer) => (pathAsked.value = answer));
+  pathAsked.value = null;
+  return path;
 }
 
 /** To its file; a document that has none asks for one. Resolves to whether it lies there now. */
@@ -23,15 +28,16 @@ export async function save(): Promise<boolean> {
   return saveElsewhere();
 }
 
-async function saveElsewhere(): Promise<boolean> {
-  const path = askForPath();
+/** To another file, which is the document's from then on. */
+export async function saveElsewhere(): Promise<boolean> {
+  const path = await askForPath();
   return path ? write({ path }) : false;
 }
 
 async function write(where: { path?: string; replaces?: string }): Promise<boolean> {
   try {
     await ask('save', where);
-    tell(W.save.saved);
+    tell(W.saveAs.saved);
     return true;
   } catch (error) {
     if (error instanceof Refusal && error.conflict) return settle(error.conflict);

@@ -2,7 +2,7 @@
 // The keys, in one table: what they do and what the help sheet says.
 
 import { redo, turn, undo } from '../document/edits';
-import { save } from '../document/save';
+import { save, saveElsewhere } from '../document/save';
 import { DOFS } from '../protocol/messages';
 import { documentNow } from '../document/store';
 import {
@@ -55,6 +55,7 @@ export const SHORTCUTS: Shortcut[] = [
   { keys: 'Ctrl Shift Z', words: W.shortcuts.redo, group: W.shortcuts.document, run: redo },
   { keys: 'Ctrl Y', words: W.shortcuts.redo, group: W.shortcuts.document, run: redo },
   { keys: 'Ctrl S', words: W.shortcuts.save, group: W.shortcuts.document, run: () => void save() },
+  { keys: 'Ctrl Shift S', words: W.saveAs.title, group: W.shortcuts.document, run: () => void saveElsewhere() },
   ...MODES.map((row) => ({ keys: row.key, words: row.title, group: W.shortcuts.mode, run: () => (mode.value = row.mode) })),
   { keys: 'B', words: W.shortcuts.brush, group: W.shortcuts.paint, run: paintWith('brush') },
   { keys: 'G', words: W.shortcuts.fillConnectedTiles, group: W.shortcuts.paint, run: paintWith('fill') },

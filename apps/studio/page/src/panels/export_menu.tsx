@@ -3,6 +3,7 @@
 import { signal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { download, exportTo, offered, savePicture } from '../document/files';
+import { saveElsewhere } from '../document/save';
 import { MakingFields } from './making_fields';
 import { W } from '../words';
 
@@ -35,6 +36,7 @@ export function ExportMenu() {
   };
   return (
     <div class="card menu" role="dialog" aria-label={W.exportMenu.export} ref={host} onKeyDown={keys}>
+      <button type="button" data-export="save-as" onClick={() => pick(() => void saveElsewhere())}><b>{W.saveAs.menu}</b><span>{W.saveAs.menuWords}</span></button>
       <button type="button" data-export="json" onClick={() => pick(() => void download())}><b>{W.exportMenu.project}</b><span>{W.exportMenu.everythingForTheStudio}</span></button>
       <button type="button" data-export="png" onClick={() => pick(() => void savePicture())}><b>{W.exportMenu.picture}</b><span>{W.exportMenu.theDViewPng}</span></button>
       <hr />

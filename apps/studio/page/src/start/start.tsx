@@ -16,6 +16,8 @@ import { Mark } from '../panels/top_bar';
 import { ExampleDrawing } from './example_drawing';
 import { NewFromOutline, painting } from './new_from_outline';
 import { outline, outlineRequest, takeOutline, tilesRequest } from './outline';
+import { forgetRecent } from '../document/recent';
+import { RecentList } from './recent_list';
 import { RecoverList } from './recover_list';
 import { W } from '../words';
 import './start.css';
@@ -44,6 +46,12 @@ async function begin(words: string, request: (left: Discarding) => Promise<{ rem
 }
 
 const fromExample = (name: string) => begin(W.start.openingTheExample, (left) => ask('new', { example: name, ...left }));
+
+/** A file that is no longer there leaves the list. */
+async function openRecent(path: string): Promise<void> {
+  await begin(W.start.opening, (left) => ask('open', { path, ...left }));
+  if (trouble.peek()) forgetRecent(path);
+}
 
 async function fromOutline(): Promise<void> {
   const file = outline.value;
@@ -86,6 +94,7 @@ export function Start() {
         </header>
         {trouble.value && <p class="trouble" role="alert" id="start-trouble">{inShownUnits(trouble.value)}</p>}
         <RecoverList busy={busy.value !== null} open={(key) => void begin(W.start.opening, (left) => ask('recover', { key, ...left }))} />
+        <RecentList busy={busy.value !== null} open={(path) => void openRecent(path)} />
         <h2>{W.start.startFromAnExample}</h2>
         <div class="examples">
           {(info?.examples ?? []).map((example) => (

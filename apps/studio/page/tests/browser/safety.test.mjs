@@ -16,6 +16,11 @@ async function makeSquare(page, name = 'square.svg') {
   await page.waitForSelector('.outline-preview');
   await page.click('#make');
 }
+async function saveAs(page, path) {
+  await page.waitForSelector('#save-as-path:focus');
+  await page.fill('#save-as-path', path);
+  await page.press('#save-as-path', 'Enter');
+}
 const undoLabel = async (page) => (await read(page, 'history')).undo;
 const hasDocument = (page, name) => page.waitForFunction((wanted) => window.fretwork.store.documentNow.value?.name === wanted, name);
 const paintFirst = (page, pattern = '0-5+5-6') => edit(page, () => page.evaluate((id) => window.fretwork.ask('paint', { tiles: [0], pattern: id }), pattern));
@@ -74,9 +79,9 @@ test('before an unsaved surface is replaced, it is asked about', async (t) => {
   assert.equal(await read(page, 'name'), name);
 
   const path = join(place, 'kept.json');
-  page.once('dialog', (dialog) => dialog.accept(path));
   await page.click('[data-example=dome]');
   await page.click('#unsaved-save');
+  await saveAs(page, path);
   await page.waitForFunction((old) => window.fretwork.store.documentNow.value.name !== old && window.fretwork.store.documentNow.value.name !== 'kept', name);
   await page.evaluate((file) => window.fretwork.ask('open', { path: file }), path);
   await hasDocument(page, 'kept');
@@ -120,8 +125,8 @@ test('a file that another program has changed is replaced only by who wants that
   assert.equal(await read(page, 'saved'), false);
 
   const elsewhere = join(place, 'mine.json');
-  page.once('dialog', (dialog) => dialog.accept(elsewhere));
   await save('elsewhere');
+  await saveAs(page, elsewhere);
   await hasDocument(page, 'mine');
   assert.equal(readFileSync(project, 'utf8'), theirs);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { ClampToEdgeWrapping, DataTexture, FloatType, LinearFilter, NearestFilter, RGBAFormat, Vector2, type IUniform } from 'three';
-import { colourTable, TABLE_SIZE, type ColourMap } from './colours';
+import { colourChoice, colourTable, TABLE_SIZE, type ColourMap } from './colours';
 
 export interface BarUniforms {
   places: IUniform<DataTexture>;
@@ -27,16 +27,17 @@ export function nodeTexture(nodes: number): DataTexture {
   return texture;
 }
 
-const tables = new Map<ColourMap, DataTexture>();
+const tables = new Map<string, DataTexture>();
 
 export function colourTexture(map: ColourMap): DataTexture {
-  const known = tables.get(map);
+  const key = `${map} ${colourChoice.peek()}`;
+  const known = tables.get(key);
   if (known) return known;
   const texture = new DataTexture(colourTable(map), TABLE_SIZE, 1, RGBAFormat);
   texture.minFilter = texture.magFilter = LinearFilter;
   texture.wrapS = ClampToEdgeWrapping;
   texture.needsUpdate = true;
-  tables.set(map, texture);
+  tables.set(key, texture);
   return texture;
 }
 

@@ -1,12 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The scales of drawings, as the server has sent them: one for sizes, one for values of both signs.
 
+import { signal } from '@preact/signals';
 import { hello } from '../../document/store';
 
 export type ColourMap = 'sizes' | 'signed';
 
+export type ColourChoice = 'standard' | 'cividis' | 'grey';
+const KEY = 'fretwork.colours';
+const kept = localStorage.getItem(KEY);
+/** Of sizes: as drawings have them; fair to the colour-blind and even in lightness; or without colours. */
+export const colourChoice = signal<ColourChoice>(kept === 'cividis' || kept === 'grey' ? kept : 'standard');
+
+export function chooseColours(choice: ColourChoice): void {
+  colourChoice.value = choice;
+  localStorage.setItem(KEY, choice);
+}
+
+/** Cividis (Nuñez, Anderton and Renslow, 2018), ten samples; grey from dark to light. */
+const OWN: Record<Exclude<ColourChoice, 'standard'>, string[]> = {
+  cividis: ['#00224e', '#123570', '#3b496c', '#575d6d', '#707173', '#8a8678', '#a59c74', '#c3b369', '#e1cc55', '#fee838'],
+  grey: ['#2b2b2b', '#e6e6e6'],
+};
+
 /** At equal distances, straight between each other; grey before the server has answered. */
-const stops = (map: ColourMap): string[] => hello.value?.colours[map] ?? ['#888888', '#888888'];
+function stops(map: ColourMap): string[] {
+  const choice = colourChoice.value;
+  if (map === 'sizes' && choice !== 'standard') return OWN[choice];
+  return hello.value?.colours[map] ?? ['#888888', '#888888'];
+}
 
 const channel = (hex: string, at: number): number => parseInt(hex.slice(1 + 2 * at, 3 + 2 * at), 16);
 

@@ -3,7 +3,7 @@
 
 import { effect } from '@preact/signals';
 import { Box3, Vector3 } from 'three';
-import { field, scale, shadows, showFull, showMarks, showRest, type FieldName } from '../../document/look';
+import { field, ranges, scale, shadows, showFull, showMarks, showRest, type FieldName } from '../../document/look';
 import { heldNodes, loadMarks, prescribedMarks } from '../../document/marks';
 import { shown } from '../../document/shown';
 import { barSection, beams, compared, live, others, shapes, strength } from '../../document/store';
@@ -13,6 +13,7 @@ import { activeEntry, mode, selectedNodes } from '../../document/ui';
 import { theme, themeColour } from '../../manners/theme';
 import type { Beams } from '../../protocol/binary';
 import { Bars } from './bars';
+import { colourChoice } from './colours';
 import { FieldValues, fieldRow, available, MODE_ROW } from './fields';
 import { GapFiller } from './fill_gaps';
 import { arrowScale, MarksView, type ArrowScale } from './marks_view';
@@ -88,6 +89,7 @@ export class SceneView {
     const bars = beams.value;
     const name = field.value;
     const dark = theme.value === 'dark';
+    void colourChoice.value;
     if (!now || !bars || now.solution.nodes !== bars.nodes) {
       this.main.factor = 0;
       this.main.setColours(null, 'sizes');
@@ -115,6 +117,8 @@ export class SceneView {
     const error = compared.value?.solution?.nodeFields[0] ?? null;
     const usable = available(row, error !== null);
     const values = usable ? this.values.take(row, now.solution, now.fields, { error, strength: strength.value }) : null;
+    const set = ranges.value[row.name];
+    if (values && set) Object.assign(values, { ...set, isCut: true });
     this.main.setColours(values, row.map);
     legend.value = values && { row, low: values.low, high: values.high, isCut: values.isCut };
   }
@@ -168,14 +172,15 @@ export class SceneView {
   }
 
   /** Where the surface is, flat and bent. */
-  private places(most = MOST_SHOWN): Vector3[] {
+  private places(most = MOST_SHOWN, only: 'bent' | 'both' = 'both'): Vector3[] {
     const nodes = surface.peek()?.nodes ?? [];
     const flat = nodes.map(([x, y]) => new Vector3(x, y, 0));
     const box = new Box3().setFromPoints(flat);
     // A linear model may send nodes absurdly far: the view stays with the surface.
     const room = box.clone().expandByScalar(most * box.getSize(new Vector3()).length());
     const bent = shown.peek() ? nodes.map((_, node) => nodePlace(node)).map((place) => room.clampPoint(place, place)) : [];
-    return [...flat, ...bent, ...handles(this.arrows).map(({ place }) => room.clampPoint(place, place))];
+    const shape = bent.length > 0 && only === 'bent' ? [] : flat;
+    return [...shape, ...bent, ...handles(this.arrows).map(({ place }) => room.clampPoint(place, place))];
   }
 
   private frame(): void {
@@ -201,6 +206,6 @@ export class SceneView {
   }
 
   look(from: ViewName | null): void {
-    this.stage.look({ places: this.places(ALL_SHOWN), from });
+    this.stage.look({ places: this.places(ALL_SHOWN, showRest.peek() ? 'both' : 'bent'), from });
   }
 }
