@@ -92,7 +92,11 @@ void Designs::forget() {
 }
 
 void Designs::follow(const StatePtr& now) {
-    if (!run_ || is_same_task(*run_->state, *now)) return;
+    if (!run_) {
+        last_ = {};  // it was of another painting
+        return;
+    }
+    if (is_same_task(*run_->state, *now)) return;
     const std::int64_t revision = run_->revision;
     forget();
     pages_.broadcast(

@@ -114,11 +114,13 @@ function confirmPainting(): void {
 
 /** Results of an earlier state no longer hold once something that they depend on is edited. */
 function change(message: Partial<StudioDocument>): void {
-  if (!store.documentNow.value) return;
-  store.documentNow.value = { ...store.documentNow.value, ...message };
+  const before = store.documentNow.value;
+  if (!before) return;
+  store.documentNow.value = { ...before, ...message };
   if (message.painting) confirmPainting();
   if (message.painting || message.turns || message.setting) forgetMaking();
-  if (message.painting || message.turns || message.load_cases || message.setting || message.selected_load_case !== undefined) {
+  const selects = message.selected_load_case !== undefined && message.selected_load_case !== before.selected_load_case;
+  if (message.painting || message.turns || message.load_cases || message.setting || selects) {
     store.others.value = new Map();
     store.compared.value = null;
     store.shapes.value = null;

@@ -54,6 +54,7 @@ export function DesignSearch() {
 function Running() {
   const now = designing.value;
   const why = missing();
+  const best = misfits.value.at(-1);
   if (!now) {
     return (
       <>
@@ -66,7 +67,7 @@ function Running() {
     <div class="designing" role="status">
       <MisfitCurve />
       <div class="working">
-        <span><i class="pulse" /> {W.design.running(now.solutions)}{now.misfit !== null && `, ${W.design.misfit(digits(100 * now.misfit))}`}</span>
+        <span><i class="pulse" /> {W.design.running(now.solutions)}{best !== undefined && `, ${W.design.misfit(digits(100 * best))}`}</span>
         <Button id="stop-design" title={W.design.stopTip} icon={Square} label={W.design.stop} onPress={stopDesign} />
       </div>
     </div>

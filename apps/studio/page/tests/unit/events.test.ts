@@ -135,6 +135,11 @@ describe('a design', () => {
     takeEvent({ event: 'designed', revision: 1, ...RESULT });
     expect([designing.value, designed.value?.share_closed]).toEqual([null, 0.75]);
   });
+  it('is told until the painting is another one, and also when it is saved', () => {
+    takeEvent({ event: 'designed', revision: 1, ...RESULT });
+    takeEvent({ event: 'changed', revision: 2, saved: true, selected_load_case: 0 });
+    expect(designed.value).not.toBeNull();
+  });
   it('is no longer told of another painting', () => {
     takeEvent({ event: 'designed', revision: 1, ...RESULT });
     takeEvent({ event: 'changed', revision: 2, painting: [1, 1] });
