@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/design/target/target_file.hpp>
 #include <studio/designing/design_request.hpp>
@@ -22,7 +23,11 @@ constexpr const char* kFirstPalette = "sample:64";
 design::Target read_target(const JsonReader& json) {
     base::Json value = base::Json::parse(json.text());
     if (value.is_object() && !value.contains("format")) value["format"] = "fretwork/target/1";
-    return design::parse_target(value.dump(), kMessageSource);
+    try {
+        return design::parse_target(value.dump(), "");
+    } catch (const base::InputError& error) {
+        throw base::within(kMessageSource, "/target", error);
+    }
 }
 
 /// All tiles but those that may change.

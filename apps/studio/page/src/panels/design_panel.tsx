@@ -63,7 +63,7 @@ function WishFields({ value, onChange }: { value: FreeVector; onChange: (value: 
     <div class="components">
       {AXES.map((name, axis) => (
         <label key={name}>{name}
-          <NumberField label={W.design.component(name)} value={value[axis] ?? undefined} quantity="length" onChange={(next) => changed(axis, next)} onClear={() => changed(axis, null)} />
+          <NumberField label={W.design.component(name)} value={value[axis] ?? undefined} quantity="length" onChange={(next) => changed(axis, next)} onClear={() => changed(axis, null)} empty={W.design.noWish} />
         </label>
       ))}
       <p class="hint">{W.design.freeHint}</p>

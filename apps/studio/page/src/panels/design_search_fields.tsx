@@ -43,7 +43,7 @@ export function DesignSearch() {
       </div>
       <label class="field"><span>{W.design.most}</span>
         <NumberField id="most-patterns" label={W.design.mostLabel} least={1} value={wish.mostPatterns.value} quantity="plain"
-          onChange={(value) => (wish.mostPatterns.value = Math.round(value))} onClear={() => (wish.mostPatterns.value = undefined)} />
+          onChange={(value) => (wish.mostPatterns.value = Math.round(value))} onClear={() => (wish.mostPatterns.value = undefined)} empty={W.design.any} />
       </label>
       <Check label={W.design.factor} tip={W.design.factorTip} value={wish.freeFactor.value} onChange={(value) => (wish.freeFactor.value = value)} />
       <Running />
@@ -58,7 +58,7 @@ function Running() {
   if (!now) {
     return (
       <>
-        <div class="row"><Button id="run-design" kind="main" title={why ?? W.design.runTip} icon={Play} label={W.design.run} disabled={why !== null} onPress={() => void runDesign()} /></div>
+        <div class="row run-design"><Button id="run-design" kind="main" title={why ?? W.design.runTip} icon={Play} label={W.design.run} disabled={why !== null} onPress={() => void runDesign()} /></div>
         {why && <p class="hint" id="design-needs">{why}</p>}
       </>
     );

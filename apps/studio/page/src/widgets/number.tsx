@@ -15,6 +15,8 @@ interface NumberProps {
   onChange: (value: number) => void;
   /** The field may be empty, and was emptied. */
   onClear?: () => void;
+  /** Shown in an empty field. */
+  empty?: string;
   narrow?: boolean;
   least?: number;
   most?: number;
@@ -26,7 +28,7 @@ interface NumberProps {
 const isBeyond = (read: number | undefined, least = -Infinity, most = Infinity): boolean => read !== undefined && (read < least || read > most);
 
 /** A number with its unit. Enter or leaving the field takes it; an invalid entry stays, with a message. Escape puts the old one back, arrow keys change it by a tenth. */
-export function NumberField({ label, value, quantity, onChange, onClear, narrow, least, most, onReadable, id }: NumberProps) {
+export function NumberField({ label, value, quantity, onChange, onClear, empty = W.number.none, narrow, least, most, onReadable, id }: NumberProps) {
   const [draft, setDraft] = useState<string | null>(null);
   const unit = unitOf(quantity);
   const inUnit = (one: number | undefined) => (one === undefined ? '' : short(one * unit.per));
@@ -56,7 +58,7 @@ export function NumberField({ label, value, quantity, onChange, onClear, narrow,
   };
   return (
     <span class={`number${narrow ? ' narrow' : ''}`}>
-      <input id={id} inputMode="decimal" aria-label={`${label}${unit.name ? W.number.inWords(unit.name) : ''}`} class={wrong ? 'wrong' : ''} aria-invalid={wrong} value={text} placeholder={onClear && W.number.none} style={{ width: `${(narrow ? 52 : 66) + 8 * unit.name.length + 12}px`, paddingRight: `${17 + 8 * unit.name.length}px` }}
+      <input id={id} inputMode="decimal" aria-label={`${label}${unit.name ? W.number.inWords(unit.name) : ''}`} class={wrong ? 'wrong' : ''} aria-invalid={wrong} value={text} placeholder={onClear && empty} style={{ width: `${(narrow ? 52 : 66) + 8 * unit.name.length + 12}px`, paddingRight: `${17 + 8 * unit.name.length}px` }}
         onFocus={(event) => event.currentTarget.select()} onInput={(event) => setDraft(event.currentTarget.value)} onBlur={commit} onKeyDown={keys} />
       <i>{unit.name}</i>
       {wrong && <b class="number-advice" role="alert">{W.number.withEscape(advice, value === undefined ? undefined : inUnit(value))}</b>}
