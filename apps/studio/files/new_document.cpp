@@ -26,7 +26,7 @@ void add_remarks(const simulation::NewProject& made, std::vector<std::string>& r
                                : " points of the outline that lie very close to others left out"));
     if (made.report.refined_share > 0.0)
         remarks.push_back(std::to_string(std::max(1L, std::lround(100 * made.report.refined_share))) +
-                          " % of the tiles are smaller, since the outline is narrow near them");
+                          " % of the tiles were refined to fit narrow regions");
 }
 
 void scale(tiling::Tessellation& tessellation, double factor) {
