@@ -7,7 +7,7 @@ import { designed, designing, misfits } from './design';
 import { documentNow } from './store';
 import { ask, tryAsk } from './studio';
 import { goalsOf, target } from './target';
-import { selectedTiles } from './ui';
+import { activeEntry, selectedTiles } from './ui';
 
 export type PaletteChoice = 'sample:64' | 'document' | 'library';
 
@@ -31,6 +31,7 @@ export function designRequest(): DesignRequest {
 }
 
 export async function runDesign(): Promise<void> {
+  activeEntry.value = null;
   designed.value = null;
   misfits.value = [];
   designing.value = { solutions: 0, most: 0, seconds: 0, misfit: null };

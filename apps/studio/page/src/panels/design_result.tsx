@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a design has come to, and how far the live shape is from the target.
 
+import { useEffect, useRef } from 'preact/hooks';
 import { designed } from '../document/design';
 import { documentNow } from '../document/store';
 import { liveError } from '../document/target';
@@ -13,16 +14,20 @@ const percent = (share: number | null): string => (share === null ? '–' : `${d
 export function DesignResult() {
   const error = liveError.value;
   const result = designed.value;
+  const host = useRef<HTMLElement>(null);
+  useEffect(() => {
+    if (result) host.current?.scrollIntoView({ block: 'nearest' });
+  }, [result]);
   if (!error && !result) return null;
   return (
-    <>
+    <section ref={host}>
       <h2>{W.design.result}</h2>
       <dl class="facts" id="design-result">
         {error && documentNow.value && <><dt data-tip={W.design.nowTip}>{W.design.now}</dt><dd id="distance-now">{shown(error.mean, 'length')} / {shown(error.largest, 'length')}</dd></>}
         {result && <Facts result={result} />}
       </dl>
       {result && <Remarks result={result} />}
-    </>
+    </section>
   );
 }
 

@@ -45,9 +45,11 @@ const scale = computed(() => {
   };
 });
 
+/** In the units of the view, which may be drawn smaller. */
 function pointOf(event: PointerEvent): Point {
-  const box = (event.currentTarget as Element).getBoundingClientRect();
-  return [((event.clientX - box.left) * WIDE) / box.width, ((event.clientY - box.top) * HIGH) / box.height];
+  const matrix = (event.currentTarget as SVGSVGElement).getScreenCTM();
+  const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix?.inverse());
+  return [x, y];
 }
 
 function begin(event: PointerEvent): void {
