@@ -22,7 +22,7 @@ TEST(SymmetryText, ComesBackAsItWasTyped) {
 TEST(SymmetryText, OfAnotherFormIsRefusedWithTheFormsThatThereAre) {
     for (const char* text : {"", "none", "mirror", "mirror:z", "turn:1", "turn:13", "turn:2.5", "turn: 3"}) {
         EXPECT_THAT(test::complaint_of([&] { (void)read_symmetry(text); }),
-                    AllOf(HasSubstr("no symmetry"), HasSubstr("'" + std::string(text) + "'"),
+                    AllOf(HasSubstr("is not a symmetry"), HasSubstr("'" + std::string(text) + "'"),
                           HasSubstr("mirror:x, mirror:y, or turn:N")));
     }
 }

@@ -3,7 +3,7 @@
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/mechanics/results/section_stress.hpp>
 #include <fretwork/simulation/derivatives/smooth_stress.hpp>
-#include <fretwork/simulation/detail/tile_rows.hpp>
+#include <fretwork/simulation/detail/joined_tiles.hpp>
 #include <fretwork/simulation/results/result_subject.hpp>
 #include <fretwork/simulation/results/surface_beams.hpp>
 
@@ -87,9 +87,10 @@ class TileGradients {
     [[nodiscard]] NodeValues by_beams(TileIndex tile) const {
         const std::size_t t = tile;
         const auto& tessellation = session_.surface().tessellation;
-        const detail::TileRows row_of(tessellation, beams_, t);
-        const std::size_t nodes = tessellation.tiles[tile].interface_nodes.size() +
-                                  beams_.starts[t + 1].inner_node - beams_.starts[t].inner_node;
+        const auto& interface_nodes = tessellation.tiles[tile].interface_nodes;
+        const detail::TileRows row_of(interface_nodes, {beams_.interface_nodes, beams_.starts[t].inner_node});
+        const std::size_t nodes =
+            interface_nodes.size() + beams_.starts[t + 1].inner_node - beams_.starts[t].inner_node;
         NodeValues gradient = NodeValues::Zero(static_cast<Eigen::Index>(nodes), kDofsPerNode);
         for (std::size_t b = beams_.starts[t].beam; b < beams_.starts[t + 1].beam; ++b) {
             Eigen::RowVector<double, 2 * kDofsPerNode> by_forces;

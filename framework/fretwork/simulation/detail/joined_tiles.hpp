@@ -26,6 +26,30 @@ struct JoinedTiles {
 JoinedTiles join_tiles(const Surface& surface, std::span<const BuiltTile> tiles,
                        const base::Control& control);
 
+/// The row of a node among those of its tile: interface nodes, then inner nodes.
+class TileRows {
+  public:
+    struct Surface {
+        std::size_t interface_nodes = 0;   ///< of the surface: its first nodes
+        std::size_t first_inner_node = 0;  ///< of the tile
+    };
+    TileRows(const std::vector<tiling::InterfaceIndex>& interface_nodes, const Surface& surface)
+        : interface_(interface_nodes), surface_(surface) {}
+
+    Eigen::Index operator()(mechanics::NodeIndex node) const {
+        const std::size_t n = node;
+        if (n >= surface_.interface_nodes)
+            return static_cast<Eigen::Index>(interface_.size() + n - surface_.first_inner_node);
+        Eigen::Index row = 0;
+        while (interface_[static_cast<std::size_t>(row)].value != node.value) ++row;
+        return row;
+    }
+
+  private:
+    const std::vector<tiling::InterfaceIndex>& interface_;
+    Surface surface_;
+};
+
 /// The elements of a tile that is built again, if it has the same nodes as before and as many elements, none
 /// of them beams: then they can take the place of the old ones.
 std::optional<mechanics::Elements> replacement(std::span<const TileStart> starts, const Surface& surface,

@@ -79,6 +79,8 @@ class Session::Impl {
     void solve_equilibrium(SurfaceResult& result, const base::Control& control,
                            mechanics::StabilityCheck check, const mechanics::FirstIterate& first_iterate);
 
+    /// The displacements of all nodes of the assembly: the reported ones, then the others.
+    [[nodiscard]] static mechanics::NodeValues all_rows(const mechanics::Solution& solution);
     [[nodiscard]] reduction::TileMotion tile_motion(tiling::TileIndex tile,
                                                     const mechanics::Solution& solution) const;
     [[nodiscard]] mechanics::NodeValues rest_forces(const mechanics::NodeValues& motions) const;

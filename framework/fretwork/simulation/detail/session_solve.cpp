@@ -4,7 +4,6 @@
 #include <fretwork/mechanics/paths/equilibrium.hpp>
 #include <fretwork/mechanics/solve.hpp>
 #include <fretwork/simulation/detail/session_impl.hpp>
-#include <fretwork/simulation/detail/solution_rows.hpp>
 #include <fretwork/simulation/detail/tile_deformations.hpp>
 #include <fretwork/simulation/surface_frame.hpp>
 
@@ -131,7 +130,7 @@ void Session::Impl::solve_equilibrium(SurfaceResult& result, const base::Control
 void Session::Impl::solve_linear(SurfaceResult& result, const base::Control& control) {
     result.solution = updated_solver(control).solve(assembly_.loads, control);
     is_at_equilibrium_ = result.solution.converged();
-    linear_displacements_ = detail::all_rows(result.solution);
+    linear_displacements_ = all_rows(result.solution);
 }
 
 SurfaceResult Session::Impl::solve(const base::Control& control, mechanics::StabilityCheck check,

@@ -4,8 +4,8 @@
 #include <fretwork/mechanics/node_states.hpp>
 #include <fretwork/mechanics/results/section_stress.hpp>
 #include <fretwork/reduction/scenarios/joints.hpp>
+#include <fretwork/simulation/detail/joined_tiles.hpp>
 #include <fretwork/simulation/detail/tile_builder.hpp>
-#include <fretwork/simulation/detail/tile_rows.hpp>
 #include <fretwork/simulation/results/result_subject.hpp>
 #include <fretwork/simulation/results/surface_beams.hpp>
 
@@ -94,7 +94,8 @@ class StateWriter {
 
   private:
     void write_forces(std::size_t tile, const reduction::BeamMotion& motion) const {
-        const detail::TileRows row_of(tessellation_, beams_, tile);
+        const detail::TileRows row_of(tessellation_.tiles[tile].interface_nodes,
+                                      {beams_.interface_nodes, beams_.starts[tile].inner_node});
         const NodeValues& rows = motion.in_frame.rows() > 0 ? motion.in_frame : motion.nodes;
         for (std::size_t b = beams_.starts[tile].beam; b < beams_.starts[tile + 1].beam; ++b) {
             const Eigen::Index from = row_of(beams_.ends[b][0]);

@@ -3,7 +3,6 @@
 #include <fretwork/geometry/rotation.hpp>
 #include <fretwork/mechanics/node_states.hpp>
 #include <fretwork/simulation/detail/session_impl.hpp>
-#include <fretwork/simulation/detail/solution_rows.hpp>
 
 #include <limits>
 #include <string>
@@ -44,6 +43,12 @@ Eigen::VectorXd turned_back(Eigen::VectorXd rows, const Eigen::Matrix3d& turn) {
 
 }  // namespace
 
+NodeValues Session::Impl::all_rows(const mechanics::Solution& solution) {
+    NodeValues rows(solution.displacements.rows() + solution.inner_displacements.rows(), kDofsPerNode);
+    rows << solution.displacements, solution.inner_displacements;
+    return rows;
+}
+
 /// The internal forces K u of linear motions u.
 NodeValues Session::Impl::rest_forces(const NodeValues& motions) const {
     NodeValues forces = NodeValues::Zero(motions.rows(), kDofsPerNode);
@@ -56,7 +61,7 @@ NodeValues Session::Impl::rest_forces(const NodeValues& motions) const {
 }
 
 NodeValues Session::Impl::energy_gradient(const mechanics::Solution& solution) const {
-    const NodeValues rows = detail::all_rows(solution);
+    const NodeValues rows = all_rows(solution);
     if (solved_in_ == reduction::Displacements::Small)
         return rest_forces(rows).topRows(assembly_.reported_nodes);
     const std::vector<mechanics::NodeState> states = mechanics::node_states(rows);
