@@ -42,7 +42,7 @@ class Targets(unittest.TestCase):
     def test_what_is_wrong_is_named(self):
         with self.assertRaises(TypeError):
             fw.FormulaGoal(fw.NodesAtSide("right"), [1, 2])
-        with self.assertRaisesRegex(fw.InputError, "no symmetry"):
+        with self.assertRaisesRegex(fw.InputError, "is not a symmetry"):
             fw.DesignOptions(symmetry="diagonal")
         project, target = planted()
         with self.assertRaisesRegex(fw.InputError, "no tile"):
