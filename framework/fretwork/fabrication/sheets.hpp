@@ -8,11 +8,11 @@
 
 namespace fretwork::fabrication {
 
-/// The size of a cutter's sheets, and the distances and fits of parts.
+/// The bed of a cutter, which is the size of each sheet, with the distances and fits of the parts on it.
 struct Bed {
     double width = 0.0;     ///< m
     double height = 0.0;    ///< m
-    double margin = 5e-3;   ///< m, free margin along its edges
+    double margin = 5e-3;   ///< m, free margin along the sheet's edges
     double spacing = 3e-3;  ///< m, distance between parts
     double fit = 5e-5;      ///< m, gap between the two sides of a connector
     /// Throws InputError that names an invalid option.
@@ -29,8 +29,8 @@ struct SheetSet {
     /// The plan of assembly: the outlines of the parts in place as guides, and the numbers of parts and tiles
     /// as labels.
     CutSheet assembly;
-    std::size_t parts = 0;   ///< how many
-    std::size_t joints = 0;  ///< how many
+    std::size_t parts = 0;   ///< number of parts
+    std::size_t joints = 0;  ///< number of connectors
 };
 
 /// Cut a surface into parts on sheets. Throws as make_shape(), and InputError if a tile does not fit the bed,

@@ -9,13 +9,13 @@ namespace fretwork::outlines {
 
 /// The content of a mesh file.
 struct MeshFile {
-    std::vector<std::array<double, 3>> points;  ///< x, y, z, m
+    std::vector<std::array<double, 3>> points;  ///< x, y, z in m
     /// The indices into `points` of each face: at least three, in range and distinct.
     std::vector<std::vector<int>> faces;
 };
 
-/// Read a mesh in space from an OBJ, PLY or OFF file; the file's ending decides. Throws InputError with file
-/// and place, also if the mesh has no face.
+/// Read a mesh in space from an OBJ, PLY or OFF file; the file extension selects the format. Throws
+/// InputError with file and place, also if the mesh has no face.
 MeshFile read_space_mesh(const std::filesystem::path& path);
 
 /// Read a mesh as read_space_mesh does, and check that it lies in a plane z = constant. Throws InputError or

@@ -11,7 +11,7 @@ namespace fretwork::pattern {
 /// The reflection of a layout's base triangle that exchanges v1 and v2. It maps fans to their mirror images.
 class Mirror {
   public:
-    /// Find how a layout's edges go over into each other.
+    /// Finds the mirror image of each edge of a layout.
     explicit Mirror(const NodeLayout& layout);
 
     /// The mirror image of a pattern. None if the pattern uses a face node whose mirror image is not in the
@@ -19,8 +19,8 @@ class Mirror {
     [[nodiscard]] std::optional<Pattern> image(const Pattern& pattern) const;
     /// True if the pattern is its own mirror image.
     [[nodiscard]] bool is_symmetric(const Pattern& pattern) const;
-    /// The mirror image of an edge, as the candidate edge that gives the same fan. None if the layout has
-    /// none.
+    /// The mirror image of an edge: the candidate edge whose fan is the mirrored fan. None if the layout has
+    /// no such edge.
     [[nodiscard]] std::optional<EdgeIndex> image(EdgeIndex edge) const { return images_[edge]; }
 
   private:

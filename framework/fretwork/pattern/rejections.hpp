@@ -13,9 +13,10 @@ struct Rejection {
     Verdict verdict;  ///< why, and by which edges
 };
 
-/// Examples of rejected graphs. For each filter, in the order of the census, up to `per_filter` graphs break
-/// its rule and no other. They are spread over all such graphs of the smallest numbers of edges that provide
-/// enough. A filter gets fewer, or none, if the simplest million graphs hold fewer.
+/// Examples of rejected graphs. For each filter, in the order of the census, returns up to `per_filter`
+/// graphs that break only its rule. Graphs with few edges come first: numbers of edges are admitted from the
+/// smallest one up until there are enough such graphs, and the examples are spread evenly over these graphs.
+/// A filter gets fewer examples, or none, if the simplest million graphs hold fewer.
 std::vector<Rejection> find_rejections(const NodeLayout& layout, const EnumerationOptions& options,
                                        std::size_t per_filter);
 

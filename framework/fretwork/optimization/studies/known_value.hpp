@@ -13,7 +13,7 @@ namespace fretwork::optimization::study {
 /// The lowest known objective of one problem.
 struct KnownValue {
     std::string problem;      ///< its id
-    double best_value = 0.0;  ///< the least that is known
+    double best_value = 0.0;  ///< the lowest known value of the objective
     double scale = 1.0;       ///< targets are best_value + share * scale
     std::string found_by;     ///< name of the method
 };
@@ -25,8 +25,8 @@ std::string known_values_csv(const std::vector<KnownValue>& values);
 
 /// Options of the search for known values.
 struct KnownValueOptions {
-    ProblemFamilies families{};  ///< the families of the ids
-    int starts = 300;            ///< descents of each calibrator on each problem
+    ProblemFamilies families{};  ///< families to which the ids of problems may refer
+    int starts = 300;            ///< starts of each multistart method on each problem
     int threads = 0;             ///< 0: one for each processor
     base::Control control{};     ///< progress counts finished problems
     /// Throws InputError if a value is invalid.
@@ -34,13 +34,13 @@ struct KnownValueOptions {
 };
 
 /// Find the lowest value of each problem by many starts of the framework's two multistart methods, unless it
-/// is known in closed form. The scale depends on the family. It is the value itself for calibrations. It is 1
-/// for synthetic problems, whose lowest value is 0. For analytic problems it is the median, over 1,001 spread
-/// points, of the value above the minimum. Throws base::Stopped.
+/// is known in closed form. The scale depends on the family. For calibrations, the scale is the lowest value.
+/// For synthetic problems, whose lowest value is 0, the scale is 1. For analytic problems, the scale is the
+/// median of (value - minimum) over 1,001 spread points. Throws base::Stopped.
 std::vector<KnownValue> find_known_values(const std::vector<std::string>& problems,
                                           const KnownValueOptions& options);
 
-/// Lower the known values to those that the runs of a table found, where these are lower.
+/// Replace each known value by the best value in a table of results, if that one is lower.
 void improve_known_values(std::vector<KnownValue>& values, const std::filesystem::path& results);
 
 }  // namespace fretwork::optimization::study

@@ -11,8 +11,9 @@
 #include <string_view>
 #include <vector>
 
-/// Readers of OBJ, PLY and OFF files. They are strict: an error names line and value, a stated count is not
-/// trusted until the file has shown its items, and nothing is skipped without notice.
+/// Readers of OBJ, PLY and OFF files. They are strict: an error names line and value, a count that
+/// the file states is trusted only after that number of items was read, and nothing is skipped without
+/// notice.
 namespace fretwork::outlines::detail {
 
 MeshFile read_obj(const std::filesystem::path& path);

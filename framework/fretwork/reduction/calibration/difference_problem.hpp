@@ -13,7 +13,8 @@ namespace fretwork::reduction {
 class DifferenceProblem final : public CalibrationProblem {
   public:
     /// Keeps references to model, tile and objective. Throws InputError if the bounds of a parameter are
-    /// invalid, NumericalError if the tile in the middle of the bounds can move freely under a scenario.
+    /// invalid, NumericalError if the tile with all parameters in the middle of their bounds is a mechanism
+    /// under a scenario.
     DifferenceProblem(base::Borrowed<TileModel> model, base::Borrowed<ModelTile> tile,
                       base::Borrowed<Objective> objective, const Setting& setting);
 
@@ -36,7 +37,8 @@ class DifferenceProblem final : public CalibrationProblem {
                                                               double smoothing) const override;
 
     [[nodiscard]] std::vector<double> parameter_values(const Eigen::VectorXd& point) const override;
-    /// Not finite if round-off makes the stiffness indefinite, which can happen near the bounds.
+    /// The displacements are not finite if round-off makes the stiffness indefinite, which can happen near
+    /// the bounds.
     [[nodiscard]] UnitDisplacements displacements(const Eigen::VectorXd& point) const override;
 
   private:

@@ -19,16 +19,16 @@ std::string library_path_of(const std::string& project_file, const Project& proj
 std::optional<library::Library> open_project_library(const std::string& project_file, const Project& project,
                                                      const std::string& wanted);
 
-/// The project's setting, else the library's, else the paper's; `library` may be null. A project may have
-/// another strength than its library. Throws InputError if the settings differ otherwise.
+/// The project's setting, else the library's, else the paper's; `library` may be null. The strength of
+/// the material may differ between project and library. Throws InputError if the settings differ otherwise.
 reduction::Setting setting_of(const Project& project, const library::Library* library);
 
 /// True if a project with this choice of models needs its library: a tile's model has calibrated parameters,
-/// or the project has no setting. Everything else means the same without the library.
+/// or the project has no setting. Otherwise the project gives the same results without the library.
 bool needs_library(const Project& project, const ModelChoice& choice);
 
-/// Read a project, and check that the tile models of its single tiles exist. Throws InputError that names the
-/// file and the place.
+/// Read a project, and check that the tile models assigned to individual tiles exist. Throws InputError that
+/// names the file and the place.
 Project read_checked_project(const std::string& file);
 
 /// Check that every tile has the calibration that its tile model needs. Throws InputError that names the file

@@ -8,18 +8,21 @@
 
 namespace fretwork::simulation {
 
-/// The first two of three limits of ModelDoubt: rad, and a share of the largest displacement. Above one of
-/// the three, the error is estimated. In experiments/error_warnings, every result with an error of 5 % at its
-/// worst node is above one of them.
+/// The limit of a tile's own rotation, rad. ModelDoubt has three limits, and the error is estimated if a
+/// result is above one of them. In experiments/error_warnings, every result with an error of 5 % at its worst
+/// node is above a limit.
 inline constexpr double kDoubtfulRotation = 0.09;
-/// The limit of a mixed answer's change, of the largest displacement.
+/// The limit of the change between a corotational solution and a mixed one, as a share of the largest
+/// displacement.
 inline constexpr double kDoubtfulChange = 0.03;
-/// Linear solves from rest. A path with more of them has passed places where small differences decide. Of
-/// stages they say nothing: there, a jump is such a place.
+/// The limit of the number of linear solves from rest. A path that needs more has passed states from which
+/// small differences lead to different equilibria. This number is not used for stages; a jump on the way
+/// takes its place.
 inline constexpr int kDoubtfulIterations = 40;
-/// An error above this gives a warning: at the worst node, as a share of the largest displacement. If it was
-/// estimated with some of the tiles in full, less does, since the estimate may be too small by a third.
+/// The limit of the estimated error at the worst node, as a share of the largest displacement, above which a
+/// result is warned of. This limit applies to estimates with all tiles in full.
 inline constexpr double kWarnedError = 0.05;
+/// The same limit for estimates with some of the tiles in full: such an estimate may be too small by a third.
 inline constexpr double kWarnedEstimate = 0.03;
 
 /// The indicators of the last solution of a session, which must be nonlinear.
