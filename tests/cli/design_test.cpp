@@ -3,6 +3,7 @@
 #include "cli/command.hpp"
 #include "support.hpp"
 
+#include <fretwork/base/files/file.hpp>
 #include <fretwork/simulation/project/project_file.hpp>
 
 namespace fretwork::app {
@@ -36,7 +37,8 @@ TEST_F(DesignCommand, WritesAPaintedProjectAndWhatItReaches) {
             "--json --out d.json");
     ASSERT_LE(done.exit_code, 1) << done.err;
     for (const char* key : {"error_mean", "error_largest", "error_best_uniform", "error_relaxed", "bound",
-                            "patterns", "seconds", "solutions", "seed"})
+                            "patterns", "seconds", "solutions", "seed", "stable_from_flat", "width",
+                            "reach_of_ten_loads", "curvatures_outside", "warnings"})
         EXPECT_THAT(done.out, HasSubstr("\"" + std::string(key) + "\"")) << key;
     const auto designed = simulation::read_project(folder_.path() / "d.json");
     for (const tiling::Tile& tile : designed.tessellation.tiles) EXPECT_GE(tile.pattern, 0);
@@ -60,10 +62,52 @@ TEST_F(DesignCommand, RefusesBadInputInOneLine) {
     refused("--target t.json --palette sample:0", "sample:N");
     refused("--target t.json --palette library", "library");
     refused("--target t.json --palette 0-6 --keep 3-x", "--keep");
-    refused("--target t.json --palette 0-6 --free width", "expected factor, prescribed");
+    refused("--target t.json --palette 0-6 --free weight", "expected factor, prescribed, width, thickness");
+    refused("--target t.json --palette 0-6 --max-mass -1",
+            "--max-mass: '-1' is not a number of zero or more");
+    refused("--target t.json --palette 0-6 --max-mass nan", "--max-mass: 'nan'");
+    refused("--target t.json --palette 0-6 --seconds nan", "--seconds: 'nan'");
+    refused("--target t.json --palette 0-6 --clearance -1mm", "--clearance");
+    refused("--target t.json --palette 0-6 --report page.txt", "page.txt");
     refused("--target t.json --palette 0-6 --symmetry glide", "mirror:x");
     refused("--target t.json --palette 0-6 --max-utilization 0.5", "strength");
-    refused("--target t.json --palette 0-6 --case rain", "rain");
+    refused("--target t.json --palette 0-6 --case rain", "--case: unknown load case 'rain'");
+    folder_.file("named.json", R"({"format": "fretwork/target/1", "goals": [
+        {"select": {"side": "right"}, "displacement": [0, 0, -0.003], "case": "rain"}]})");
+    refused("--target named.json --palette 0-6", "named.json: /goals/0/case: unknown load case 'rain'");
+    folder_.file("both.json", R"({"format": "fretwork/target/1", "goals": [
+        {"nodes": [3], "displacements": [[0, 0, 0.01]]}, {"nodes": [3], "displacements": [[0, 0, 0.02]]}]})");
+    refused("--target both.json --palette 0-6", "both.json: /goals/1: wants uz = 0.02 m of node 3");
+}
+
+/// What another project holds is not lost.
+TEST_F(DesignCommand, RefusesToReplaceAProjectWithOtherLoadCases) {
+    ASSERT_EQ(
+        run("fretwork tile experiments/outlines/specimen.svg --edge-length 40mm --out other.json").exit_code,
+        0);
+    ASSERT_EQ(run("fretwork case add other.json experiments/cases/own_weight.json").exit_code, 0);
+    const Outcome outcome = run("fretwork design p.json --target t.json --palette 0-6 --out other.json");
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("other.json: is another project"), HasSubstr("would be lost")));
+    EXPECT_EQ(simulation::read_project(folder_.path() / "other.json").load_cases.size(), 1U);
+}
+
+TEST_F(DesignCommand, WritesAPageOfTheDesign) {
+    const Outcome done =
+        run("fretwork design p.json --target t.json --palette 0-1+1-6,0-6,0-1+1-5+1-6+5-6 --free "
+            "factor,thickness "
+            "--solutions 20 --out d.json --report page.html");
+    ASSERT_LE(done.exit_code, 1) << done.err;
+    EXPECT_THAT(done.out, HasSubstr("mm thick"));
+    EXPECT_THAT(base::read_text_file(folder_.path() / "page.html"), HasSubstr("id=\"data\">{"));
+}
+
+/// One pattern is the single pattern that it is compared with, whatever else is free.
+TEST_F(DesignCommand, ASinglePatternIsNoSuccess) {
+    const Outcome done =
+        run("fretwork design p.json --target t.json --palette 0-1+1-6 --free factor --out d.json");
+    EXPECT_EQ(done.exit_code, 1);
+    EXPECT_THAT(done.out, HasSubstr("1 pattern,"));
 }
 
 }  // namespace THIS_TEST

@@ -142,7 +142,8 @@ TEST(Design, FindsTheFactorOfTheLoad) {
     const DesignReport fixed = design(weak, nullptr, planted.target, options);
     options.free_factor = true;
     const DesignReport report = design(weak, nullptr, planted.target, options);
-    EXPECT_LT(report.error->mean, 0.2 * report.best_uniform->mean);
+    // The single pattern has its own best factor, too.
+    EXPECT_LT(report.error->mean, 0.25 * report.best_uniform->mean);
     EXPECT_LT(report.error->mean, fixed.error->mean);
     EXPECT_NEAR(report.error->mean, mean_error(report, planted.target), 1e-6)
         << "the load case is written, too";
@@ -218,6 +219,7 @@ TEST(Design, RefusesWhatDoesNotFit) {
     EXPECT_THAT(complaint([](DesignOptions& o, Project&, Target&) {
                     o.keep = {TileIndex(0)};
                     o.max_patterns = 1;
+                    o.palette.erase(o.palette.begin() + 1);
                 }),
                 HasSubstr("already"));
     EXPECT_THAT(complaint([](DesignOptions& o, Project&, Target&) { o.free_prescribed = true; }),

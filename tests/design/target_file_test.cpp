@@ -71,6 +71,13 @@ TEST(TargetFile, RefusesBadInputWithItsPlace) {
                 HasSubstr("an expression of x and y"));
     EXPECT_THAT(complaint_about(R"({"select": {"side": "left"}, "displacement": [0, 0, 0], "weight": 0})"),
                 HasSubstr("/goals/0/weight"));
+    EXPECT_THAT(
+        complaint_about(R"({"select": {"side": "left"}, "displacement": [0, 0, 0], "weight": 1e-320})"),
+        HasSubstr("/goals/0/weight: is"));
+    EXPECT_THAT(complaint_about(R"({"select": {"side": "left"}, "displacement": [0, 0, 1e9]})"),
+                HasSubstr("/goals/0/displacement/2"));
+    EXPECT_THAT(complaint_about(R"({"select": {"side": "left"}, "rotation": [0, 3.2, null]})"),
+                HasSubstr("/goals/0/rotation: is a rotation vector of 3.2 rad"));
     EXPECT_THAT(complaint_about(R"({"select": {"side": "left"}, "displacement": [0, 0, 0], "wieght": 1})"),
                 HasSubstr("wieght"));
     EXPECT_THAT(complaint_of([] { (void)parse_target(R"({"format": "fretwork/target/9"})", "t.json"); }),

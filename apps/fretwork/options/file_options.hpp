@@ -33,6 +33,7 @@ inline constexpr FileKind kListFile{"a list", ".txt .csv", "list"};
 inline constexpr FileKind kSvgFile{"a drawing", ".svg", "drawn"};
 inline constexpr FileKind kVtuFile{"a file for ParaView", ".vtu", "drawn"};
 inline constexpr FileKind kSeriesFile{"a series for ParaView", ".pvd", "drawn", true};
+inline constexpr FileKind kPageFile{"a page", ".html", "drawn"};
 inline constexpr FileKind kDeckFile{"an input deck", ".inp", "drawn"};
 /// Drawings, meshes, tables of nodes, and facts of what is made.
 inline constexpr FileKind kExportFile{"a drawing or a mesh", "", "drawn node,x_m, facts"};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork design: paint a project so that its surface takes a wanted shape.
+#include "design_output.hpp"
 #include "interrupt.hpp"
 #include "options/file_options.hpp"
 #include "typed/palette_text.hpp"
@@ -7,17 +8,23 @@
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/base/files/file.hpp>
+#include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/design/design.hpp>
 #include <fretwork/design/target/target_file.hpp>
+#include <fretwork/exports/designs/design_page.hpp>
 #include <fretwork/simulation/project/project_file.hpp>
 #include <fretwork/simulation/project/project_library.hpp>
 #include <fretwork/tiling/painting/tile_choice.hpp>
 
-#include <cstdio>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace fretwork::app {
 namespace {
@@ -30,22 +37,30 @@ struct DesignArguments {
     std::string free;
     std::string symmetry;
     std::string library;
+    std::string clearance;
     std::string out;
+    std::string report;
     bool json = false;
     design::DesignOptions design;
 };
 
+using Flag = bool design::DesignOptions::*;
+constexpr std::array<std::pair<std::string_view, Flag>, 4> kFree = {
+    {{"factor", &design::DesignOptions::free_factor},
+     {"prescribed", &design::DesignOptions::free_prescribed},
+     {"width", &design::DesignOptions::free_width},
+     {"thickness", &design::DesignOptions::free_thickness}}};
+
 void read_free(const std::string& text, design::DesignOptions& options) {
     if (text.empty()) return;
     for (const std::string& word : base::split(text, ',')) {
-        if (word == "factor") {
-            options.free_factor = true;
-        } else if (word == "prescribed") {
-            options.free_prescribed = true;
-        } else {
+        const auto entry = std::ranges::find(kFree, word, &std::pair<std::string_view, Flag>::first);
+        if (entry == kFree.end())
             throw base::InputError("--free", "",
-                                   "'" + word + "' is unknown: expected factor, prescribed, or both");
-        }
+                                   "'" + word +
+                                       "' is unknown: expected factor, prescribed, width, thickness, or "
+                                       "several with commas");
+        options.*(entry->second) = true;
     }
 }
 
@@ -64,143 +79,102 @@ design::DesignReport run_design(const DesignArguments& arguments, const simulati
     }
 }
 
-base::Json error_json(const std::optional<design::TargetError>& error, double design::TargetError::*which) {
-    return error ? base::Json((*error).*which) : base::Json(nullptr);
+/// A value above zero or zero, as an option has it: CLI11's own ranges let NaN pass.
+CLI::Validator not_negative() {
+    const auto check = [](const std::string& text) {
+        const auto number = base::read_number<double>(text);
+        return number && *number >= 0.0 && std::isfinite(*number)
+                   ? std::string()
+                   : "'" + text + "' is not a number of zero or more";
+    };
+    return {check, "NUMBER", "number"};
 }
 
-base::Json report_json(const design::DesignReport& report) {
-    using design::TargetError;
-    base::Json history = base::Json::array();
-    for (const design::DesignProgress& own : report.history)
-        history.push_back({{"solutions", own.solutions}, {"seconds", own.seconds}, {"misfit", own.misfit}});
-    return {{"error_mean", error_json(report.error, &TargetError::mean)},
-            {"error_largest", error_json(report.error, &TargetError::largest)},
-            {"error_best_uniform", error_json(report.best_uniform, &TargetError::mean)},
-            {"best_uniform_pattern", report.best_uniform_pattern},
-            {"uniform_tried", report.uniform_tried},
-            {"error_relaxed", nullptr},
-            {"bound", nullptr},
-            {"stable", report.error ? base::Json(report.error->is_stable) : base::Json(nullptr)},
-            {"model_error", report.model_error},
-            {"largest_utilization",
-             report.largest_utilization ? base::Json(*report.largest_utilization) : base::Json(nullptr)},
-            {"load_cases", report.load_cases},
-            {"factors", report.factors},
-            {"wanted_of_softest", report.wanted_of_softest},
-            {"wanted_of_stiffest", report.wanted_of_stiffest},
-            {"slides", report.slides},
-            {"end", design::design_end_name(report.end)},
-            {"starts", report.starts},
-            {"history", history},
-            {"patterns", report.patterns},
-            {"seconds", report.seconds},
-            {"solutions", report.solutions},
-            {"full_solutions", report.full_solutions},
-            {"seed", report.seed}};
-}
-
-const char* end_text(design::DesignEnd end) {
-    switch (end) {
-        case design::DesignEnd::NoSwapImproves:
-            return "the search found no further swap that improves it";
-        case design::DesignEnd::SolutionsSpent:
-            return "the solutions were spent";
-        case design::DesignEnd::TimeSpent:
-            return "the time was spent";
-        default:
-            return "the search was stopped: this is the best painting so far";
+/// A project that is replaced keeps what is its own: load cases that the designed one has not.
+void require_own_out(const DesignArguments& arguments, const simulation::Project& project) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(arguments.out, ignored)) return;
+    for (const simulation::LoadCase& other : simulation::read_project(arguments.out).load_cases) {
+        const auto has_name = [&](const simulation::LoadCase& own) { return own.name == other.name; };
+        if (std::ranges::none_of(project.load_cases, has_name))
+            throw base::InputError(arguments.out, "",
+                                   "is another project: its load case '" + other.name +
+                                       "' would be lost, which " + arguments.project +
+                                       " has not; give --out another name");
     }
 }
 
-void print(const design::DesignReport& report) {
-    if (report.error) {
-        std::printf(
-            "mean error %.3g %%, largest %.3g %% of the largest displacement wanted (checked with all "
-            "beams)%s\n",
-            100.0 * report.error->mean, 100.0 * report.error->largest,
-            report.error->is_stable ? "" : "; NOT STABLE");
-    } else {
-        std::puts("distance to the target: not checked with all beams");
+/// Read what people type into the options of the design.
+template <class Read>
+void read_as(const char* option, const std::string& text, const Read& read) {
+    if (text.empty()) return;
+    try {
+        read();
+    } catch (const base::InputError& error) {
+        throw base::within(option, "", error);
     }
-    if (report.best_uniform)
-        std::printf("best single pattern of %zu: %.3g %% (%s)\n", report.uniform_tried,
-                    100.0 * report.best_uniform->mean, report.best_uniform_pattern.c_str());
-    for (std::size_t c = 0; c < report.factors.size(); ++c) {
-        if (report.factors[c] != 1.0)
-            std::printf("load case '%s': its loads times %.4g\n", report.load_cases[c].c_str(),
-                        report.factors[c]);
-    }
-    if (report.largest_utilization)
-        std::printf("largest utilization: %.3g %%\n", 100.0 * *report.largest_utilization);
-    if (report.slides) std::puts("nodes slide along the target's surface: only distances to it count");
-    std::printf("%zu patterns, %d nonlinear solutions and %d of all beams, %.2g s; %s\n",
-                report.patterns.size(), report.solutions, report.full_solutions, report.seconds,
-                end_text(report.end));
 }
 
-/// Says what keeps the target out of reach, where that is known.
-void warn(const design::DesignReport& report, const design::DesignOptions& options) {
-    const char* hint = options.free_factor ? "" : " (--free factor searches one)";
-    if (report.wanted_of_softest > 2.0)
-        std::fprintf(stderr,
-                     "fretwork: the target asks for %.3g times the displacement of the softest single "
-                     "pattern tried: the load is too small for it%s\n",
-                     report.wanted_of_softest, hint);
-    if (report.wanted_of_stiffest > 0.0 && report.wanted_of_stiffest < 0.5)
-        std::fprintf(stderr,
-                     "fretwork: the target asks for %.3g times the displacement of the stiffest single "
-                     "pattern tried: the load is too large for it%s\n",
-                     report.wanted_of_stiffest, hint);
-    if (options.max_utilization > 0.0 && report.largest_utilization.value_or(0.0) > options.max_utilization)
-        std::fprintf(stderr, "fretwork: no painting that was checked keeps the utilization below %.3g\n",
-                     options.max_utilization);
+void read_typed(DesignArguments& arguments, const simulation::Project& project) {
+    design::DesignOptions& options = arguments.design;
+    read_as("--case", options.load_case,
+            [&] { (void)simulation::find_load_case(project, options.load_case); });
+    read_as("--keep", arguments.keep,
+            [&] { options.keep = tiling::parse_tiles(arguments.keep, project.tessellation); });
+    read_as("--symmetry", arguments.symmetry,
+            [&] { options.symmetry = typed::read_symmetry(arguments.symmetry); });
+    read_as("--clearance", arguments.clearance, [&] {
+        options.clearance = base::parse_length(arguments.clearance);
+        if (*options.clearance < 0.0)
+            throw base::InputError("'" + arguments.clearance + "' is below zero: no gap is");
+    });
+    read_free(arguments.free, options);
+    if (options.load_case.empty() && project.load_cases.size() == 1)
+        options.load_case = project.load_cases.front().name;
+}
+
+bool keeps_limits(const design::DesignReport& report, const design::DesignOptions& options) {
+    return report.close_bars == 0 && (options.max_utilization <= 0.0 ||
+                                      report.largest_utilization.value_or(0.0) <= options.max_utilization);
+}
+
+void write_design(const DesignArguments& arguments, const design::DesignReport& report,
+                  const design::Target& target) {
+    base::FileBatch files;
+    files.add(arguments.out, simulation::project_text(report.project));
+    if (!arguments.report.empty()) files.add(arguments.report, exports::design_html(report, target));
+    files.commit();
 }
 
 ExitCode run(DesignArguments arguments) {
     LongWork work;
     const design::Target target = design::read_target(arguments.target);
     const simulation::Project project = simulation::read_checked_project(arguments.project);
+    require_own_out(arguments, project);
     design::DesignOptions& options = arguments.design;
+    read_typed(arguments, project);
     std::optional<library::Library> library;
     if (!arguments.library.empty() || arguments.palette == "library" || !project.setting)
         library = simulation::open_project_library(arguments.project, project, arguments.library);
     const library::Library* given = library ? &*library : nullptr;
     options.palette =
         typed::read_palette({arguments.palette, options.seed, work.control()}, project.layout, given);
-    if (!arguments.keep.empty()) {
-        try {
-            options.keep = tiling::parse_tiles(arguments.keep, project.tessellation);
-        } catch (const base::InputError& error) {
-            throw base::within("--keep", "", error);
-        }
-    }
-    read_free(arguments.free, options);
-    if (!arguments.symmetry.empty()) {
-        try {
-            options.symmetry = typed::read_symmetry(arguments.symmetry);
-        } catch (const base::InputError& error) {
-            throw base::within("--symmetry", "", error);
-        }
-    }
     if (options.max_utilization > 0.0 && !simulation::setting_of(project, given).strength)
         throw base::InputError("--max-utilization", "",
                                "needs a strength, and the project's setting has none");
-    if (options.load_case.empty() && project.load_cases.size() == 1)
-        options.load_case = project.load_cases.front().name;
     options.control = work.control();
     const design::DesignReport report = run_design(arguments, project, given, target, options);
-    simulation::write_project(report.project, arguments.out);
+    write_design(arguments, report, target);
     if (arguments.json) {
-        std::fputs(base::json_text(report_json(report)).c_str(), stdout);
+        print_design_json(report);
     } else {
-        print(report);
+        print_design(report);
     }
-    warn(report, options);
-    const bool is_held =
-        options.max_utilization <= 0.0 || report.largest_utilization.value_or(0.0) <= options.max_utilization;
-    return report.is_better() && is_held && report.end != design::DesignEnd::Stopped
-               ? ExitCode::Done
-               : ExitCode::DidNotSucceed;
+    warn_of_design(report, options);
+    const bool is_ended =
+        report.end != design::DesignEnd::Stopped && report.end != design::DesignEnd::Unreachable;
+    return report.is_better() && keeps_limits(report, options) && is_ended ? ExitCode::Done
+                                                                           : ExitCode::DidNotSucceed;
 }
 
 }  // namespace
@@ -224,23 +198,31 @@ void add_design(CLI::App& app, ExitCode& exit_code) {
                      "Most different patterns, those of kept tiles included (default: any number)")
         ->check(CLI::Range(1, 1'000'000));
     verb->add_option("--keep", arguments->keep, "Tiles that keep their patterns: 3,7-11")->type_name("TILES");
-    verb->add_option("--free", arguments->free,
-                     "Unknowns besides the painting: factor (on the loads, not the weight), prescribed (the "
-                     "values of prescribed displacements), or both joined by a comma")
-        ->type_name("factor,prescribed");
+    verb->add_option(
+            "--free", arguments->free,
+            "Unknowns besides the painting, joined by commas: factor (on the loads, not the weight), "
+            "prescribed (the values of prescribed displacements), width, thickness (of all bars, which "
+            "have to be rectangular: from a third of it to three times)")
+        ->type_name("factor,prescribed,width,thickness");
     verb->add_option("--symmetry", arguments->symmetry,
                      "Symmetry of the painting about the middle: mirror:x (left and right), mirror:y, turn:N")
         ->type_name("SYMMETRY");
-    verb->add_option("--max-mass", options.max_mass, "Most mass of all beams, kg");
+    verb->add_option("--max-mass", options.max_mass, "Most mass of all beams, kg")->check(not_negative());
+    verb->add_option("--max-utilization", options.max_utilization,
+                     "Largest utilization, checked with all beams; the result is the best checked painting "
+                     "that keeps it")
+        ->check(not_negative());
     verb->add_option(
-        "--max-utilization", options.max_utilization,
-        "Largest utilization, checked with all beams; the result is the best checked painting that keeps it");
+            "--clearance", arguments->clearance,
+            "Smallest gap between bars, such as 0.5mm: patterns that do not keep it are left out; the "
+            "result is the best checked painting that keeps it")
+        ->type_name("LENGTH");
     verb->add_option("--seconds", options.seconds,
                      "Wall time, checks included (default: until no swap improves)")
-        ->check(CLI::Range(0.0, 1e9));
-    verb->add_option("--solutions", options.most_solutions, "Most nonlinear solutions of the search")
-        ->check(CLI::Range(1, 1'000'000))
-        ->capture_default_str();
+        ->check(not_negative());
+    verb->add_option("--solutions", options.most_solutions,
+                     "Most nonlinear solutions of the search (default: 40, more on fewer than 44 tiles)")
+        ->check(CLI::Range(1, 1'000'000));
     verb->add_option("--seed", options.seed, "Seed of all random choices")
         ->check(seed_check())
         ->capture_default_str();
@@ -250,9 +232,12 @@ void add_design(CLI::App& app, ExitCode& exit_code) {
     verb->add_option("--library", arguments->library,
                      "Library with patterns and setting (default: the project's)");
     verb->add_option("--out", arguments->out, "Project file to write")->required();
+    verb->add_option("--report", arguments->report,
+                     "Page to write: the bent surface over the target, errors, painting, course of the "
+                     "search, curvatures; one file for any browser");
     verb->add_flag("--json", arguments->json, "Print JSON: errors, patterns, history, seconds, solutions");
     declare_files(*verb, {input("project"), input("--target"), input("--palette"), input("--library"),
-                          output("--out", kProjectFile)});
+                          output("--out", kProjectFile), output("--report", kPageFile)});
     verb->footer(
         "Example: fretwork design project.json --case tip --target arc.json --palette sample:64 --out "
         "designed.json\n"
@@ -261,7 +246,7 @@ void add_design(CLI::App& app, ExitCode& exit_code) {
         "null, \"0.05\"]}]}\n"
         "Ctrl-C keeps the best painting so far. Exit 0: better than the best single pattern, checked with "
         "all beams; 1: "
-        "written, but not better, stopped, or beyond --max-utilization.");
+        "written, but not better, stopped, out of reach, or beyond --max-utilization or --clearance.");
     verb->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 

@@ -26,6 +26,8 @@ const char* end_words(design::DesignEnd end) {
             return "the solutions were spent";
         case design::DesignEnd::TimeSpent:
             return "the time was spent";
+        case design::DesignEnd::Unreachable:
+            return "no painting comes near: it was not searched";
         default:
             return "it was stopped: this is the best painting so far";
     }

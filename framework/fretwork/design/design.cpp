@@ -3,9 +3,13 @@
 #include <fretwork/base/task.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/design/design.hpp>
+#include <fretwork/design/reach/reach_bound.hpp>
+#include <fretwork/design/reach/survey.hpp>
+#include <fretwork/design/reach/unknown_fit.hpp>
 #include <fretwork/design/search/full_check.hpp>
 #include <fretwork/design/search/preparation.hpp>
 #include <fretwork/design/search/search.hpp>
+#include <fretwork/simulation/results/bar_clearance.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +34,10 @@ constexpr int kLeftForLastRound = 3;
 constexpr std::size_t kUniformChecks = 3;
 /// A defect round that gains less than this share is the last one without other starts.
 constexpr double kLeastDefectGain = 0.02;
+/// Where no painting comes half of the way from flat, none is searched for.
+constexpr double kHopeless = 0.5;
+/// Solutions besides those of the search that single patterns may take for their own unknowns.
+constexpr int kMostFitting = 40;
 
 /// The course of one design.
 class Designer {
@@ -42,26 +50,20 @@ class Designer {
           options_(options),
           watch_(watch),
           report_(report),
-          search_(trials_, options, watch, report) {}
+          search_(trials_, options_, watch, report) {}
 
     /// Leaves the best point in best(); throws Stopped, and then that is the best so far.
     void run() {
-        if (const double least = trials_.least_mass(palette_);
-            options_.max_mass > 0.0 && least > options_.max_mass)
-            throw base::InputError("the lightest painting weighs " + base::format_number(least) +
-                                   " kg, more than the " + base::format_number(options_.max_mass) +
-                                   " kg that it may");
-        std::vector<Solved> starts = search_.try_uniform(palette_, coordinates_);
-        if (starts.empty())
-            throw base::InputError(
-                "no single pattern of the palette has a stable equilibrium under this load: a smaller load "
-                "may have");
-        best_ = starts.front().point;
-        check_uniform(starts);
-        warn_of_load(starts);
+        require_possible_mass();
+        report_.bound = detail::reach_bound(trials_, palette_, options_.control.silent());
+        std::vector<Solved> starts = solve_uniform();
         const std::size_t listed = std::min(palette_.size(), options_.shortlist);
         search_.set_columns({palette_.begin(), palette_.begin() + static_cast<std::ptrdiff_t>(listed)},
                             palette_);
+        if (report_.bound.value_or(0.0) >= kHopeless * misfit_at_rest()) {
+            report_.end = DesignEnd::Unreachable;
+            return;
+        }
         aim_beside(starts);
         Solved found = search_.improve(starts.front(), reserve());
         best_ = found.point;
@@ -84,8 +86,60 @@ class Designer {
         return checked_ && best_ == checked_->point ? &checked_->check : nullptr;
     }
 
+    /// Fills in what is known of the shapes.
+    void tell_shapes() const {
+        report_.uniform_shapes = uniform_shapes_;
+        if (const FullCheck* own = check_of_best()) report_.shapes = detail::shapes_of(trials_, *own);
+        detail::add_wanted_curvatures(trials_.parts().surface.tessellation, report_.shapes, report_.gamut);
+        if (options_.clearance)
+            report_.close_bars =
+                simulation::close_bars(trials_.surface_at(*best_), *options_.clearance).size();
+    }
+
   private:
     [[nodiscard]] double reserve() const { return 2.5 * check_seconds_; }
+
+    [[nodiscard]] double misfit_at_rest() const {
+        const auto nodes = std::ssize(trials_.parts().surface.tessellation.interface_nodes);
+        detail::Trial rest;
+        rest.displacements.assign(trials_.parts().cases.size(), NodeValues::Zero(nodes, 6));
+        return std::sqrt(trials_.scaled_objective(rest));
+    }
+
+    void require_possible_mass() const {
+        if (options_.max_mass <= 0.0) return;
+        const detail::Lightest lightest = trials_.lightest(palette_);
+        if (lightest.mass <= options_.max_mass) return;
+        throw base::InputError(
+            "the lightest painting weighs " + base::format_number(lightest.mass, 4) +
+            " kg (its lightest pattern is " + trials_.parts().candidates.patterns()[lightest.pattern].id +
+            "), more than the " + base::format_number(options_.max_mass, 4) + " kg that it may");
+    }
+
+    /// Uniform paintings, the best first; those with the best chances have their own best unknowns.
+    std::vector<Solved> solve_uniform() {
+        std::vector<Solved> starts = search_.try_uniform(palette_, coordinates_);
+        if (starts.empty())
+            throw base::InputError(
+                "no single pattern of the palette has a stable equilibrium under this load: a smaller load "
+                "may have");
+        best_ = starts.front().point;
+        detail::survey(trials_, starts, report_);
+        report_.reach_of_ten_loads = detail::reach_of_ten_loads(trials_, starts, report_, options_.control);
+        if (trials_.initial_unknowns().size() > 0) {
+            const int before = trials_.solutions();
+            DesignOptions fitting = options_;
+            fitting.most_solutions = search_.most_solutions() + kMostFitting;
+            detail::fit_starts(trials_, starts, fitting);
+            search_.grant(trials_.solutions() - before);
+            search_.note(starts.front());
+            detail::add_reached_curvatures(trials_, starts, report_.gamut);
+        }
+        best_ = starts.front().point;
+        report_.uniform_solutions = trials_.solutions();
+        check_uniform(starts);
+        return starts;
+    }
 
     FullCheck check(const Point& point) {
         const double before = watch_.seconds();
@@ -102,29 +156,21 @@ class Designer {
         for (std::size_t i = 0; i < std::min(starts.size(), kUniformChecks); ++i) {
             FullCheck found = check(starts[i].point);
             if (!found.is_found) continue;
-            report_.best_uniform = found.error;
-            report_.best_uniform_pattern =
-                trials_.parts().candidates.patterns()[starts[i].point.patterns.front()].id;
+            take_uniform(starts[i].point, found);
             best_ = starts[i].point;
             checked_ = {starts[i].point, std::move(found)};
             return;
         }
     }
 
-    /// Compares how far all uniform paintings are displaced with what is wanted.
-    void warn_of_load(const std::vector<Solved>& starts) {
-        double least = 0.0;
-        double most = 0.0;
-        for (const Solved& start : starts) {
-            double largest = 0.0;
-            for (const NodeValues& own : start.trial.displacements)
-                largest = std::max(largest, own.leftCols<3>().rowwise().norm().maxCoeff());
-            least = least == 0.0 ? largest : std::min(least, largest);
-            most = std::max(most, largest);
-        }
-        const double wanted = trials_.largest_wanted();
-        report_.wanted_of_softest = most > 0.0 ? wanted / most : 0.0;
-        report_.wanted_of_stiffest = least > 0.0 ? wanted / least : 0.0;
+    /// Whoever finds it: a painting of one pattern is a single pattern to compare with.
+    void take_uniform(const Point& point, const FullCheck& found) {
+        if (std::ranges::adjacent_find(point.patterns, std::ranges::not_equal_to{}) != point.patterns.end())
+            return;
+        if (report_.best_uniform && report_.best_uniform->mean <= found.error.mean) return;
+        report_.best_uniform = found.error;
+        report_.best_uniform_pattern = trials_.parts().candidates.patterns()[point.patterns.front()].id;
+        uniform_shapes_ = detail::shapes_of(trials_, found);
     }
 
     /// Aim beside the target by what the reduced model is off at the uniform painting that was checked.
@@ -148,8 +194,11 @@ class Designer {
     }
 
     [[nodiscard]] bool is_allowed(const Point& point, const FullCheck& check) const {
-        if (!check.is_found) return false;
+        if (!check.is_found || !check.error.is_stable) return false;
         if (options_.max_mass > 0.0 && trials_.mass_of(point) > options_.max_mass) return false;
+        if (options_.clearance &&
+            !simulation::close_bars(trials_.surface_at(point), *options_.clearance).empty())
+            return false;
         return options_.max_utilization <= 0.0 ||
                check.largest_utilization.value_or(0.0) <= options_.max_utilization;
     }
@@ -158,6 +207,7 @@ class Designer {
     void check_and_keep_best(const Solved& solved) {
         if (!is_correcting_) best_ = solved.point;  // if the check is stopped; else the checked one stays
         FullCheck found = check(solved.point);
+        if (found.is_found) take_uniform(solved.point, found);
         const bool replaces =
             !checked_ || (is_allowed(solved.point, found) && !is_allowed(checked_->point, checked_->check));
         if (found.is_found && (replaces || (is_allowed(solved.point, found) &&
@@ -172,7 +222,8 @@ class Designer {
         double sum = 0.0;
         double count = 0.0;
         for (std::size_t c = 0; c < full.displacements.size(); ++c) {
-            const NodeValues difference = full.displacements[c] - solved.trial.displacements[c];
+            const NodeValues& reduced = solved.trial.displacements[c];
+            const NodeValues difference = full.displacements[c].topRows(reduced.rows()) - reduced;
             sum += difference.leftCols<3>().rowwise().norm().sum();
             count += static_cast<double>(difference.rows());
         }
@@ -213,9 +264,25 @@ class Designer {
         FullCheck check;
     };
     std::optional<Checked> checked_;  ///< the best of those that were checked
+    std::vector<CaseShape> uniform_shapes_;
     double check_seconds_ = 0.0;
     bool is_correcting_ = false;  ///< what the search says is of moved aims
 };
+
+/// Where bars have another section, the project carries it, and no library: that has the old one.
+void write_section(const Trials& trials, const Point& point, DesignReport& report) {
+    const auto& free = trials.parts().free;
+    if (!free.width && !free.thickness) return;
+    const reduction::Setting setting = trials.setting_at(point);
+    report.width = mechanics::rectangle_width(setting.section);
+    report.thickness = mechanics::rectangle_height(setting.section);
+    report.project.setting = setting;
+    if (report.project.library_path.empty()) return;
+    report.project.library_path.clear();
+    report.project.library_hash.clear();
+    report.warnings.emplace_back(
+        "the designed project names no library: its bars have another section than the library's");
+}
 
 /// The project with a point's painting, and with the load cases of its unknowns.
 void write_point(const Trials& trials, const Point& point, const std::vector<std::string>& names,
@@ -225,6 +292,7 @@ void write_point(const Trials& trials, const Point& point, const std::vector<std
     for (const pattern::NamedPattern& own : project.tessellation.patterns) report.patterns.push_back(own.id);
     std::ranges::sort(report.patterns);
     report.load_cases = names;
+    write_section(trials, point, report);
     const auto& free = trials.parts().free;
     for (std::size_t c = 0; c < names.size(); ++c) {
         const simulation::LoadCase& wanted = trials.parts().cases[c].load_case;
@@ -247,6 +315,8 @@ std::string_view design_end_name(DesignEnd end) {
             return "solutions-spent";
         case DesignEnd::TimeSpent:
             return "time-spent";
+        case DesignEnd::Unreachable:
+            return "unreachable";
         default:
             return "stopped";
     }
@@ -264,6 +334,7 @@ DesignReport design(const simulation::Project& project, const library::Library* 
     report.seed = options.seed;
     detail::Preparation preparation = detail::prepare(project, library, target, options);
     const std::vector<std::string> names = preparation.load_cases;
+    report.warnings = preparation.warnings;
     Designer designer(std::move(preparation), options, watch, report);
     try {
         designer.run();
@@ -278,6 +349,7 @@ DesignReport design(const simulation::Project& project, const library::Library* 
     }
     for (const auto& own : designer.trials().parts().cases)
         report.slides = report.slides || own.goals.slides();
+    designer.tell_shapes();
     write_point(designer.trials(), *designer.best(), names, report);
     report.solutions = designer.trials().solutions();
     report.seconds = watch.seconds();

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <fretwork/base/control.hpp>
+#include <fretwork/design/gamut.hpp>
 #include <fretwork/design/symmetry.hpp>
 #include <fretwork/design/target/target.hpp>
 #include <fretwork/library/library.hpp>
+#include <fretwork/mechanics/frame/frame.hpp>
 #include <fretwork/simulation/project/project.hpp>
 
 #include <cstdint>
@@ -37,9 +39,15 @@ struct DesignOptions {
                                    ///< 0: any
     bool free_factor = false;      ///< the factor on each load case's loads is searched, too
     bool free_prescribed = false;  ///< the values of its prescribed displacements are searched, too
-    double seconds = 0.0;          ///< wall time, checks included; 0: any
-    /// Most nonlinear solutions of the search; checks take further ones. 0: 40, and of surfaces of fewer than
-    /// 44 tiles, whose solutions are cheaper, as many more as there are fewer tiles, up to 320.
+    bool free_width = false;       ///< the width of all bars is searched, too; they have to be rectangular
+    bool free_thickness = false;   ///< the thickness of all bars is searched, too
+    /// Smallest gap between bars, m. Patterns whose own bars come nearer to each other are left out, and the
+    /// result is the best checked painting that keeps it. None: any gap.
+    std::optional<double> clearance{};
+    double seconds = 0.0;  ///< wall time, checks included; 0: any
+    /// Most nonlinear solutions of the search; checks and the fits of single patterns take further ones. 0:
+    /// 40, and of surfaces of fewer than 44 tiles, whose solutions are cheaper, as many more as there are
+    /// fewer tiles, up to 320.
     int most_solutions = 0;
     /// The search begins with this number of them: two thirds of very different stiffness, and then those
     /// that are predicted from these to be the best.
@@ -56,9 +64,23 @@ struct DesignOptions {
 /// Distances to the target over its goals' nodes, as shares of the largest displacement that it asks for.
 /// They are those of the full model: the nonlinear equilibrium on the stable path from flat.
 struct TargetError {
-    double mean = 0.0;      ///< a share of the largest displacement wanted
-    double largest = 0.0;   ///< the same of the worst node
-    bool is_stable = true;  ///< of all load cases
+    double mean = 0.0;       ///< a share of the largest displacement wanted
+    double largest = 0.0;    ///< the same of the worst node
+    bool is_stable = true;   ///< of all load cases
+    bool is_on_path = true;  ///< the whole path from flat is stable; else it snaps on the way
+};
+
+/// The shape of a surface under one load case, with all beams, and the places that the target asks for.
+struct CaseShape {
+    std::string load_case;                ///< its name
+    mechanics::NodeValues displacements;  ///< a row for each node of the full model, interface nodes first
+    /// A node of a goal.
+    struct GoalNode {
+        int node = 0;                                      ///< an interface node
+        Eigen::Vector3d wanted = Eigen::Vector3d::Zero();  ///< its wanted place, m; free components stay
+        double distance = 0.0;                             ///< from there, m
+    };
+    std::vector<GoalNode> goals;  ///< the nodes of all goals of this load case
 };
 
 /// The reason for which the search ended.
@@ -67,7 +89,8 @@ enum class DesignEnd {
                      ///< came true
     SolutionsSpent,  ///< the solutions were used up
     TimeSpent,       ///< the time was used up
-    Stopped          ///< by the caller
+    Stopped,         ///< by the caller
+    Unreachable      ///< by DesignReport::bound, no painting comes near the target: none was searched
 };
 /// The word for it in reports.
 std::string_view design_end_name(DesignEnd end);
@@ -82,14 +105,30 @@ struct DesignReport {
     std::optional<TargetError> best_uniform;  ///< error of the best single pattern among those tried
     std::string best_uniform_pattern;         ///< its id
     std::size_t uniform_tried = 0;            ///< single patterns that were solved
-    std::vector<std::string> patterns;        ///< patterns of the painting
-    std::vector<double> factors;  ///< factor on the loads of each load case, in the order of load_cases
+    int uniform_solutions = 0;          ///< solutions that the single patterns took, with their own unknowns
+    std::vector<std::string> patterns;  ///< patterns of the painting
+    std::vector<double> factors;        ///< factor on the loads of each load case, in the order of load_cases
     std::vector<std::string> load_cases;        ///< their names
     std::optional<double> largest_utilization;  ///< with all beams; none without a strength
+    std::optional<double> width{};              ///< width of the bars, m; none if it is not free
+    std::optional<double> thickness{};          ///< thickness of the bars, m; none if it is not free
+    /// The bound: no painting of the palette has a smaller misfit (root of the weighted mean square distance,
+    /// a share of the largest displacement wanted). It is proven in linear theory, for targets that are small
+    /// enough for it (README.md). None for other targets.
+    std::optional<double> bound{};
+    std::size_t close_bars = 0;               ///< pairs of bars that come nearer than the clearance
+    std::vector<std::string> warnings{};      ///< such as goals that nodes cannot reach; one line each
+    std::vector<CaseShape> shapes{};          ///< of the painting; empty if it was not checked with all beams
+    std::vector<CaseShape> uniform_shapes{};  ///< the same of the best single pattern
+    Gamut gamut{};                            ///< curvatures that are wanted and reached
     /// The largest displacement wanted, divided by the largest displacement of the softest uniform painting,
     /// and then of the stiffest one. Values far above one mean that the load is too small for the target.
     double wanted_of_softest = 0.0;
     double wanted_of_stiffest = 0.0;  ///< the same of the stiffest one
+    bool nothing_moves = false;       ///< the load cases displace no uniform painting
+    /// The displacement of the softest uniform painting under ten times the loads, as a share of the largest
+    /// displacement wanted. Only if wanted_of_softest is above two, and there are loads.
+    std::optional<double> reach_of_ten_loads{};
     double model_error =
         0.0;  ///< mean distance of the reduced model from the full one, a share like the errors
     std::vector<double> starts;  ///< the misfit that each start of the search reached (DesignProgress)

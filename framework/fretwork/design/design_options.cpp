@@ -20,6 +20,8 @@ void DesignOptions::validate(const simulation::Project& project) const {
     require_not_negative(max_mass, "the largest mass");
     require_not_negative(max_utilization, "the largest utilization");
     require_not_negative(seconds, "the time");
+    if (clearance) require_not_negative(*clearance, "the clearance");
+    if (!load_case.empty()) (void)simulation::find_load_case(project, load_case);
     if (most_solutions < 0) throw base::InputError("the number of solutions must be zero or more");
     if (uniform_paintings < 1 || shortlist < 1)
         throw base::InputError("at least one uniform painting and one pattern are needed to begin with");

@@ -109,6 +109,9 @@ void bind_options(py::module_& m) {
         .field("max_utilization", &DesignOptions::max_utilization, "of the setting's strength; 0: any")
         .field("free_factor", &DesignOptions::free_factor, "the factor on the loads is searched, too")
         .field("free_prescribed", &DesignOptions::free_prescribed, "so are prescribed displacements")
+        .field("free_width", &DesignOptions::free_width, "so is the width of all bars (rectangles)")
+        .field("free_thickness", &DesignOptions::free_thickness, "so is their thickness")
+        .field("clearance", &DesignOptions::clearance, "m, smallest gap between bars; None: any")
         .field("seconds", &DesignOptions::seconds, "wall time, checks included; 0: any")
         .field("most_solutions", &DesignOptions::most_solutions, "nonlinear ones of the search")
         .field("uniform_paintings", &DesignOptions::uniform_paintings, "that the search begins with")
@@ -116,6 +119,31 @@ void bind_options(py::module_& m) {
         .field("seed", &DesignOptions::seed, "")
         .field("threads", &DesignOptions::threads, "0: all there are; no bit of the result depends on it")
         .done();
+}
+
+void bind_shapes(py::module_& m) {
+    using GoalNode = CaseShape::GoalNode;
+    Record<GoalNode>(m, "GoalNode", "A node of a goal.")
+        .constant("node", &GoalNode::node, "its number")
+        .constant("wanted", &GoalNode::wanted, "its place in space, m; free components are as they are")
+        .constant("distance", &GoalNode::distance, "m")
+        .done(Made::ByFunctions);
+    Record<CaseShape>(m, "CaseShape", "Where a surface is under one load case, with all beams.")
+        .constant("load_case", &CaseShape::load_case, "its name")
+        .constant("displacements", &CaseShape::displacements, "a row for each node, interface nodes first")
+        .constant("goals", &CaseShape::goals, "GoalNodes")
+        .done(Made::ByFunctions);
+    Record<Curvatures>(m, "Curvatures", "The principal curvatures of a bent surface, 1/m.")
+        .constant("largest", &Curvatures::largest, "")
+        .constant("smallest", &Curvatures::smallest, "")
+        .done(Made::ByFunctions);
+    Record<Gamut>(m, "Gamut", "Curvatures that the load gives tiles, and those that a target asks for.")
+        .constant("reached", &Gamut::reached, "of all tiles with all single patterns that were tried")
+        .constant("wanted", &Gamut::wanted, "of tiles around which every node has a goal")
+        .constant("designed", &Gamut::designed, "of the same tiles in the painting")
+        .done(Made::ByFunctions)
+        .def_property_readonly("share_outside", &Gamut::share_outside,
+                               "the share of the wanted ones far from all reached ones; None without any");
 }
 
 void bind_report(py::module_& m) {
@@ -131,13 +159,16 @@ void bind_report(py::module_& m) {
         .constant("mean", &TargetError::mean, "")
         .constant("largest", &TargetError::largest, "")
         .constant("is_stable", &TargetError::is_stable, "")
+        .constant("is_on_path", &TargetError::is_on_path, "the whole path from flat is stable")
         .done(Made::ByFunctions);
+    bind_shapes(m);
     Record<DesignReport>(m, "DesignReport", "The painted project, and how far it is from the target.")
         .constant("project", &DesignReport::project, "painted; its load cases have the values found")
         .constant("error", &DesignReport::error, "None if the search was stopped before the check")
         .constant("best_uniform", &DesignReport::best_uniform, "of the best single pattern of those tried")
         .constant("best_uniform_pattern", &DesignReport::best_uniform_pattern, "its id")
         .constant("uniform_tried", &DesignReport::uniform_tried, "single patterns")
+        .constant("uniform_solutions", &DesignReport::uniform_solutions, "that these took")
         .constant("patterns", &DesignReport::patterns, "ids of the painting")
         .constant("factors", &DesignReport::factors, "on the loads of each load case of load_cases")
         .constant("load_cases", &DesignReport::load_cases, "names")
@@ -145,6 +176,19 @@ void bind_report(py::module_& m) {
         .constant("wanted_of_softest", &DesignReport::wanted_of_softest,
                   "largest displacement wanted, by that of the softest single pattern")
         .constant("wanted_of_stiffest", &DesignReport::wanted_of_stiffest, "the same of the stiffest")
+        .constant(
+            "reach_of_ten_loads", &DesignReport::reach_of_ten_loads,
+            "displacement of the softest one under ten times the loads, by what is wanted; None: unasked")
+        .constant("nothing_moves", &DesignReport::nothing_moves, "under the load cases")
+        .constant("width", &DesignReport::width, "m, of the bars; None where it is not free")
+        .constant("thickness", &DesignReport::thickness, "m")
+        .constant("bound", &DesignReport::bound,
+                  "below the misfit of every painting, in linear theory; None where it does not hold")
+        .constant("close_bars", &DesignReport::close_bars, "pairs nearer than the clearance")
+        .constant("warnings", &DesignReport::warnings, "one line each")
+        .constant("shapes", &DesignReport::shapes, "of the painting, one for each load case")
+        .constant("uniform_shapes", &DesignReport::uniform_shapes, "of the best single pattern")
+        .constant("gamut", &DesignReport::gamut, "curvatures")
         .constant("model_error", &DesignReport::model_error, "of the reduced model, a share like the errors")
         .constant("starts", &DesignReport::starts, "the misfit that each start of the search reached")
         .constant("history", &DesignReport::history, "")

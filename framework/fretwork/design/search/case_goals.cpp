@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/design/search/case_goals.hpp>
 #include <fretwork/simulation/load_cases/selection.hpp>
 #include <fretwork/tiling/painting/field.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace fretwork::design::detail {
 namespace {
@@ -16,6 +18,8 @@ using tiling::Tessellation;
 
 /// Below this a node lies on its surface, whose normal then is the direction of its distance.
 constexpr double kOnSurface = 1e-9;
+/// Of the size of a surface: displacements beyond it are slips of units.
+constexpr double kFarthest = 10.0;
 
 Eigen::Vector3d place_of(const Tessellation& tessellation, InterfaceIndex node) {
     const geometry::Point2& point = tessellation.interface_nodes[node];
@@ -60,25 +64,42 @@ std::vector<InterfaceIndex> named_nodes(const NodesGoal& goal, const Tessellatio
 CaseGoals::CaseGoals(const Target& target, const std::string& load_case, const std::string& default_case,
                      const Tessellation& tessellation)
     : length_(tiling::mean_tile_side(tessellation)) {
+    std::size_t first = 0;
     for (std::size_t i = 0; i < target.goals.size(); ++i) {
         const Goal& goal = target.goals[i];
         if ((goal.load_case.empty() ? default_case : goal.load_case) != load_case) continue;
         try {
+            goal.validate();
             add(goal, tessellation);
         } catch (const base::InputError& error) {
             throw base::within("", "/goals/" + std::to_string(i), error);
         }
+        for (; first < goals_.size(); ++first) goals_[first].goal = i;
     }
+    require_agreement();
 }
 
 void CaseGoals::add(const Goal& goal, const Tessellation& tessellation) {
-    const auto add_nodes = [&](const std::vector<InterfaceIndex>& nodes, const auto& what_of) {
+    const geometry::Box box = tiling::bounding_box(tessellation);
+    const double size = std::hypot(box.xmax - box.xmin, box.ymax - box.ymin);
+    const double before = std::exchange(largest_, 0.0);
+    add_nodes(goal, tessellation);
+    if (!(largest_ <= kFarthest * size))
+        throw base::InputError("asks for a displacement of " + base::format_number(largest_, 4) +
+                               " m, where the surface is " + base::format_number(size, 3) +
+                               " m across: lengths are in metres, and " + base::format_number(kFarthest) +
+                               " times its size is the most");
+    largest_ = std::max(largest_, before);
+}
+
+void CaseGoals::add_nodes(const Goal& goal, const Tessellation& tessellation) {
+    const auto add_each = [&](const std::vector<InterfaceIndex>& nodes, const auto& what_of) {
         for (std::size_t i = 0; i < nodes.size(); ++i)
             goals_.push_back({nodes[i].value, place_of(tessellation, nodes[i]), what_of(i), goal.weight});
     };
     if (const auto* own = std::get_if<NodesGoal>(&goal.what)) {
         const auto nodes = named_nodes(*own, tessellation);
-        add_nodes(nodes, [&](std::size_t i) {
+        add_each(nodes, [&](std::size_t i) {
             FreeVector wanted = own->values[i];
             if (own->quantity == NodesGoal::Quantity::Positions) {
                 const Eigen::Vector3d place = place_of(tessellation, nodes[i]);
@@ -94,10 +115,10 @@ void CaseGoals::add(const Goal& goal, const Tessellation& tessellation) {
         const auto nodes = simulation::select_nodes(formula->where, tessellation);
         const auto values = formula_values(*formula, nodes, tessellation);
         for (const FreeVector& value : values) largest_ = std::max(largest_, size_of(value));
-        add_nodes(nodes, [&](std::size_t i) { return Components{values[i]}; });
+        add_each(nodes, [&](std::size_t i) { return Components{values[i]}; });
     } else if (const auto* turned = std::get_if<RotationGoal>(&goal.what)) {
         largest_ = std::max(largest_, length_ * size_of(turned->rotation));
-        add_nodes(simulation::select_nodes(turned->where, tessellation), [&](std::size_t) {
+        add_each(simulation::select_nodes(turned->where, tessellation), [&](std::size_t) {
             return Components{turned->rotation, true};
         });
     } else {
@@ -108,7 +129,7 @@ void CaseGoals::add(const Goal& goal, const Tessellation& tessellation) {
             const Eigen::Vector3d place = place_of(tessellation, node);
             largest_ = std::max(largest_, (mesh->nearest(place).point - place).norm());
         }
-        add_nodes(nodes, [&](std::size_t) { return mesh; });
+        add_each(nodes, [&](std::size_t) { return mesh; });
     }
 }
 

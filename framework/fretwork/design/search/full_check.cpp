@@ -22,7 +22,6 @@ FullCheck check_in_full(const Trials& trials, const Point& point, BeamDemand bea
     FullCheck check;
     check.is_found = true;
     const simulation::Surface surface = trials.surface_at(point);
-    const auto nodes = std::ssize(surface.tessellation.interface_nodes);
     if (beams == BeamDemand::Utilization) check.largest_utilization = 0.0;
     for (std::size_t c = 0; c < trials.parts().cases.size(); ++c) {
         simulation::SimulationOptions options{.model = "full", .threads = trials.parts().threads};
@@ -32,6 +31,7 @@ FullCheck check_in_full(const Trials& trials, const Point& point, BeamDemand bea
         ++check.solutions;
         if (!result.solution.converged() || !result.solution.stable) {
             // The path from flat loses its stability: go on along the stable branch.
+            check.error.is_on_path = false;
             options.branch = mechanics::Branch::Stable;
             session.emplace(surface, trials.load_case_at(point, c), options);
             result = session->solve(control.silent());
@@ -42,13 +42,25 @@ FullCheck check_in_full(const Trials& trials, const Point& point, BeamDemand bea
         if (beams == BeamDemand::Utilization && check.is_found)
             check.largest_utilization =
                 std::max(*check.largest_utilization, largest_utilization(*session, result.solution));
-        check.displacements.push_back(result.solution.displacements.topRows(nodes));
+        check.displacements.push_back(std::move(result.solution.displacements));
     }
     if (!check.is_found) return check;
     const Trials::Distances distances = trials.distances(check.displacements);
     check.error.mean = distances.mean;
     check.error.largest = distances.largest;
     return check;
+}
+
+std::vector<CaseShape> shapes_of(const Trials& trials, const FullCheck& check) {
+    std::vector<CaseShape> shapes;
+    for (std::size_t c = 0; c < check.displacements.size(); ++c) {
+        const DesignCase& own = trials.parts().cases[c];
+        CaseShape shape{own.load_case.name, check.displacements[c], {}};
+        for (const CaseGoals::Place& place : own.goals.places(check.displacements[c]))
+            shape.goals.push_back({static_cast<int>(place.node), place.wanted, place.distance});
+        shapes.push_back(std::move(shape));
+    }
+    return shapes;
 }
 
 }  // namespace fretwork::design::detail

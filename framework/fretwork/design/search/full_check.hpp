@@ -13,14 +13,17 @@ namespace fretwork::design::detail {
 struct FullCheck {
     bool is_found = false;
     TargetError error;
-    std::vector<mechanics::NodeValues> displacements{};  ///< displacements of the interface nodes, for each
-                                                         ///< load case
+    std::vector<mechanics::NodeValues>
+        displacements{};  ///< displacements of all nodes, interface nodes first, for each load case
     std::optional<double> largest_utilization{};
     int solutions = 0;
 };
 
 /// The choice whether to compute the largest utilization of the beams.
 enum class BeamDemand { None, Utilization };
+
+/// The shapes of a check, and where the goals want their nodes to be.
+std::vector<CaseShape> shapes_of(const Trials& trials, const FullCheck& check);
 
 /// Solve all load cases with all beams. Throws Stopped.
 FullCheck check_in_full(const Trials& trials, const Point& point, BeamDemand beams,

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/design/search/free_section.hpp>
 #include <fretwork/design/search/preparation.hpp>
 #include <fretwork/design/search/uniform_guess.hpp>
 #include <fretwork/pattern/mirror.hpp>
+#include <fretwork/simulation/results/bar_clearance.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -58,10 +61,17 @@ SpreadPalette spread_palette(const Surface& surface, const std::vector<NamedPatt
 }
 
 /// Names of the load cases that the goals speak of, in their order.
-std::vector<std::string> case_names(const Target& target, const std::string& own) {
+std::vector<std::string> case_names(const Target& target, const simulation::Project& project,
+                                    const std::string& own) {
     std::vector<std::string> names;
-    for (const Goal& goal : target.goals) {
-        const std::string& name = goal.load_case.empty() ? own : goal.load_case;
+    for (std::size_t i = 0; i < target.goals.size(); ++i) {
+        const bool is_named = !target.goals[i].load_case.empty();
+        const std::string& name = is_named ? target.goals[i].load_case : own;
+        try {
+            (void)simulation::find_load_case(project, name);
+        } catch (const base::InputError& error) {
+            throw base::within("", "/goals/" + std::to_string(i) + (is_named ? "/case" : ""), error);
+        }
         if (std::ranges::find(names, name) == names.end()) names.push_back(name);
     }
     return names;
@@ -115,7 +125,8 @@ bool needs_mirror_images(const Symmetry& symmetry) {
     return symmetry.kind == Symmetry::Kind::MirrorX || symmetry.kind == Symmetry::Kind::MirrorY;
 }
 
-void require_kept_painted(const Surface& surface, const DesignOptions& options) {
+/// The ids of the patterns of kept tiles, each once.
+std::vector<std::string> kept_patterns(const Surface& surface, const DesignOptions& options) {
     std::vector<std::string> kept;
     for (const TileIndex tile : options.keep) {
         const auto* own = tiling::pattern_of(surface.tessellation, tile);
@@ -124,21 +135,67 @@ void require_kept_painted(const Surface& surface, const DesignOptions& options) 
                                    " is to be kept but has no pattern");
         if (std::ranges::find(kept, own->id) == kept.end()) kept.push_back(own->id);
     }
-    if (options.max_patterns > 0 && kept.size() >= options.max_patterns)
+    return kept;
+}
+
+/// Where kept tiles have as many patterns as may be, others take these.
+std::vector<NamedPattern> within_number(std::vector<NamedPattern> palette,
+                                        const std::vector<std::string>& kept, const DesignOptions& options) {
+    if (options.max_patterns == 0 || kept.size() < options.max_patterns) return palette;
+    std::erase_if(palette,
+                  [&](const NamedPattern& own) { return std::ranges::find(kept, own.id) == kept.end(); });
+    if (kept.size() > options.max_patterns || palette.empty())
         throw base::InputError("the kept tiles have " + std::to_string(kept.size()) +
-                               " patterns already, where all tiles are to have " +
-                               std::to_string(options.max_patterns) + " at most");
+                               (kept.size() == 1 ? " pattern" : " patterns") +
+                               " already, where all tiles are to have " +
+                               std::to_string(options.max_patterns) + " at most" +
+                               (palette.empty() ? ", and none of these is in the palette" : ""));
+    return palette;
+}
+
+/// Without those whose own bars come too near to each other.
+std::vector<NamedPattern> with_clearance(const Surface& surface, std::vector<NamedPattern> palette,
+                                         const DesignOptions& options) {
+    if (!options.clearance) return palette;
+    Surface tile = reference_surface(surface);
+    tile.tessellation.tiles[TileIndex(0)].pattern = 0;
+    std::erase_if(palette, [&](const NamedPattern& own) {
+        options.control.silent().check();
+        tile.tessellation.patterns = {own};
+        return !simulation::close_bars(tile, *options.clearance).empty();
+    });
+    if (palette.empty())
+        throw base::InputError("every pattern of the palette has bars that come nearer to each other than " +
+                               base::format_number(1e3 * *options.clearance, 4) +
+                               " mm: a smaller clearance or narrower bars are needed");
+    return palette;
+}
+
+bool is_loaded(const DesignCase& own) {
+    return !own.load_case.loads.empty() || !own.load_case.area_loads.empty();
+}
+
+/// A combination is solved as its parts are together. What is found could not be written into it.
+void require_no_combination(const simulation::Project& project, const std::vector<std::string>& names,
+                            const DesignOptions& options) {
+    if (!options.free_factor && !options.free_prescribed) return;
+    for (const simulation::LoadCase& own : project.load_cases) {
+        const bool is_meant = std::ranges::any_of(names, [&](const std::string& name) {
+            return name.empty() ? project.load_cases.size() == 1 : name == own.name;
+        });
+        if (own.combines.empty() || !is_meant) continue;
+        throw base::InputError(
+            "load case '" + own.name + "' combines '" + own.combines.front().load_case + "'" +
+            (own.combines.size() > 1 ? " and others" : "") + ": it has no " +
+            (options.free_factor ? "factor on all its loads" : "prescribed values of its own") +
+            " to be searched; a load case with these loads has");
+    }
 }
 
 /// A factor or a value that is searched must act on something.
-void require_free(const std::vector<DesignCase>& cases, const DesignOptions& options) {
-    const auto is_loaded = [](const DesignCase& own) {
-        return !own.load_case.loads.empty() || !own.load_case.area_loads.empty() ||
-               !own.load_case.combines.empty();
-    };
-    const auto is_moved = [](const DesignCase& own) {
-        return !own.load_case.prescribed.empty() || !own.load_case.combines.empty();
-    };
+void require_free(const std::vector<DesignCase>& cases, const Surface& surface,
+                  const DesignOptions& options) {
+    const auto is_moved = [](const DesignCase& own) { return !own.load_case.prescribed.empty(); };
     const std::string which = cases.size() == 1 ? "load case '" + cases.front().load_case.name + "'"
                                                 : "none of the target's load cases";
     if (options.free_factor && std::ranges::none_of(cases, is_loaded))
@@ -147,6 +204,21 @@ void require_free(const std::vector<DesignCase>& cases, const DesignOptions& opt
     if (options.free_prescribed && std::ranges::none_of(cases, is_moved))
         throw base::InputError(which + " prescribes " + (cases.size() == 1 ? "no" : "a") +
                                " displacement that could be searched");
+    if (options.free_width || options.free_thickness) require_rectangle(surface.setting.section);
+}
+
+/// Goals for nodes that are held, one line each. Values that are searched hold nothing yet.
+std::vector<std::string> warnings_about(const std::vector<DesignCase>& cases, const Surface& surface,
+                                        const DesignOptions& options) {
+    std::vector<std::string> lines;
+    for (const DesignCase& own : cases) {
+        simulation::LoadCase held = own.load_case;
+        held.gravity.setZero();
+        if (options.free_prescribed) held.prescribed.clear();
+        for (std::string& line : own.goals.against(simulation::resolve(held, surface)))
+            lines.push_back(std::move(line));
+    }
+    return lines;
 }
 
 }  // namespace
@@ -155,23 +227,24 @@ Preparation prepare(const simulation::Project& project, const library::Library* 
                     const DesignOptions& options) {
     Surface surface = simulation::make_surface(project, library);
     surface.tile_models = {};
-    require_kept_painted(surface, options);
+    const std::vector<std::string> kept = kept_patterns(surface, options);
     std::vector<TileGroup> groups = tile_groups(surface.tessellation, options.keep, options.symmetry);
     if (groups.empty()) throw base::InputError("all tiles are kept: there is nothing to paint");
     std::vector<DesignCase> cases;
-    std::vector<std::string> names = case_names(target, options.load_case);
+    std::vector<std::string> names = case_names(target, project, options.load_case);
     for (const std::string& name : names)
         cases.push_back({simulation::find_load_case(project, name),
                          CaseGoals(target, name, options.load_case, surface.tessellation)});
-    require_free(cases, options);
+    require_no_combination(project, names, options);
+    require_free(cases, surface, options);
     if (std::ranges::all_of(cases, [](const DesignCase& own) { return own.goals.largest() <= 0.0; }))
         throw base::InputError("", "/goals",
                                "the target asks for no displacement: the flat surface has it already");
     const std::size_t classes = CandidateTiles(surface, {}, {options.threads, options.control}).class_count();
     const std::size_t most = std::max(kFewestCandidates, kMostCondensed / classes);
-    const std::vector<NamedPattern> allowed = needs_mirror_images(options.symmetry)
-                                                  ? with_mirror_image(surface.layout, options.palette)
-                                                  : options.palette;
+    std::vector<NamedPattern> allowed = within_number(options.palette, kept, options);
+    allowed = with_clearance(surface, std::move(allowed), options);
+    if (needs_mirror_images(options.symmetry)) allowed = with_mirror_image(surface.layout, allowed);
     SpreadPalette spread = spread_palette(surface, allowed, std::min(most, std::size_t{128}), options);
     std::vector<NamedPattern> candidates = std::move(spread.patterns);
     candidates.resize(std::min(candidates.size(), most));
@@ -182,17 +255,19 @@ Preparation prepare(const simulation::Project& project, const library::Library* 
     if (needs_mirror_images(options.symmetry)) mirrored = mirror_images(surface.layout, candidates);
     for (const TileIndex tile : options.keep)
         (void)place_of(candidates, *tiling::pattern_of(surface.tessellation, tile));
+    std::vector<std::string> warnings = warnings_about(cases, surface, options);
     CandidateTiles condensed(surface, std::move(candidates), {options.threads, options.control});
     return {{std::move(surface),
              std::move(cases),
              std::move(condensed),
              std::move(groups),
              std::move(mirrored),
-             {options.free_factor, options.free_prescribed},
+             {options.free_factor, options.free_prescribed, options.free_width, options.free_thickness},
              options.threads},
             std::move(names),
             std::move(palette),
-            std::move(spread.coordinates)};
+            std::move(spread.coordinates),
+            std::move(warnings)};
 }
 
 }  // namespace fretwork::design::detail

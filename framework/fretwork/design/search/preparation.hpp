@@ -15,6 +15,7 @@ struct Preparation {
     std::vector<std::string> load_cases;  ///< their names
     std::vector<std::size_t> palette;     ///< candidates for groups, the most different ones first
     Eigen::MatrixXd coordinates;          ///< of the palette's first members (leading_coordinates)
+    std::vector<std::string> warnings{};  ///< goals for nodes that are held, one line each
 };
 
 /// Condense as many candidates as the time allows. Throws InputError that names an unsuitable value; Stopped.

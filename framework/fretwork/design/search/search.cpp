@@ -79,7 +79,7 @@ bool Search::may_go_on(double reserve) const {
     return trials_.solutions() < most_solutions_ && watch_.has_left(reserve + step_seconds_);
 }
 
-void Search::tell(const Solved& solved) {
+void Search::note(const Solved& solved) {
     if (options_.max_mass > 0.0 && trials_.mass_of(solved.point) > options_.max_mass) return;
     if (best_ >= 0.0 && solved.trial.objective >= best_) return;
     best_ = solved.trial.objective;
@@ -95,7 +95,7 @@ void Search::try_one_uniform(std::size_t pattern, std::vector<Solved>& found) {
     ++report_.uniform_tried;
     if (!trial.is_found) return;
     found.push_back({point, std::move(trial)});
-    tell(found.back());
+    note(found.back());
 }
 
 std::vector<Solved> Search::try_uniform(const std::vector<std::size_t>& palette,
@@ -150,6 +150,12 @@ std::size_t Search::predicted_best(const std::vector<Solved>& found, const std::
 /// The first round takes the shortlist; later ones take others at random, beside those that are used.
 std::vector<std::size_t> Search::columns_for(const Point& point, int round) const {
     std::set<std::size_t> chosen(point.patterns.begin(), point.patterns.end());
+    if (options_.max_patterns > 0) {
+        for (const std::size_t own : kept_candidates(trials_.parts().candidates,
+                                                     trials_.parts().surface.tessellation, options_.keep)) {
+            if (std::ranges::find(all_, own) != all_.end()) chosen.insert(own);
+        }
+    }
     if (!limited_.empty()) {
         chosen.insert(limited_.begin(), limited_.end());
         return {chosen.begin(), chosen.end()};
@@ -176,23 +182,23 @@ double Search::mass_for_groups(const Point& point, const SwapTable& table,
 
 void Search::limit_patterns(const Point& point, const SwapTable& table, const std::vector<std::size_t>& start,
                             const std::vector<std::size_t>& columns) {
-    std::set<std::size_t> kept;
-    for (const tiling::TileIndex tile : options_.keep) {
-        const auto* own = tiling::pattern_of(trials_.parts().surface.tessellation, tile);
-        const auto& all = trials_.parts().candidates.patterns();
-        kept.insert(static_cast<std::size_t>(std::ranges::find(all, own->id, &pattern::NamedPattern::id) -
-                                             all.begin()));
-    }
-    const std::size_t most = options_.max_patterns - kept.size();
+    const std::set<std::size_t> kept =
+        kept_candidates(trials_.parts().candidates, trials_.parts().surface.tessellation, options_.keep);
     const SweepOptions sweeps{.allowed = std::vector<bool>(columns.size(), true),
                               .radius = kLargestRadius,
                               .most_mass = mass_for_groups(point, table, start),
                               .seed = options_.seed,
                               .control = options_.control.silent()};
-    // The patterns at the start stay, so that it is a painting that may be.
+    // The patterns at the start stay, so that it is a painting that may be. Those of kept tiles are there
+    // anyway.
     std::set<std::size_t> chosen(point.patterns.begin(), point.patterns.end());
-    if (most > chosen.size()) {
-        const auto allowed = fewer_columns(table, start, sweeps, most - chosen.size());
+    std::set<std::size_t> all = kept;
+    all.insert(chosen.begin(), chosen.end());
+    for (const std::size_t own : kept) {
+        if (std::ranges::find(all_, own) != all_.end()) chosen.insert(own);
+    }
+    if (options_.max_patterns > all.size()) {
+        const auto allowed = fewer_columns(table, start, sweeps, options_.max_patterns - all.size());
         for (std::size_t c = 0; c < columns.size(); ++c) {
             if (allowed[c]) chosen.insert(columns[c]);
         }
@@ -233,7 +239,7 @@ Search::Step Search::step(Solved& current, double& radius, int round, const Dema
             return Step::Hopeless;
         Point next = current.point;
         for (std::size_t g = 0; g < start.size(); ++g) next.patterns[g] = columns[choice.columns[g]];
-        next.unknowns += choice.steps;
+        next.unknowns = trials_.bounded(next.unknowns + choice.steps);
         radius = std::min(radius, kLargestRadius);
         Trial trial;
         if (!is_seen(next)) trial = solve(next);
@@ -242,7 +248,7 @@ Search::Step Search::step(Solved& current, double& radius, int round, const Dema
             if (gained > 0.75 * promised) radius = std::min(kLargestRadius, 2.0 * radius);
             if (gained < 0.25 * promised) radius *= 0.5;
             current = {std::move(next), std::move(trial)};
-            tell(current);
+            note(current);
             return Step::Better;
         }
         radius = 0.25 * std::min(radius, choice.energy / table.energy);
@@ -340,7 +346,7 @@ Solved Search::try_neighbours(Solved best, double reserve, int last_solution) {
             Trial trial = solve(next);
             if (!trial.is_found || trial.objective >= best.trial.objective) continue;
             best = {std::move(next), std::move(trial)};
-            tell(best);
+            note(best);
             is_better = true;
             break;
         }

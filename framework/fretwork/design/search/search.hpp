@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace fretwork::design::detail {
@@ -68,6 +69,12 @@ class Search {
         seen_.clear();
     }
     [[nodiscard]] bool may_go_on(double reserve) const;
+    /// The most nonlinear solutions, with those granted.
+    [[nodiscard]] int most_solutions() const { return most_solutions_; }
+    /// Allow this number of solutions more.
+    void grant(int solutions) { most_solutions_ += solutions; }
+    /// Take a point that was solved into the history if it is the best one.
+    void note(const Solved& solved);
 
   private:
     void try_one_uniform(std::size_t pattern, std::vector<Solved>& found);
@@ -96,7 +103,6 @@ class Search {
                                          const std::vector<std::size_t>& start) const;
     void limit_patterns(const Point& point, const SwapTable& table, const std::vector<std::size_t>& start,
                         const std::vector<std::size_t>& columns);
-    void tell(const Solved& solved);
 
     Trials& trials_;
     const DesignOptions& options_;

@@ -3,6 +3,7 @@
 #include <fretwork/design/search/tile_groups.hpp>
 #include <fretwork/tiling/painting/tile_choice.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -82,6 +83,19 @@ std::vector<TileGroup> tile_groups(const Tessellation& tessellation, std::span<c
         }
     }
     return groups;
+}
+
+std::set<std::size_t> kept_candidates(const simulation::CandidateTiles& candidates,
+                                      const tiling::Tessellation& tessellation,
+                                      const std::vector<tiling::TileIndex>& keep) {
+    std::set<std::size_t> kept;
+    const auto& all = candidates.patterns();
+    for (const tiling::TileIndex tile : keep) {
+        const auto* own = tiling::pattern_of(tessellation, tile);
+        kept.insert(static_cast<std::size_t>(std::ranges::find(all, own->id, &pattern::NamedPattern::id) -
+                                             all.begin()));
+    }
+    return kept;
 }
 
 }  // namespace fretwork::design::detail

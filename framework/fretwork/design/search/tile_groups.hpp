@@ -2,8 +2,10 @@
 #pragma once
 
 #include <fretwork/design/symmetry.hpp>
+#include <fretwork/simulation/derivatives/candidate_tiles.hpp>
 #include <fretwork/tiling/tessellation.hpp>
 
+#include <set>
 #include <span>
 #include <vector>
 
@@ -22,5 +24,10 @@ struct TileGroup {
 /// names a tile that has no image, or one that is kept while its image is not.
 std::vector<TileGroup> tile_groups(const tiling::Tessellation& tessellation,
                                    std::span<const tiling::TileIndex> kept, const Symmetry& symmetry);
+
+/// The candidates that kept tiles have.
+std::set<std::size_t> kept_candidates(const simulation::CandidateTiles& candidates,
+                                      const tiling::Tessellation& tessellation,
+                                      const std::vector<tiling::TileIndex>& keep);
 
 }  // namespace fretwork::design::detail

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/parallel.hpp>
+#include <fretwork/design/search/free_section.hpp>
 #include <fretwork/design/search/trials.hpp>
 #include <fretwork/simulation/load_cases/conditions.hpp>
 
@@ -23,6 +24,9 @@ using tiling::TileIndex;
 constexpr double kFactorStep = 0.5;
 constexpr double kPrescribedStep = 0.25;
 constexpr double kTurnStep = 0.25;
+/// Of a width or thickness, as a share of it; and that of the differences by which its effect is found.
+constexpr double kSectionStep = 0.2;
+constexpr double kSectionDifference = 1e-2;
 
 }  // namespace
 
@@ -38,6 +42,8 @@ LoadCase with_factor(LoadCase load_case, double factor) {
 Trials::Trials(TrialParts parts, const base::Control& control)
     : parts_(std::move(parts)),
       strains_(parts_.candidates, parts_.threads, control),
+      setting_(parts_.surface.setting),
+      candidate_setting_(parts_.surface.setting),
       aims_(parts_.cases.size()) {
     const auto nodes = parts_.surface.tessellation.interface_nodes.size();
     std::size_t goal_nodes = 0;
@@ -71,11 +77,35 @@ VectorXd Trials::initial_unknowns() const {
         if (!parts_.free.prescribed) continue;
         for (const auto& entry : own.load_case.prescribed) values.push_back(entry.value);
     }
+    const mechanics::Section& section = parts_.surface.setting.section;
+    if (parts_.free.width) values.push_back(mechanics::rectangle_width(section));
+    if (parts_.free.thickness) values.push_back(mechanics::rectangle_height(section));
     return Eigen::Map<const VectorXd>(values.data(), std::ssize(values));
 }
 
 Point Trials::uniform(std::size_t pattern) const {
     return {std::vector<std::size_t>(parts_.groups.size(), pattern), initial_unknowns()};
+}
+
+VectorXd Trials::bounded(VectorXd unknowns) const {
+    const Index first = first_of_section();
+    const VectorXd initial = initial_unknowns().tail(unknowns.size() - first);
+    unknowns.tail(initial.size()) = unknowns.tail(initial.size())
+                                        .cwiseMax(initial / kLargestSectionChange)
+                                        .cwiseMin(initial * kLargestSectionChange)
+                                        .eval();
+    return unknowns;
+}
+
+reduction::Setting Trials::setting_at(const Point& point) const {
+    const reduction::Setting& given = parts_.surface.setting;
+    if (!parts_.free.width && !parts_.free.thickness) return given;
+    Index next = first_of_section();
+    const double width =
+        parts_.free.width ? point.unknowns[next++] : mechanics::rectangle_width(given.section);
+    const double thickness =
+        parts_.free.thickness ? point.unknowns[next] : mechanics::rectangle_height(given.section);
+    return with_section(given, width, thickness);
 }
 
 Index Trials::first_unknown(std::size_t which) const {
@@ -109,8 +139,21 @@ std::vector<std::size_t> Trials::painting(const Point& point) const {
     return result;
 }
 
+std::set<std::size_t> Trials::possible(TileIndex tile, const std::vector<std::size_t>& palette) const {
+    for (const TileGroup& group : parts_.groups) {
+        for (const TileGroup::Member& member : group.members) {
+            if (member.tile != tile) continue;
+            std::set<std::size_t> patterns;
+            for (const std::size_t pattern : palette) patterns.insert(member_pattern(member, pattern));
+            return patterns;
+        }
+    }
+    return {kept_[static_cast<std::size_t>(tile.value)]};
+}
+
 simulation::Surface Trials::surface_at(const Point& point) const {
     simulation::Surface surface = parts_.surface;
+    surface.setting = setting_at(point);
     tiling::Tessellation& tessellation = surface.tessellation;
     const std::vector<std::size_t> wanted = painting(point);
     std::map<std::size_t, int> places;
@@ -132,25 +175,23 @@ double Trials::mass_of(const Point& point) const {
     double sum = 0.0;
     for (std::size_t t = 0; t < patterns.size(); ++t)
         sum += parts_.candidates.mass(parts_.candidates.class_of(TileIndex(t)), patterns[t]);
-    return sum;
+    if (point.unknowns.size() == 0) return sum;
+    return sum * setting_at(point).section.area / candidate_setting_.section.area;
 }
 
-double Trials::least_mass(const std::vector<std::size_t>& palette) const {
-    double sum = mass_of({std::vector<std::size_t>(parts_.groups.size(), palette.front()), {}});
-    for (const TileGroup& group : parts_.groups) {
+Lightest Trials::lightest(const std::vector<std::size_t>& palette) const {
+    Point point = uniform(palette.front());
+    for (std::size_t g = 0; g < parts_.groups.size(); ++g) {
         const auto mass = [&](std::size_t pattern) {
             double own = 0.0;
-            for (const TileGroup::Member& member : group.members)
+            for (const TileGroup::Member& member : parts_.groups[g].members)
                 own += parts_.candidates.mass(parts_.candidates.class_of(member.tile),
                                               member_pattern(member, pattern));
             return own;
         };
-        double least = mass(palette.front());
-        const double first = least;
-        for (const std::size_t pattern : palette) least = std::min(least, mass(pattern));
-        sum += least - first;
+        point.patterns[g] = *std::ranges::min_element(palette, {}, mass);
     }
-    return sum;
+    return {mass_of(point), point.patterns.front()};
 }
 
 void Trials::paint(const std::vector<std::size_t>& wanted) {
@@ -165,9 +206,26 @@ void Trials::paint(const std::vector<std::size_t>& wanted) {
     painted_ = wanted;
 }
 
+void Trials::take_setting(const reduction::Setting& setting) {
+    if (setting == setting_) return;
+    for (simulation::Session& session : sessions_) session.set_setting(setting);
+    setting_ = setting;
+}
+
+void Trials::refresh_candidates(const base::Control& control) {
+    if (setting_ == candidate_setting_) return;
+    simulation::Surface surface = parts_.surface;
+    surface.setting = setting_;
+    parts_.candidates =
+        simulation::CandidateTiles(surface, parts_.candidates.patterns(), {parts_.threads, control.silent()});
+    strains_ = TileStrains(parts_.candidates, parts_.threads, control);
+    candidate_setting_ = setting_;
+}
+
 Trial Trials::solve(const Point& point, const base::Control& control) {
     at_.reset();
     paint(painting(point));
+    take_setting(setting_at(point));
     Trial trial;
     trial.is_found = true;
     for (std::size_t c = 0; c < sessions_.size(); ++c) {
@@ -208,8 +266,19 @@ Trials::Distances Trials::distances(const std::vector<NodeValues>& displacements
     return result;
 }
 
+double Trials::scaled_objective(const Trial& trial) const {
+    double sum = 0.0;
+    for (std::size_t c = 0; c < trial.displacements.size(); ++c) {
+        const CaseGoals::Products own = parts_.cases[c].goals.products(trial.displacements[c]);
+        const double multiple = own.there > 0.0 ? std::max(0.0, own.both / own.there) : 0.0;
+        sum += own.wanted - 2.0 * multiple * own.both + multiple * multiple * own.there;
+    }
+    return scale_ * scale_ * sum;
+}
+
 SwapTable Trials::table(const Point& point, const Trial& trial, const std::vector<std::size_t>& columns,
                         std::uint64_t seed, const base::Control& control) {
+    refresh_candidates(control);
     std::vector<CaseModel> models;
     for (std::size_t c = 0; c < sessions_.size(); ++c) {
         const CaseState state{sessions_[c], parts_.cases[c].goals, trial.displacements[c], aims_[c],
@@ -300,6 +369,28 @@ void Trials::add_unknowns(const std::vector<CaseModel>& models, const Point& poi
         }
         row += rows;
     }
+    if (parts_.free.width || parts_.free.thickness) add_section(models, point, table);
+}
+
+void Trials::add_section(const std::vector<CaseModel>& models, const Point& point, SwapTable& table) const {
+    const double width = mechanics::rectangle_width(setting_.section);
+    const double thickness = mechanics::rectangle_height(setting_.section);
+    const auto add = [&](Index unknown, const auto& setting) {
+        const double step = kSectionDifference * point.unknowns[unknown];
+        const auto rates = simulation::rates_along(sessions_.front().surface(), setting, step);
+        Index row = 0;
+        for (const CaseModel& model : models) {
+            table.by_factors.col(unknown).segment(row, model.residual.size()) =
+                residuals_by(model, strains_, parts_.candidates, rates);
+            row += model.residual.size();
+        }
+        table.largest_steps[unknown] = kSectionStep * point.unknowns[unknown];
+    };
+    Index next = first_of_section();
+    if (parts_.free.width)
+        add(next++, [&](double more) { return with_section(setting_, width + more, thickness); });
+    if (parts_.free.thickness)
+        add(next, [&](double more) { return with_section(setting_, width, thickness + more); });
 }
 
 }  // namespace fretwork::design::detail

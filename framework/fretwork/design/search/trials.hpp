@@ -2,12 +2,13 @@
 #pragma once
 
 #include <fretwork/design/search/case_model.hpp>
-#include <fretwork/design/search/swap_table.hpp>
 #include <fretwork/design/search/tile_groups.hpp>
+#include <fretwork/design/swaps/swap_table.hpp>
 #include <fretwork/simulation/session.hpp>
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace fretwork::design::detail {
@@ -20,7 +21,7 @@ struct DesignCase {
 
 /// A point of the search space: a pattern for each group of tiles (its place among the candidates), and the
 /// continuous unknowns. These are, for each load case, the factor on its loads and the values of its
-/// prescribed displacements, if they are free.
+/// prescribed displacements, if they are free; then the width and the thickness of all bars, if they are.
 struct Point {
     std::vector<std::size_t> patterns;
     Eigen::VectorXd unknowns;
@@ -39,6 +40,8 @@ struct Trial {
 struct FreeUnknowns {
     bool factor = false;
     bool prescribed = false;
+    bool width = false;
+    bool thickness = false;
 };
 
 /// The input of Trials. `surface` has to be painted.
@@ -52,6 +55,12 @@ struct TrialParts {
     int threads = 0;
 };
 
+/// The lightest painting.
+struct Lightest {
+    double mass = 0.0;        ///< kg
+    std::size_t pattern = 0;  ///< the candidate that its first group has
+};
+
 /// Solves points one after the other, each from the last equilibrium, and predicts the effects of swaps
 /// there.
 class Trials {
@@ -62,6 +71,8 @@ class Trials {
     [[nodiscard]] const TrialParts& parts() const { return parts_; }
     [[nodiscard]] Eigen::VectorXd initial_unknowns() const;
     [[nodiscard]] Point uniform(std::size_t pattern) const;
+    /// Unknowns within their bounds: bars keep some width and thickness.
+    [[nodiscard]] Eigen::VectorXd bounded(Eigen::VectorXd unknowns) const;
     /// Set the positions that are added to the wanted ones, for each load case (CaseGoals::observe).
     void set_aims(std::vector<mechanics::NodeValues> aims) { aims_ = std::move(aims); }
 
@@ -85,10 +96,11 @@ class Trials {
     /// The surface with a point's painting, and the load cases with its unknowns.
     [[nodiscard]] simulation::Surface surface_at(const Point& point) const;
     [[nodiscard]] simulation::LoadCase load_case_at(const Point& point, std::size_t which) const;
+    [[nodiscard]] reduction::Setting setting_at(const Point& point) const;
     /// The mass of all beams, kg.
     [[nodiscard]] double mass_of(const Point& point) const;
-    /// The mass of the lightest painting, kg.
-    [[nodiscard]] double least_mass(const std::vector<std::size_t>& palette) const;
+    /// The mass of the lightest painting.
+    [[nodiscard]] Lightest lightest(const std::vector<std::size_t>& palette) const;
     /// The factor on the loads of a load case. Pre: the factor is free.
     [[nodiscard]] double factor_at(const Point& point, std::size_t which) const;
     /// The mean and largest distance of the goals' nodes, in shares of the largest displacement wanted.
@@ -98,14 +110,30 @@ class Trials {
     };
     [[nodiscard]] Distances distances(const std::vector<mechanics::NodeValues>& displacements) const;
     [[nodiscard]] double largest_wanted() const { return largest_; }
+    /// The place of the first unknown of a load case; of the section for the number of load cases.
+    [[nodiscard]] Eigen::Index first_unknown(std::size_t which) const;
+    /// 1/m: from weighted distances to the misfit.
+    [[nodiscard]] double scale() const { return scale_; }
+    [[nodiscard]] const TileStrains& strains() const { return strains_; }
+    /// The candidates that a tile may have when groups have those of a palette.
+    [[nodiscard]] std::set<std::size_t> possible(tiling::TileIndex tile,
+                                                 const std::vector<std::size_t>& palette) const;
+    /// The objective that a trial's displacements would have as a multiple of what they are, each load case
+    /// by its own multiple.
+    [[nodiscard]] double scaled_objective(const Trial& trial) const;
 
   private:
     [[nodiscard]] std::vector<std::size_t> painting(const Point& point) const;
     [[nodiscard]] std::size_t member_pattern(const TileGroup::Member& member, std::size_t pattern) const {
         return member.is_mirrored ? parts_.mirrored[pattern] : pattern;
     }
-    [[nodiscard]] Eigen::Index first_unknown(std::size_t which) const;
+    /// The place of the first unknown of the bars' section.
+    [[nodiscard]] Eigen::Index first_of_section() const { return first_unknown(parts_.cases.size()); }
     void paint(const std::vector<std::size_t>& painting);
+    void take_setting(const reduction::Setting& setting);
+    /// Condense the candidates again if the bars have changed.
+    void refresh_candidates(const base::Control& control);
+    void add_section(const std::vector<CaseModel>& models, const Point& point, SwapTable& table) const;
     [[nodiscard]] double objective(const std::vector<mechanics::NodeValues>& displacements,
                                    const std::vector<mechanics::NodeValues>& aims) const;
     void fill_group(std::size_t group, const std::vector<CaseModel>& models,
@@ -114,7 +142,9 @@ class Trials {
 
     TrialParts parts_;
     TileStrains strains_;
-    std::vector<std::size_t> kept_;  ///< the candidate of each tile that belongs to no group
+    reduction::Setting setting_;            ///< of the sessions
+    reduction::Setting candidate_setting_;  ///< of the candidates
+    std::vector<std::size_t> kept_;         ///< the candidate of each tile that belongs to no group
     std::vector<simulation::Session> sessions_;
     std::vector<std::size_t> painted_;  ///< the candidate of each tile in the sessions
     std::vector<mechanics::NodeValues> unit_loads_;

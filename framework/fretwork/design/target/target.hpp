@@ -47,11 +47,17 @@ struct RotationGoal {
     friend bool operator==(const RotationGoal&, const RotationGoal&) = default;
 };
 
+/// The range of the weights of goals: a goal with a thousandth of another one's weight hardly counts.
+inline constexpr double kLeastWeight = 1e-6;
+inline constexpr double kMostWeight = 1e6;  ///< the upper end of the range
+
 /// Where some nodes shall go.
 struct Goal {
     std::variant<NodesGoal, FormulaGoal, MeshGoal, RotationGoal> what;  ///< one of four kinds
-    double weight = 1.0;      ///< weight of the squared distance of each of its nodes
+    double weight = 1.0;      ///< weight of the squared distance of each of its nodes, in the range above
     std::string load_case{};  ///< the load case under which the goal applies; "": the design's load case
+    /// Throws InputError for a weight out of its range, and a rotation vector longer than pi.
+    void validate() const;
     friend bool operator==(const Goal&, const Goal&) = default;
 };
 

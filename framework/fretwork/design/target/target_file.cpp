@@ -2,10 +2,12 @@
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/json_reader.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/design/target/target_file.hpp>
 #include <fretwork/simulation/internal/load_case_json.hpp>
 
 #include <cmath>
+#include <numbers>
 
 namespace fretwork::design {
 namespace {
@@ -13,14 +15,18 @@ namespace {
 using base::Json;
 using base::JsonReader;
 
-constexpr double kFarthest = 1e4;  // m, and rad
+constexpr double kFarthest = 1e4;  // m
 
-std::optional<double> read_component(const JsonReader& json) {
-    if (json.text() == "null") return std::nullopt;
+double read_bounded(const JsonReader& json) {
     const double value = json.number();
     if (!(std::abs(value) <= kFarthest))
         json.fail("is " + json.text() + ", where a number from -10000 to 10000, or null, is needed");
     return value;
+}
+
+std::optional<double> read_component(const JsonReader& json) {
+    if (json.text() == "null") return std::nullopt;
+    return read_bounded(json);
 }
 
 FreeVector read_free_vector(const JsonReader& json) {
@@ -50,7 +56,10 @@ NodesGoal read_nodes_goal(const JsonReader& json) {
 
 std::optional<std::string> read_expression(const JsonReader& json) {
     if (json.text() == "null") return std::nullopt;
-    if (json.is_number()) return json.text();
+    if (json.is_number()) {
+        (void)read_bounded(json);
+        return json.text();
+    }
     if (!json.is_string())
         json.fail("is " + json.text() + ", where a number, an expression of x and y, or null is needed");
     return json.string();
@@ -90,8 +99,13 @@ Goal read_goal(const JsonReader& json) {
     } else {
         json.fail("names no nodes: it needs nodes or select");
     }
-    if (const auto weight = json.find("weight")) goal.weight = weight->positive_number();
+    if (const auto weight = json.find("weight")) goal.weight = weight->number();
     if (const auto load_case = json.find("case")) goal.load_case = load_case->string();
+    try {
+        goal.validate();
+    } catch (const base::InputError& error) {
+        json.at(error.data().where.front().place.substr(1)).fail(error.data().problem);
+    }
     return goal;
 }
 
@@ -148,6 +162,21 @@ Json goal_json(const Goal& goal) {
 }
 
 }  // namespace
+
+void Goal::validate() const {
+    if (!(weight >= kLeastWeight && weight <= kMostWeight))
+        throw base::InputError(
+            "", "/weight",
+            "is " + base::format_number(weight) + ", where a number from 1e-6 to 1e6 is needed");
+    const auto* turn = std::get_if<RotationGoal>(&what);
+    if (turn == nullptr) return;
+    double square = 0.0;
+    for (const auto& component : turn->rotation) square += component.value_or(0.0) * component.value_or(0.0);
+    if (!(std::sqrt(square) <= std::numbers::pi))
+        throw base::InputError("", "/rotation",
+                               "is a rotation vector of " + base::format_number(std::sqrt(square), 4) +
+                                   " rad, where at most pi (half a turn) is possible");
+}
 
 Target parse_target(std::string_view text, const std::string& source) {
     return read_target_json(JsonReader::from_text(text, source));

@@ -202,7 +202,7 @@ export interface TargetGoals {
 }
 /** How a design is doing. */
 export interface Designing {
-  /** Nonlinear solutions so far, and the most of them. */
+  /** Nonlinear solutions so far, and the most of them; 0: as many as the design takes by itself. */
   solutions: number;
   most: number;
   seconds: number;

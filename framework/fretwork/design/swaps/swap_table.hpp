@@ -36,6 +36,10 @@ struct Choice {
     long scored = 0;         ///< swaps that were scored on the way
 };
 
+/// The steps of the continuous unknowns from zero that lessen a residual the most, each at most as large as
+/// its largest step.
+Eigen::VectorXd best_steps(const SwapTable& table, const Eigen::VectorXd& residual);
+
 struct SweepOptions {
     std::vector<bool> allowed;  ///< for each column, whether it may be chosen
     double radius = 0.5;        ///< the energy of the change is at most this share of the surface's

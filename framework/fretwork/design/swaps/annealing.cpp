@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/random.hpp>
-#include <fretwork/design/search/annealing.hpp>
+#include <fretwork/design/swaps/annealing.hpp>
 
 #include <cmath>
 

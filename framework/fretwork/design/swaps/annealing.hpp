@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/design/search/swap_table.hpp>
+#include <fretwork/design/swaps/swap_table.hpp>
 
 #include <Eigen/Core>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/random.hpp>
-#include <fretwork/design/search/annealing.hpp>
-#include <fretwork/design/search/swap_table.hpp>
+#include <fretwork/design/swaps/annealing.hpp>
+#include <fretwork/design/swaps/swap_table.hpp>
 
 #include <Eigen/Dense>
 
@@ -28,6 +28,18 @@ struct Prices {
     double mass = 0.0;
 };
 
+/// Of the unknowns in units of their largest steps. Unknowns may do nearly the same, as thickness and a
+/// factor on the loads do: the smallest steps are taken then.
+using StepFactors = Eigen::CompleteOrthogonalDecomposition<MatrixXd>;
+constexpr double kSameEffect = 1e-6;
+
+StepFactors step_factors_of(const SwapTable& table) {
+    StepFactors factors;
+    factors.setThreshold(kSameEffect);
+    factors.compute(table.by_factors * table.largest_steps.asDiagonal());
+    return factors;
+}
+
 class Sweeper {
   public:
     Sweeper(const SwapTable& table, const SweepOptions& options) : table_(table), options_(options) {
@@ -35,7 +47,7 @@ class Sweeper {
         for (std::size_t g = 0; g < table.groups(); ++g)
             squares_.col(static_cast<Index>(g)) = table.responses[g].colwise().squaredNorm().transpose();
         if (table.by_factors.cols() > 0) {
-            factors_.compute(table.by_factors);
+            factors_ = step_factors_of(table);
             unknowns_ =
                 factors_.householderQ() * MatrixXd::Identity(table.by_factors.rows(), factors_.rank());
         }
@@ -136,7 +148,8 @@ class Sweeper {
 
     void step_factors(Choice& choice, VectorXd& residual) const {
         if (choice.steps.size() == 0) return;
-        const VectorXd wanted = choice.steps - factors_.solve(residual);
+        const VectorXd wanted =
+            choice.steps - VectorXd(table_.largest_steps.cwiseProduct(factors_.solve(residual)));
         const VectorXd bounded = wanted.cwiseMin(table_.largest_steps).cwiseMax(-table_.largest_steps);
         residual += table_.by_factors * (bounded - choice.steps);
         choice.steps = bounded;
@@ -145,7 +158,7 @@ class Sweeper {
     const SwapTable& table_;
     const SweepOptions& options_;
     MatrixXd squares_;
-    Eigen::ColPivHouseholderQR<MatrixXd> factors_;
+    StepFactors factors_;
     MatrixXd unknowns_;  ///< an orthonormal basis of by_factors
     mutable long scored_ = 0;
 };
@@ -238,6 +251,12 @@ void keep_best(std::vector<Choice>& choices, std::size_t count) {
 }
 
 }  // namespace
+
+VectorXd best_steps(const SwapTable& table, const VectorXd& residual) {
+    if (table.by_factors.cols() == 0) return VectorXd();
+    const VectorXd shares = -step_factors_of(table).solve(residual);
+    return table.largest_steps.cwiseProduct(shares.cwiseMin(1.0).cwiseMax(-1.0));
+}
 
 Choice sweep(const SwapTable& table, const std::vector<std::size_t>& start, const SweepOptions& options) {
     const Sweeper sweeper(table, options);

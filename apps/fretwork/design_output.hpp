@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/design/design.hpp>
+
+namespace fretwork::app {
+
+/// Print what a design is, as JSON (the keys are listed in framework/fretwork/design/README.md).
+void print_design_json(const design::DesignReport& report);
+/// The same for people.
+void print_design(const design::DesignReport& report);
+/// One line on standard error for each thing that keeps the target out of reach, as far as it is known.
+void warn_of_design(const design::DesignReport& report, const design::DesignOptions& options);
+
+}  // namespace fretwork::app

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/design/reach/unknown_fit.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace fretwork::design::detail {
+namespace {
+
+constexpr int kFirstSteps = 3;  // of each uniform painting
+constexpr int kMostSteps = 10;  // of the best of them
+constexpr int kMostHalvings = 3;
+/// Steps that gain less than this share of the objective end the fit: errors are compared to 1 %.
+constexpr double kSmallGain = 1e-3;
+/// Uniform paintings that get their own best unknowns.
+constexpr std::size_t kFitted = 4;
+/// The largest change of a factor that is guessed.
+constexpr double kMostGuessed = 5.0;
+
+/// Unknowns with which the displacements are about the multiple of what they are that comes nearest.
+Point scaled_point(const Trials& trials, const Solved& own) {
+    Point point = own.point;
+    const FreeUnknowns& free = trials.parts().free;
+    double all = 1.0;
+    for (std::size_t c = 0; c < own.trial.displacements.size(); ++c) {
+        const auto products = trials.parts().cases[c].goals.products(own.trial.displacements[c]);
+        if (!(products.there > 0.0)) continue;
+        const double multiple = std::clamp(products.both / products.there, 1.0 / kMostGuessed, kMostGuessed);
+        if (free.factor) point.unknowns[trials.first_unknown(c)] *= multiple;
+        all *= std::pow(multiple, 1.0 / static_cast<double>(own.trial.displacements.size()));
+    }
+    if (free.factor) return point;
+    // Bending goes with the width, and with the third power of the thickness.
+    const Eigen::Index section = trials.first_unknown(own.trial.displacements.size());
+    if (free.thickness)
+        point.unknowns[section + (free.width ? 1 : 0)] /= std::cbrt(all);
+    else if (free.width)
+        point.unknowns[section] /= all;
+    point.unknowns = trials.bounded(point.unknowns);
+    return point;
+}
+
+/// From the guess, if it is nearer.
+Solved guessed(Trials& trials, const Solved& own, const DesignOptions& options) {
+    const Point point = scaled_point(trials, own);
+    if (point == own.point) return own;
+    Trial trial = trials.solve(point, options.control);
+    if (!trial.is_found || trial.objective >= own.trial.objective) return own;
+    return {point, std::move(trial)};
+}
+
+/// The step of all unknowns that the linearized surface asks for.
+Eigen::VectorXd wanted_step(Trials& trials, const Solved& current, const DesignOptions& options) {
+    const std::set<std::size_t> used(current.point.patterns.begin(), current.point.patterns.end());
+    const std::vector<std::size_t> columns(used.begin(), used.end());
+    const SwapTable table =
+        trials.table(current.point, current.trial, columns, options.seed, options.control);
+    return best_steps(table, table.residual);
+}
+
+}  // namespace
+
+Solved fit_unknowns(Trials& trials, Solved start, const DesignOptions& options, int steps) {
+    Solved current = std::move(start);
+    current.trial = trials.solve(current.point, options.control);  // tables are of the last equilibrium
+    for (int count = 0; count < steps && current.trial.is_found; ++count) {
+        Eigen::VectorXd step = wanted_step(trials, current, options);
+        double gained = 0.0;
+        for (int halving = 0; halving <= kMostHalvings && gained <= 0.0; ++halving, step *= 0.5) {
+            if (trials.solutions() >= options.most_solutions) return current;
+            Point next = current.point;
+            next.unknowns = trials.bounded(current.point.unknowns + step);
+            Trial trial = trials.solve(next, options.control);
+            if (!trial.is_found || trial.objective >= current.trial.objective) continue;
+            gained = current.trial.objective - trial.objective;
+            current = {std::move(next), std::move(trial)};
+        }
+        if (gained <= kSmallGain * current.trial.objective) return current;
+    }
+    return current;
+}
+
+void fit_starts(Trials& trials, std::vector<Solved>& starts, const DesignOptions& options) {
+    // A multiple of the displacements is about what another factor or thickness makes of them.
+    std::ranges::stable_sort(starts, {},
+                             [&](const Solved& own) { return trials.scaled_objective(own.trial); });
+    const auto sort_by_mass = [&] {
+        if (options.max_mass <= 0.0) return;
+        std::ranges::stable_partition(
+            starts, [&](const Solved& own) { return trials.mass_of(own.point) <= options.max_mass; });
+    };
+    sort_by_mass();
+    const auto fit = [&](Solved& start, int steps) {
+        Solved fitted = fit_unknowns(trials, start, options, steps);
+        if (fitted.trial.is_found) start = std::move(fitted);
+    };
+    const auto sort = [&] {
+        std::ranges::stable_sort(starts, {}, [](const Solved& own) { return own.trial.objective; });
+        sort_by_mass();
+    };
+    for (std::size_t i = 0; i < std::min(starts.size(), kFitted); ++i) {
+        starts[i] = guessed(trials, starts[i], options);
+        fit(starts[i], kFirstSteps);
+    }
+    sort();
+    fit(starts.front(), kMostSteps);
+    sort();
+}
+
+}  // namespace fretwork::design::detail

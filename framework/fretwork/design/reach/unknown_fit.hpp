@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/design/search/search.hpp>
+
+namespace fretwork::design::detail {
+
+/// Find the best values of the unknowns besides the painting; the painting stays. At most `steps`
+/// Gauss-Newton steps, which are halved until they gain. Ends where they gain nothing, or the solutions are
+/// spent. Throws Stopped.
+Solved fit_unknowns(Trials& trials, Solved start, const DesignOptions& options, int steps);
+
+/// Give the most promising of some uniform paintings, in the order of `starts`, their own best unknowns, so
+/// that a design is compared with single patterns under the same freedom. Sorts them again.
+void fit_starts(Trials& trials, std::vector<Solved>& starts, const DesignOptions& options);
+
+}  // namespace fretwork::design::detail

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a design is compared with, what it refuses, and what it warns of.
+#include "hidden.hpp"
+#include "support.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace fretwork::design {
+namespace THIS_TEST {
+
+using test::complaint_of;
+using test::kDesignPatterns;
+using testing::AllOf;
+using testing::HasSubstr;
+using tiling::TileIndex;
+
+const simulation::NodesInBox kAll{{-10, -10, 10, 10}};
+
+simulation::Project small_project() {
+    return test::cantilever_project(4, 3, 0.02);
+}
+
+Target planted(const simulation::Project& project) {
+    simulation::Project hidden = project;
+    test::paint_graded(hidden, kDesignPatterns);
+    return test::target_of(hidden);
+}
+
+/// The factor is free for the single patterns, too: of a weak load, a palette of one is no design.
+TEST(DesignHonesty, APaletteOfOnePatternIsNoBetterThanThatPattern) {
+    simulation::Project weak = small_project();
+    const Target target = planted(weak);
+    weak.load_cases.front().loads.front().force *= 0.4;
+    DesignOptions options = test::design_options(weak, {kDesignPatterns[2]});
+    options.free_factor = true;
+    const DesignReport report = design(weak, nullptr, target, options);
+    EXPECT_NE(report.factors.front(), 1.0);
+    EXPECT_EQ(report.patterns.size(), 1U);
+    EXPECT_FALSE(report.is_better());
+    EXPECT_NEAR(report.error->mean, report.best_uniform->mean, 1e-12);
+}
+
+TEST(DesignHonesty, SinglePatternsAreComparedWithTheirOwnBestFactor) {
+    simulation::Project weak = small_project();
+    const Target target = planted(weak);
+    weak.load_cases.front().loads.front().force *= 0.4;
+    DesignOptions options = test::design_options(weak);
+    const DesignReport fixed = design(weak, nullptr, target, options);
+    options.free_factor = true;
+    const DesignReport report = design(weak, nullptr, target, options);
+    EXPECT_LT(report.best_uniform->mean, 0.5 * fixed.best_uniform->mean);
+    EXPECT_TRUE(report.is_better());
+}
+
+TEST(DesignHonesty, ReportsWhereItsNodesAreAndWhereTheyShallBe) {
+    const simulation::Project project = small_project();
+    DesignOptions options = test::design_options(project);
+    options.most_solutions = 12;
+    const DesignReport report = design(project, nullptr, planted(project), options);
+    ASSERT_EQ(report.shapes.size(), 1U);
+    ASSERT_EQ(report.uniform_shapes.size(), 1U);
+    double sum = 0.0;
+    double largest = 0.0;
+    for (const CaseShape::GoalNode& goal : report.shapes.front().goals) {
+        const auto& place = project.tessellation.interface_nodes[tiling::InterfaceIndex(goal.node)];
+        const Eigen::Vector3d rest(place.x, place.y, 0.0);
+        const Eigen::Vector3d there =
+            rest + report.shapes.front().displacements.row(goal.node).head<3>().transpose();
+        EXPECT_NEAR((goal.wanted - there).norm(), goal.distance, 1e-12);
+        sum += goal.distance;
+        largest = std::max(largest, (goal.wanted - rest).norm());
+    }
+    const auto count = static_cast<double>(report.shapes.front().goals.size());
+    EXPECT_NEAR(sum / count / largest, report.error->mean, 1e-9);
+    EXPECT_FALSE(report.gamut.reached.empty());
+    EXPECT_EQ(report.gamut.wanted.size(), project.tessellation.tiles.size());
+    EXPECT_EQ(report.gamut.designed.size(), report.gamut.wanted.size());
+}
+
+TEST(DesignHonesty, ATargetFarBeyondTheLoadIsOutOfReach) {
+    const simulation::Project project = test::cantilever_project(4, 3, 1e-7);
+    const Target target{"", "", {{FormulaGoal{kAll, {std::nullopt, std::nullopt, "0.05*x^2"}}}}};
+    const DesignReport report = design(project, nullptr, target, test::design_options(project));
+    EXPECT_EQ(report.end, DesignEnd::Unreachable);
+    ASSERT_TRUE(report.bound);
+    // Misfits are root mean squares: that of the flat surface is 0.47, since few nodes have far to go.
+    EXPECT_GT(*report.bound, 0.4);
+    ASSERT_TRUE(report.reach_of_ten_loads);
+    EXPECT_LT(*report.reach_of_ten_loads, 1.0);
+    EXPECT_TRUE(report.error) << "the painting that is written is checked";
+}
+
+TEST(DesignHonesty, SaysThatNothingMoves) {
+    simulation::Project project = small_project();
+    project.load_cases.front().loads.front().force.setZero();
+    const DesignReport report =
+        design(project, nullptr, planted(small_project()), test::design_options(project));
+    EXPECT_TRUE(report.nothing_moves);
+    EXPECT_EQ(report.wanted_of_softest, 0.0);
+    EXPECT_FALSE(report.reach_of_ten_loads);
+}
+
+TEST(DesignHonesty, WarnsOfGoalsForHeldNodes) {
+    const simulation::Project project = small_project();
+    Target target = planted(project);
+    target.goals = {{FormulaGoal{kAll, {std::nullopt, std::nullopt, "0.02"}}}};
+    DesignOptions options = test::design_options(project);
+    options.most_solutions = 6;
+    const DesignReport report = design(project, nullptr, target, options);
+    ASSERT_EQ(report.warnings.size(), 1U);
+    EXPECT_THAT(report.warnings.front(),
+                AllOf(HasSubstr("/goals/0 wants uz = 0.02 m of node"), HasSubstr("held at uz = 0 m"),
+                      HasSubstr("of its nodes are held elsewhere")));
+}
+
+std::string complaint(const simulation::Project& project, const Target& target,
+                      const DesignOptions& options) {
+    return complaint_of([&] { (void)design(project, nullptr, target, options); });
+}
+
+TEST(DesignHonesty, RefusesGoalsThatContradictEachOther) {
+    const simulation::Project project = small_project();
+    Target target = planted(project);
+    target.goals.push_back({NodesGoal{{5}, {}, {{std::nullopt, std::nullopt, 0.5}}}});
+    EXPECT_THAT(complaint(project, target, test::design_options(project)),
+                AllOf(HasSubstr("/goals/1: wants uz = 0.5 m of node 5"), HasSubstr("/goals/0 wants")));
+    target.goals.back() = target.goals.front();
+    DesignOptions options = test::design_options(project);
+    options.most_solutions = 6;
+    EXPECT_NO_THROW((void)design(project, nullptr, target, options)) << "the same goal twice is none";
+}
+
+TEST(DesignHonesty, RefusesGoalsOutOfAllBounds) {
+    const simulation::Project project = small_project();
+    const auto of = [&](Goal goal) {
+        return complaint(project, {"", "", {std::move(goal)}}, test::design_options(project));
+    };
+    EXPECT_THAT(of({FormulaGoal{kAll, {"0", "0", "1e9"}}}),
+                AllOf(HasSubstr("/goals/0: asks for a displacement of 1e+09 m"), HasSubstr("metres")));
+    EXPECT_THAT(of({RotationGoal{kAll, {3.0, 1.0, std::nullopt}}}),
+                AllOf(HasSubstr("/goals/0: /rotation"), HasSubstr("half a turn")));
+    EXPECT_THAT(of({RotationGoal{kAll, {0.1, 0.0, 0.0}}, 1e-320}), HasSubstr("/goals/0: /weight"));
+}
+
+TEST(DesignHonesty, NamesTheGoalOfAnUnknownLoadCase) {
+    const simulation::Project project = small_project();
+    Target target = planted(project);
+    target.goals.front().load_case = "rain";
+    DesignOptions options = test::design_options(project);
+    EXPECT_THAT(complaint(project, target, options), AllOf(HasSubstr("/goals/0/case"), HasSubstr("rain")));
+    target.goals.front().load_case = "cantilever";
+    options.load_case = "snow";
+    EXPECT_THAT(complaint(project, target, options), HasSubstr("snow")) << "also where no goal asks for it";
+}
+
+/// The project is as it was: a combination has no loads of its own that could be written.
+TEST(DesignHonesty, RefusesToDissolveACombination) {
+    simulation::Project project = small_project();
+    simulation::LoadCase both;
+    both.name = "both";
+    both.combines = {{"cantilever", 1.5}};
+    project.load_cases.push_back(both);
+    const Target target = planted(project);
+    DesignOptions options = test::design_options(project);
+    options.load_case = "both";
+    options.most_solutions = 6;
+    EXPECT_EQ(design(project, nullptr, target, options).project.load_cases, project.load_cases);
+    options.free_factor = true;
+    EXPECT_THAT(complaint(project, target, options),
+                AllOf(HasSubstr("load case 'both' combines 'cantilever'"), HasSubstr("no factor")));
+}
+
+TEST(DesignHonesty, TakesThePatternsOfKeptTilesWhereThereMayBeNoOthers) {
+    simulation::Project project = small_project();
+    test::paint_graded(project, {kDesignPatterns[0], kDesignPatterns[3]});
+    DesignOptions options = test::design_options(project);
+    options.keep = {TileIndex(0), TileIndex(8)};
+    options.max_patterns = 2;
+    options.most_solutions = 20;
+    std::set<std::string> kept;
+    for (const TileIndex tile : options.keep) kept.insert(tiling::pattern_of(project.tessellation, tile)->id);
+    ASSERT_EQ(kept.size(), 2U);
+    const DesignReport report = design(project, nullptr, planted(small_project()), options);
+    for (const std::string& id : report.patterns) EXPECT_TRUE(kept.contains(id)) << id;
+    options.palette = test::design_options(project, {kDesignPatterns[1]}).palette;
+    EXPECT_THAT(complaint(project, planted(small_project()), options),
+                AllOf(HasSubstr("already"), HasSubstr("none of these is in the palette")));
+    options.max_patterns = 1;
+    EXPECT_THAT(complaint(project, planted(small_project()), options), HasSubstr("2 patterns already"));
+}
+
+TEST(DesignHonesty, NamesTheLightestPatternWhereTheMassIsTooSmall) {
+    const simulation::Project project = small_project();
+    DesignOptions options = test::design_options(project);
+    options.max_mass = 1e-6;
+    EXPECT_THAT(complaint(project, planted(project), options), HasSubstr("its lightest pattern is 0-6"));
+}
+
+/// Bars of 2 mm in hexagons of 26 mm: a clearance that only the sparse patterns keep.
+TEST(DesignHonesty, LeavesOutPatternsThatDoNotKeepTheClearance) {
+    const simulation::Project project = small_project();
+    DesignOptions options = test::design_options(project);
+    options.most_solutions = 12;
+    options.clearance = 0.0;
+    EXPECT_EQ(design(project, nullptr, planted(project), options).close_bars, 0U);
+    options.clearance = 1.0;
+    EXPECT_THAT(complaint(project, planted(project), options), HasSubstr("1000 mm"));
+}
+
+}  // namespace THIS_TEST
+}  // namespace fretwork::design
