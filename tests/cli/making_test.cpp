@@ -142,8 +142,7 @@ TEST_F(MakingOptions, TheReportNamesEveryFileWithContentUnitAndSize) {
 TEST_F(MakingOptions, WhatDoesNotFitIsTold) {
     const std::string command = "fretwork export p.json --json --to a.dxf --to b.stl --to c.vtu ";
     const json made = json::parse(succeed(command + "--kerf 0.2mm"));
-    for (const json& file : made.at("files"))
-        EXPECT_THAT(file.at("remarks"), testing::IsEmpty());
+    for (const json& file : made.at("files")) EXPECT_THAT(file.at("remarks"), testing::IsEmpty());
     const auto outcome = run_command(command + "--kerf 5cm --fillet 9mm", folder_.path());
     EXPECT_EQ(outcome.exit_code, 0);
     const json files = json::parse(outcome.out).at("files");
