@@ -36,7 +36,7 @@ export function ExportMenu() {
   };
   return (
     <div class="card menu" role="dialog" aria-label={W.exportMenu.export} ref={host} onKeyDown={keys}>
-      <button type="button" data-export="save-as" onClick={() => pick(() => void saveElsewhere())}><b>{W.saveAs.menu}</b><span>{W.saveAs.menuWords}</span></button>
+      <button type="button" id="save-as-menu" onClick={() => pick(() => void saveElsewhere())}><b>{W.saveAs.menu}</b><span>{W.saveAs.menuWords}</span></button>
       <button type="button" data-export="json" onClick={() => pick(() => void download())}><b>{W.exportMenu.project}</b><span>{W.exportMenu.everythingForTheStudio}</span></button>
       <button type="button" data-export="png" onClick={() => pick(() => void savePicture())}><b>{W.exportMenu.picture}</b><span>{W.exportMenu.theDViewPng}</span></button>
       <hr />

@@ -69,7 +69,7 @@ test('faces of a dropped mesh become tiles where that is chosen', async (t) => {
   const { address } = await startStudio(t);
   const page = await openPage(t, address);
   await drop(page, 'two.obj', 'v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nf 1 2 5 4\nf 2 3 6 5\n');
-  await page.check('label:has-text("Take its faces as tiles") input');
+  await page.check('label:has-text("Use its faces as tiles") input');
   assert.equal(await page.locator('#tile-size').count(), 0, 'the faces have their own sides');
   await page.click('#make');
   await page.waitForFunction(() => window.fretwork.store.revision.value > 0);
