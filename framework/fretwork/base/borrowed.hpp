@@ -10,7 +10,7 @@ namespace fretwork::base {
 template <class T>
 class Borrowed {
   public:
-    /// Refer to an object, which has to outlive this.
+    /// Refer to an object, which has to outlive the Borrowed.
     constexpr Borrowed(const T& object) : object_(&object) {}  // NOLINT(google-explicit-constructor)
     Borrowed(const T&&) = delete;
 

@@ -9,25 +9,25 @@
 
 namespace fretwork::base {
 
-/// The caller asked a long computation to stop, and it stopped. It gives no result and leaves nothing
-/// half-written.
+/// A long computation has stopped because its caller asked it to stop. The computation gives no result and
+/// leaves nothing half-written.
 class Stopped : public Error {
   public:
-    /// The text says that nothing is half-written.
+    /// Make the error, with a text which says that nothing is half-written.
     Stopped() : Error("stopped before it was done; nothing is half-written") {}
 };
 
-/// How a caller follows a long computation and stops it. Every function that may take longer than a tenth of
-/// a second has one in its options.
+/// The means by which a caller follows a long computation and stops it. Every function that may take longer
+/// than a tenth of a second has a Control in its options.
 struct Control {
     std::stop_token stop{};        ///< checked at least every 50 ms; the default never asks to stop
-    Progress* progress = nullptr;  ///< receives the steps done; null: no reports. Not owned.
-    /// A second way to ask for the stop: true means stop. Every check of `stop` also calls this function, on
-    /// the thread that checks. It serves callers without a second thread, and tests. Null: no function is
-    /// called. Not owned.
+    Progress* progress = nullptr;  ///< receives the number of steps done; null: no reports. Not owned.
+    /// A function that is also called at every check of `stop`, by the thread that checks; if it returns
+    /// true, the computation stops. This function serves tests, and callers without a second thread. Null: no
+    /// function is called. Not owned.
     const std::function<bool()>* question = nullptr;
 
-    /// True if the caller has asked to stop. Cheap enough for every iteration of a solver.
+    /// True if the caller has asked to stop. The call is cheap enough for every iteration of a solver.
     [[nodiscard]] bool stop_wanted() const {
         return stop.stop_requested() || (question != nullptr && (*question)());
     }

@@ -11,10 +11,10 @@ namespace fretwork::base {
 
 /// The kind of an error, for programs that do more than show its text.
 enum class ErrorKind : std::uint8_t {
-    Other,          ///< none of those below
+    Other,          ///< none of the kinds below
     NothingHeld,    ///< a structure has no support
-    PartNotHeld,    ///< a part of a structure has no support; `about` says where the part is
-    MovesFreely,    ///< a structure moves without strain although it has supports; `about` says where
+    PartNotHeld,    ///< a part of a structure has no support; `about` states the place of the part
+    MovesFreely,    ///< a structure moves without strain although it has supports; `about` states the place
     NotCalibrated,  ///< a calibration is missing; `about` is the pattern and the tile model
 };
 
@@ -26,10 +26,11 @@ struct ErrorPlace {
 
 /// An error as data.
 struct ErrorData {
-    std::string problem{};              ///< what is wrong and what would be valid
-    std::vector<ErrorPlace> where{};    ///< outermost first: a file, then the file that it refers to
-    ErrorKind kind = ErrorKind::Other;  ///< what kind of mistake, for programs
-    std::vector<std::string> about{};   ///< the facts that ErrorKind lists for `kind`
+    std::string problem{};  ///< text that says what is wrong and what would be valid
+    /// Places, outermost first: a file, then a file to which the first file refers.
+    std::vector<ErrorPlace> where{};
+    ErrorKind kind = ErrorKind::Other;  ///< kind of the error, for programs
+    std::vector<std::string> about{};   ///< the facts that ErrorKind names for `kind`
 };
 
 /// The text "SOURCE: PLACE: what is wrong", in one line.
@@ -41,17 +42,18 @@ std::string text_of(const ErrorData& data);
 /// A programming mistake is an assert. A disappointing outcome (not converged, rejected) is data in a report.
 class Error : public std::runtime_error {
   public:
-    /// Make an error of what is wrong, or of all that is known.
+    /// Make an error from a text that says what is wrong.
     explicit Error(const std::string& problem) : Error(ErrorData{problem}) {}
-    /// Make an error of what is wrong, or of all that is known.
+    /// Make an error from all its data.
     explicit Error(ErrorData data) : std::runtime_error(text_of(data)), data_(std::move(data)) {}
 
+    /// Make an error with one place.
     /// @param source  the file or option
     /// @param place  the JSON pointer, line or element in the source; may be empty
     Error(const std::string& source, const std::string& place, const std::string& problem)
         : Error(ErrorData{problem, {{source, place}}}) {}
 
-    /// The parts of which the text is made.
+    /// The data of which the text is made.
     [[nodiscard]] const ErrorData& data() const { return data_; }
 
   private:
@@ -84,7 +86,9 @@ class IoError : public Error {
     using Error::Error;
 };
 
-/// An error with an outer source added, for a catcher that knows the file: `throw within(file, "", error)`.
+/// A copy of an error with an outer source added, for a catcher that knows the file:
+///
+///     throw within(file, "", error)
 template <class SomeError>
 [[nodiscard]] SomeError within(const std::string& source, const std::string& place, const SomeError& error) {
     ErrorData data = error.data();
@@ -92,10 +96,11 @@ template <class SomeError>
     return SomeError(std::move(data));
 }
 
-/// True if the error names this source as its place.
+/// True if `source` is among the sources of the error.
 [[nodiscard]] bool names_source(const Error& error, const std::string& source);
 
-/// An error with `name` in place of `source`, for a file that has a temporary name while it is written.
+/// A copy of an error with `name` in place of `source`, for a file that has a temporary name while it is
+/// written.
 template <class SomeError>
 [[nodiscard]] SomeError renamed(const SomeError& error, const std::string& source, const std::string& name) {
     ErrorData data = error.data();

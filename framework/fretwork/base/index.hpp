@@ -8,8 +8,8 @@
 
 namespace fretwork::base {
 
-/// An integer that counts one kind of thing: the index of a node does not compile where the index of a beam
-/// is expected.
+/// An integer that numbers things of one kind: code that passes the index of a node as the index of a beam
+/// does not compile.
 ///
 /// An Index converts to a plain integer implicitly (to index a vector). A plain integer converts to an Index
 /// only explicitly.
@@ -18,11 +18,11 @@ struct Index {
     std::int32_t value = -1;  ///< -1: none
 
     constexpr Index() = default;
-    /// Make the index of a number.
+    /// Make an index from a number.
     constexpr explicit Index(std::integral auto number) : value(static_cast<std::int32_t>(number)) {}
-    /// The number, for arrays of the library.
+    /// The number, to index an array.
     constexpr operator std::int32_t() const { return value; }  // NOLINT(google-explicit-constructor)
-    /// True if it is one at all.
+    /// True if the number is not below 0.
     [[nodiscard]] constexpr bool is_valid() const { return value >= 0; }
 
     friend constexpr auto operator<=>(Index left, Index right) = default;

@@ -8,9 +8,9 @@
 
 namespace fretwork::base {
 
-/// A vector that is indexed by one role: `tiles[tile]` is an element, and `tiles[interface_node]` does not
-/// compile. A plain std::size_t, as in loops, still works.
-/// @tparam Role  an Index<..>
+/// A vector that takes one type of index: `tiles[tile]` is an element, and `tiles[interface_node]` does not
+/// compile. An index of type std::size_t, as in loops, compiles as well.
+/// @tparam Role  the type of index, an Index<..>
 template <class Role, class T>
 class IndexVector : public std::vector<T> {
   public:
@@ -22,9 +22,9 @@ class IndexVector : public std::vector<T> {
     IndexVector(std::vector<T> elements)  // NOLINT(google-explicit-constructor): the same elements
         : std::vector<T>(std::move(elements)) {}
 
-    /// The element at an index of its role.
+    /// The element at an index of type Role.
     [[nodiscard]] T& operator[](Role index) { return (*this)[static_cast<std::size_t>(index.value)]; }
-    /// The element at an index of its role.
+    /// The element at an index of type Role.
     [[nodiscard]] const T& operator[](Role index) const {
         return (*this)[static_cast<std::size_t>(index.value)];
     }

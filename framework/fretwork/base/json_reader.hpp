@@ -15,14 +15,14 @@
 
 namespace fretwork::base {
 
-/// A value in a JSON document, together with its place there.
+/// A value in a JSON document, together with its place in the document.
 ///
 /// Reading is strict: an unknown key is an error, a key that appears twice is an error, and numbers are
 /// finite. Every error is an InputError that names the source, the JSON pointer, the value, and what would be
 /// valid.
 ///
-/// A reader is a handle. It is cheap to copy and keeps the document alive. The JSON pointer is searched only
-/// when a message needs it.
+/// A JsonReader is cheap to copy and keeps the document alive. The JSON pointer is searched only when a
+/// message needs it.
 class JsonReader {
   public:
     /// Throws InputError (missing file, malformed JSON with line and column, repeated key).
@@ -30,17 +30,18 @@ class JsonReader {
     /// @param source  the name of the text in messages
     static JsonReader from_text(std::string_view text, std::string source);
 
-    /// The document's `"format"` must be "fretwork/<kind>/N", with N from `oldest` to `newest`. Only
-    /// unreleased versions wrote formats below `oldest`: the message asks the user to make the file again.
+    /// Check that the document's `"format"` is "fretwork/<kind>/N", with N from `oldest` to `newest`. Throws
+    /// InputError; for N below `oldest`, which only unreleased versions wrote, the message asks the user to
+    /// make the file again.
     void expect_format(std::string_view kind, int newest = 1, int oldest = 1) const;
-    /// Throw InputError unless this is an object with no other keys than these.
+    /// Throw InputError unless the value is an object with no other keys than `keys`.
     void allow_only(std::initializer_list<std::string_view> keys) const;
-    /// Throw InputError if the object has any other key.
+    /// Throw InputError unless the value is an object with no other keys than `keys`.
     void allow_only(std::span<const std::string_view> keys) const;
 
-    /// A required member. Throws InputError if it is missing.
+    /// The member with a key. Throws InputError if the object has no such member.
     [[nodiscard]] JsonReader at(std::string_view key) const;
-    /// An optional member.
+    /// The member with a key; nothing if the object has no such member.
     [[nodiscard]] std::optional<JsonReader> find(std::string_view key) const;
     /// All members of an object, in the order of the file.
     [[nodiscard]] std::vector<std::pair<std::string, JsonReader>> members() const;
@@ -55,33 +56,33 @@ class JsonReader {
     [[nodiscard]] bool is_array() const;
     /// True for a number.
     [[nodiscard]] bool is_number() const;
-    /// True for a text.
+    /// True for a string.
     [[nodiscard]] bool is_string() const;
 
-    /// The number, finite.
+    /// The value as a number, which must be finite.
     [[nodiscard]] double number() const;
-    /// The number, above 0.
+    /// The value as a number, which must be above 0.
     [[nodiscard]] double positive_number() const;
-    /// That many numbers.
+    /// The elements of an array of `count` numbers.
     [[nodiscard]] std::vector<double> numbers(std::size_t count) const;
-    /// A whole number from `low` to `high`.
+    /// The value as a whole number, which must lie from `low` to `high`.
     [[nodiscard]] long long integer(long long low, long long high) const;
-    /// True or false.
+    /// The value as true or false.
     [[nodiscard]] bool boolean() const;
-    /// The text.
+    /// The value as a string.
     [[nodiscard]] std::string string() const;
-    /// A string that is one of `choices`.
+    /// The value as a string, which must be one of `choices`.
     [[nodiscard]] std::string choice(std::initializer_list<std::string_view> choices) const;
 
-    /// The value as compact JSON text.
+    /// The compact JSON text of the value.
     [[nodiscard]] std::string text() const;
     /// The file (or other source) that the document came from.
     [[nodiscard]] std::string source() const;
-    /// The JSON pointer of this value; "" is the whole document.
+    /// The JSON pointer of the value; "" is the whole document.
     [[nodiscard]] std::string pointer() const;
-    /// Throw InputError about this value.
+    /// Throw an InputError with the place of the value.
     [[noreturn]] void fail(const std::string& message) const;
-    /// Throw the error again with the place of this value added. Its kind stays.
+    /// Throw the error again with the place of the value added. The kind of the error stays.
     [[noreturn]] void fail(const InputError& error) const;
 
   private:

@@ -7,30 +7,32 @@
 namespace fretwork::base {
 
 /// The smallest and the largest value of a quantity in an input, in SI units. The limits lie far beyond what
-/// can be built, yet no product of a few values within them underflows or overflows. A value outside is a
-/// mistake in units or in a program. All readers and checks of inputs use the limits listed here.
+/// can be built, yet no product of a few values within the limits underflows or overflows. A value outside
+/// its limits is a mistake in units or in a program. All readers and checks of inputs use the limits in this
+/// file.
 struct Limits {
     double least;           ///< smallest value of a quantity that must be above zero
     double most;            ///< largest magnitude of any value
-    std::string_view unit;  ///< of both limits, for messages
+    std::string_view unit;  ///< unit of both limits, for messages
 };
 
-inline constexpr Limits kLengthLimits{1e-12, 1e12, "m"};  ///< also for coordinates and displacements
-/// Areas of sections.
+/// Limits of lengths, coordinates and displacements.
+inline constexpr Limits kLengthLimits{1e-12, 1e12, "m"};
+/// Limits of areas of sections.
 inline constexpr Limits kAreaLimits{1e-24, 1e24, "m^2"};
-/// Second moments of area, and torsion constants.
+/// Limits of second moments of area and of torsion constants.
 inline constexpr Limits kSecondMomentLimits{1e-48, 1e48, "m^4"};
-/// Moduli, strengths and pressures.
+/// Limits of moduli, strengths and pressures.
 inline constexpr Limits kModulusLimits{1e-12, 1e18, "Pa"};
-/// Densities.
+/// Limits of densities.
 inline constexpr Limits kDensityLimits{1e-12, 1e12, "kg/m^3"};
-/// Forces.
+/// Limits of forces.
 inline constexpr Limits kForceLimits{1e-24, 1e18, "N"};
-/// Moments.
+/// Limits of moments.
 inline constexpr Limits kMomentLimits{1e-36, 1e30, "N m"};
-/// Gravity.
+/// Limits of the acceleration of gravity.
 inline constexpr Limits kAccelerationLimits{1e-12, 1e12, "m/s^2"};
-/// Angles and rotations.
+/// Limits of angles and rotations.
 inline constexpr Limits kAngleLimits{1e-12, 1e6, "rad"};
 
 /// True if a value that must be above zero lies within the limits. False for NaN.

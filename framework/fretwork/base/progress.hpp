@@ -29,8 +29,9 @@ class SilentProgress final : public Progress {
     void finish() override {}
 };
 
-/// One line on a terminal, redrawn in place, with the share done, the rate and the estimated time left.
-/// Silent if the stream is not a terminal, and for tasks of less than half a second.
+/// A receiver that draws one line on a terminal, in place, with the share of the steps done, the rate and the
+/// estimated time left. Nothing is drawn if the stream is not a terminal, or for tasks of less than half a
+/// second.
 class TerminalProgress final : public Progress {
   public:
     /// Show progress on a stream, if it is a terminal.

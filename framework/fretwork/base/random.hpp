@@ -10,19 +10,19 @@ namespace fretwork::base {
 /// Philox4x32-10 of [Salmon2011]: ten rounds that turn a counter and a key into four random words.
 std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key);
 
-/// A seed for run number `run` of a generator that belongs to another library.
+/// A seed for a generator that belongs to another library, in its run number `run`.
 std::uint32_t derived_seed(std::uint64_t seed, std::uint64_t run);
 
-/// Counter-based random numbers: draw n of a stream depends on (seed, stream, n) alone, with every standard
+/// Counter-based random numbers: draw n of a stream depends on (seed, stream, n) alone, whatever the standard
 /// library.
 class RandomStream {
   public:
-    /// Streams of one seed are independent of each other.
+    /// Begin a stream. Streams of one seed are independent of each other.
     RandomStream(std::uint64_t seed, std::uint64_t stream) : seed_(seed), stream_(stream) {}
 
-    /// Uniform in the open interval (0, 1), with 52 random bits.
+    /// A number distributed uniformly in the open interval (0, 1), with 52 random bits.
     double uniform();
-    /// Laplace distributed with mean zero and density exp(-|x| / scale) / (2 scale).
+    /// A number with the Laplace distribution of mean zero: the density is exp(-|x| / scale) / (2 scale).
     double laplace(double scale);
 
   private:

@@ -12,7 +12,7 @@ namespace fretwork::base {
 /// reports its end, also after an exception.
 class Task {
   public:
-    /// Begin a task of so many steps, and report it.
+    /// Begin a task of `steps` steps, and report its start.
     Task(const Control& control, std::string_view name, std::size_t steps) : progress_(control.progress) {
         if (progress_ != nullptr) progress_->start(name, steps);
     }
@@ -21,7 +21,7 @@ class Task {
     ~Task() {
         if (progress_ != nullptr) progress_->finish();
     }
-    /// Report how many steps are done.
+    /// Report that `done` of the steps are done.
     void update(std::size_t done) const {
         if (progress_ != nullptr) progress_->update(done);
     }

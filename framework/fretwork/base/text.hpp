@@ -14,10 +14,11 @@ std::string format_number(double value);
 /// A number rounded for people, with at most `digits` significant digits: "0.333", "1.2e+06".
 std::string format_number(double value, int digits);
 
-/// Join with a separator: {"a", "b"} with ", " is "a, b".
+/// Join words with a separator: {"a", "b"} with ", " is "a, b".
 std::string join(std::span<const std::string> words, std::string_view separator);
 
-/// Split at every separator; "a,,b" has an empty middle, "" is one empty word.
+/// Split a text at every separator; "a,,b" gives three words, the second of them empty, and "" gives one
+/// empty word.
 std::vector<std::string> split(std::string_view text, char separator);
 
 /// A text as an entry of a CSV file, quoted if necessary (RFC 4180).
@@ -35,8 +36,8 @@ std::string shortened(std::string_view text, std::size_t most);
 /// least one edit).
 std::optional<std::string> nearest_name(std::string_view word, std::span<const std::string> candidates);
 
-/// The message "unknown <kind> 'word'; did you mean 'x'?", or with the list of all candidates if none is
-/// near.
+/// The message "unknown <kind> 'word'; did you mean 'x'?". If no candidate is near, the message lists all
+/// candidates.
 std::string unknown_name_message(std::string_view kind, std::string_view word,
                                  std::span<const std::string> candidates);
 

@@ -11,29 +11,31 @@
 
 namespace fretwork::design {
 
-/// The principal curvatures of a bent surface, 1/m. The first is the larger one.
+/// The principal curvatures of a bent surface at a place, 1/m.
 struct Curvatures {
     double largest = 0.0;
     double smallest = 0.0;
 };
 
-/// The curvatures of a surface around each tile: those of the quadric through the places of the interface
-/// nodes of the tile and its neighbours, by least squares. The sides are told apart as the surface at rest
-/// is: a surface that bends up (towards z) has positive curvatures. None where nodes are too few, or one has
-/// no place (NaN).
-/// @param places  in space, m, a row for each interface node
+/// The principal curvatures of a surface at each tile: the curvatures of the quadric that fits, by least
+/// squares, the places of the interface nodes of the tile and its neighbours. A surface that bends towards z
+/// has positive curvatures. None for a tile with too few nodes, or with a node without a place (NaN).
+/// @param places  places of the interface nodes in space, m, one row for each
 base::IndexVector<tiling::TileIndex, std::optional<Curvatures>> tile_curvatures(
     const tiling::Tessellation& tessellation, const Eigen::Matrix<double, Eigen::Dynamic, 3>& places);
 
-/// The curvatures that the load gives the tiles, with single patterns; and those that the target asks for.
+/// The curvatures that tiles with single patterns reach under the load, and the curvatures that the target
+/// wants.
 struct Gamut {
-    /// Of every tile in every uniform painting that was tried, as the load case is, and with the best
-    /// unknowns of those that got their own.
+    /// The curvatures of every tile in every uniform painting that was tried, under the load case as it is;
+    /// for uniform paintings that were fitted, also with their own best unknowns.
     std::vector<Curvatures> reached;
-    std::vector<Curvatures> wanted;    ///< of the tiles around which every node has a goal for its place
-    std::vector<Curvatures> designed;  ///< of the same tiles as `wanted`, in the painting; with all beams
-    /// The share of the wanted ones that lie outside of the reached ones: farther from all of them than a
-    /// tenth of the largest reached curvature. None where nothing is wanted of whole tiles.
+    /// Wanted curvatures, for the tiles around which every node has a goal for its place.
+    std::vector<Curvatures> wanted;
+    /// Curvatures in the painting, with all beams, for the tiles of `wanted`.
+    std::vector<Curvatures> designed;
+    /// The share of the wanted curvatures that lie outside the reached curvatures: their distance from each
+    /// reached curvature is above a tenth of the largest reached curvature. None if `wanted` is empty.
     [[nodiscard]] std::optional<double> share_outside() const;
 };
 

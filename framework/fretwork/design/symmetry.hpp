@@ -7,19 +7,19 @@ namespace fretwork::design {
 
 /// The symmetry of a painting about the middle of the surface's bounding box.
 struct Symmetry {
-    /// What the painting goes over into itself by.
+    /// The motion that leaves the painting unchanged.
     enum class Kind {
         None,
-        MirrorX,  ///< left and right are mirror images
-        MirrorY,  ///< below and above are mirror images
-        Turn      ///< unchanged by 1 / `folds` of a whole turn
+        MirrorX,  ///< the left and the right half are mirror images
+        MirrorY,  ///< the lower and the upper half are mirror images
+        Turn      ///< a rotation by 1 / `folds` of a whole turn leaves the painting unchanged
     };
-    Kind kind = Kind::None;  ///< which one
-    int folds = 1;           ///< of a turn: by a full turn over this number
+    Kind kind = Kind::None;  ///< kind of the symmetry
+    int folds = 1;           ///< number of equal rotations in a whole turn, for Turn
     friend bool operator==(const Symmetry&, const Symmetry&) = default;
 };
 
-/// The text that people type for a symmetry: "mirror:x", "mirror:y", "turn:N" or "none".
+/// The text of a symmetry in commands: "mirror:x", "mirror:y", "turn:N" or "none".
 std::string symmetry_text(const Symmetry& symmetry);
 
 }  // namespace fretwork::design

@@ -8,41 +8,41 @@
 
 namespace fretwork::exports {
 
-/// The colour of the i-th pattern of a palette, as "#rrggbb". Colours are light, so that beams stand out. The
-/// first nine are distinct under a colour vision deficiency. Further ones are far apart in hue (golden angle)
-/// and differ in lightness. The colour of a negative index (not painted) is nearly white.
+/// The colour of the i-th pattern of a palette, as "#rrggbb". All colours are light, so that beams stand out.
+/// The first nine colours are distinct under a colour vision deficiency. Further colours are far apart in hue
+/// (golden angle) and differ in lightness. The colour of a negative index (not painted) is nearly white.
 std::string pattern_colour(int index);
 
 /// The colour of a value on a perceptually even scale, after viridis: dark blue (0), green, yellow (1).
-/// Values outside are clamped.
+/// Values outside [0, 1] are clamped.
 std::string scale_colour(double share);
 
 /// The colour of a value on a scale for both signs, after ColorBrewer's RdBu: dark blue (0), nearly white
-/// (0.5), dark red (1). Values outside are clamped.
+/// (0.5), dark red (1). Values outside [0, 1] are clamped.
 std::string signed_colour(double share);
 
-/// The colours of a scale at equally spaced values, as "#rrggbb". The scale is linear between them, so a page
-/// can draw with it.
+/// The colours of scale_colour() at equally spaced values, as "#rrggbb". The scale is linear between two of
+/// these colours, so a page can draw with the samples.
 std::vector<std::string> scale_samples();
-/// Colours from blue over white to red, for values of both signs.
+/// The colours of signed_colour() at equally spaced values, as "#rrggbb".
 std::vector<std::string> signed_samples();
 
 /// The range of a colour scale.
 struct ValueRange {
-    double from = 0.0;  ///< the first colour's value
-    double to = 0.0;    ///< the last colour's value
+    double from = 0.0;  ///< value of the first colour
+    double to = 0.0;    ///< value of the last colour
 };
 /// The range from the lowest to the highest value. NaN is ignored.
 ValueRange whole_range(std::span<const double> values);
 /// A range that starts at zero or, if values have both signs, is symmetric about zero. A few values far above
-/// all others are left out, because otherwise only they would be visible.
+/// all others are ignored, because otherwise only these values would be visible.
 ValueRange value_range(std::span<const double> values);
-/// The colour of values beyond the range. It is in neither scale, so that overloaded bars stand out.
+/// The colour of values beyond the range. Neither scale has this colour, so that overloaded bars stand out.
 inline constexpr const char* kBeyondColour = "#f018b4";
 /// The largest absolute value beyond a range; nothing if no value is beyond it.
 std::optional<double> largest_beyond(std::span<const double> values, const ValueRange& range);
-/// The colour of a value by scale_colour(), or by signed_colour() if the range has negative values. Grey for
-/// NaN.
+/// The colour of a value by scale_colour(), or by signed_colour() if the range has negative values. The
+/// colour of NaN is grey.
 std::string value_colour(double value, const ValueRange& range);
 
 }  // namespace fretwork::exports

@@ -10,43 +10,43 @@
 
 namespace fretwork::fabrication {
 
-/// A node of a surface's beams, by its number in tiling::TessellationFan.
+/// The index of a node of a surface's beams, as in tiling::TessellationFan.
 using tiling::TessellationNodeIndex;
 using tiling::TileIndex;
 
-/// A beam with its width, as it is made.
+/// A bar: a beam with the width with which it is made.
 struct Bar {
-    std::array<TessellationNodeIndex, 2> nodes;  ///< its ends
+    std::array<TessellationNodeIndex, 2> nodes;  ///< the ends of the bar
     double width = 0.0;                          ///< m
-    TileIndex tile;                              ///< whose bar it is
+    TileIndex tile;                              ///< the tile to which the bar belongs
 };
 
-/// The bars of a surface, and where they meet. No two bars cross or lie over each other.
+/// The bars of a surface and their nodes. No two bars cross or lie over each other.
 struct BarPlan {
-    /// m; the nodes of the tessellation's fan, then those of the border
+    /// Positions of the nodes, m: the nodes of the tessellation's fan, then the nodes of the border.
     base::IndexVector<TessellationNodeIndex, geometry::Point2> nodes;
-    std::vector<Bar> bars{};          ///< of all tiles, and of the frame
-    double width = 0.0;               ///< m, width of the surface's beams
-    double height = 0.0;              ///< m, thickness of the sheet or print
+    std::vector<Bar> bars{};          ///< bars of all tiles, and bars of the border
+    double width = 0.0;               ///< width of the surface's beams, m
+    double height = 0.0;              ///< thickness of the sheet or print, m
     std::size_t interface_nodes = 0;  ///< number of interface nodes, which come first
-    /// A node at the same place as another node, such as a corner where three tiles meet. Bars end at the
-    /// other node (`taken`). The model's beams are not joined there, but the material is one piece.
+    /// Two nodes at the same place, such as a corner where three tiles meet. All bars end at one of these
+    /// nodes, `taken`. The model's beams are not connected at this place, but the material is one piece.
     struct Coincidence {
-        TessellationNodeIndex node;   ///< which is left out
-        TessellationNodeIndex taken;  ///< which stands for it
+        TessellationNodeIndex node;   ///< the node that is left out
+        TessellationNodeIndex taken;  ///< the node that stands for `node`
     };
-    std::vector<Coincidence> coincidences{};  ///< nodes at one place
+    std::vector<Coincidence> coincidences{};  ///< pairs of nodes at the same place
 };
 
 /// The width and height of the rectangle with a section's area and second moments, m.
 struct Rectangle {
-    double width = 0.0;   ///< m, in the plane
-    double height = 0.0;  ///< m, across it
+    double width = 0.0;   ///< width, in the plane of the surface, m
+    double height = 0.0;  ///< height, across the plane, m
 };
 /// The equivalent rectangle of a section. Throws InputError if its width or height is not above zero.
 Rectangle equivalent_rectangle(const mechanics::Section& section);
 
-/// The bars of a surface. If `frame_width` (m) is not zero, bars of this width along the rim form a border.
+/// The bars of a surface. If `frame_width` (m) is not zero, bars of that width along the rim form a border.
 ///
 /// Throws InputError or GeometryError that names the tile if a tile is not painted or not closed, if a beam's
 /// width or length is zero, if beams cross or lie over each other, or if a bar lies along the border.

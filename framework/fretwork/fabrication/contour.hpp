@@ -12,8 +12,8 @@ namespace fretwork::fabrication {
 /// A corner of a contour, and the shape of the contour to the next corner.
 struct ContourPoint {
     geometry::Point2 place;  ///< m
-    /// The tangent of a quarter of the angle of the arc to the next point, counterclockwise positive; 0: a
-    /// straight line. DXF has the same definition.
+    /// The shape up to the next point: the tangent of a quarter of the angle of an arc, counterclockwise
+    /// positive; 0: a straight line. DXF defines the bulge in the same way.
     double bulge = 0.0;
 };
 
@@ -24,20 +24,20 @@ using Contour = std::vector<ContourPoint>;
 struct Arc {
     geometry::Point2 center;  ///< m
     double radius = 0.0;      ///< m
-    double sweep = 0.0;       ///< rad, counterclockwise positive
+    double sweep = 0.0;       ///< angle of the arc, rad, counterclockwise positive
 };
-/// The arc from a point to the next one. Its bulge must not be zero.
+/// The arc from a point of a contour to the next point `to`. Pre: the bulge of `from` is not zero.
 Arc arc_between(const ContourPoint& from, const geometry::Point2& to);
 
-/// The area inside, m2; negative for a clockwise contour. Exact, arcs included.
+/// The area inside a contour, m2, exact with arcs; negative for a clockwise contour.
 double signed_area(const Contour& contour);
-/// The length of a contour, m. Exact, arcs included.
+/// The length of a contour, m, exact with arcs.
 double length(const Contour& contour);
 
-/// The contour with arcs as chords that are off by at most `tolerance` (m).
+/// The contour with chords in place of arcs; no chord is further than `tolerance` (m) from its arc.
 geometry::Polygon flattened(const Contour& contour, double tolerance);
 
-/// A full circle, counterclockwise, as two arcs.
+/// A counterclockwise circle, as two arcs.
 Contour circle(const geometry::Point2& center, double radius);
 /// A contour in the opposite direction.
 Contour reversed(const Contour& contour);

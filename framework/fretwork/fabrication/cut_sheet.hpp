@@ -9,31 +9,31 @@
 
 namespace fretwork::fabrication {
 
-/// One line of text, centred at a place.
+/// A line of text, centred at a place.
 struct Label {
     geometry::Point2 place;  ///< m
-    std::string text;        ///< what is written
+    std::string text;        ///< text
     double height = 0.0;     ///< m
 };
 
 /// The input of a cutter: one sheet of material.
 struct CutSheet {
-    std::string title;              ///< of the drawing
+    std::string title;              ///< title of the drawing
     std::vector<Piece> pieces;      ///< pieces to be cut along their contours
     std::vector<Label> engraved;    ///< marks on the material
-    std::vector<Label> labels;      ///< text for people, not for the machine
-    std::vector<Contour> guides{};  ///< for people: the edge of the material
+    std::vector<Label> labels;      ///< text for people, which the cutter ignores
+    std::vector<Contour> guides{};  ///< lines for people, which the cutter ignores: the edge of the material
 };
 
 /// The whole surface in one sheet, with the numbers of its tiles as labels.
 CutSheet whole_sheet(const simulation::Surface& surface, const ShapeOptions& options);
-/// The sheet of a shape that has been made from the surface.
+/// The sheet with a shape that was made from the surface.
 CutSheet sheet_of_shape(const simulation::Surface& surface, const Shape& shape);
 
-/// The numbers of the tiles as labels at their centers.
+/// Labels with the numbers of the tiles, at the tiles' centers.
 std::vector<Label> tile_labels(const tiling::Tessellation& tessellation);
 
-/// The box around all of it.
+/// The box around everything on a sheet.
 geometry::Box box_of(const CutSheet& sheet);
 
 }  // namespace fretwork::fabrication

@@ -14,74 +14,80 @@
 
 namespace fretwork::fabrication {
 
-/// The limits of a machine and a material.
+/// Options of facts(): the limits of a machine and a material.
 struct FactsOptions {
-    double clearance = 5e-4;           ///< m: warn about narrower gaps and openings
-    double layer_height = 2e-4;        ///< m, height of a layer of a print
-    double sharp_angle = 0.35;         ///< rad: warn about bars meeting at a smaller angle
-    std::optional<double> strength{};  ///< Pa: warn about higher stresses; none: the material's
-    std::span<const reduction::TileModel> models = reduction::tile_models();  ///< tile models of the result
-    base::Control control{};  ///< how the caller follows and stops the work
+    /// Limit of the width of gaps and openings, m; narrower gaps and openings give a warning.
+    double clearance = 5e-4;
+    double layer_height = 2e-4;  ///< height of a layer of a print, m
+    /// Limit of the angle between bars, rad; a smaller angle gives a warning.
+    double sharp_angle = 0.35;
+    /// Limit of the stress, Pa; a higher stress gives a warning; none: the strength in the setting.
+    std::optional<double> strength{};
+    /// Catalogue with the tile models of the result.
+    std::span<const reduction::TileModel> models = reduction::tile_models();
+    base::Control control{};  ///< progress and stop
     /// Throws InputError that names an invalid option.
     void validate() const;
 };
 
-/// A warning to the maker, and its place.
+/// A warning to the maker, with a place.
 struct Warning {
-    std::string message;     ///< one line, with tile, node and place
+    std::string message;     ///< text in one line, with tile, node and place
     geometry::Point2 place;  ///< m
 };
 
-/// The facts that a maker needs before making a surface. SI.
+/// The facts that a maker needs before making a surface, in SI units.
 ///
-/// The sag, and the stresses of a load case with gravity, take the weight of the true outline: the factor
-/// `mass` / `beam_mass` scales gravity on the whole surface. So the weight of a border and of eyes for bolts
-/// is spread over the tiles; their stiffness is ignored.
+/// The sag, and the stress under a load case with gravity, are computed with the weight of the true outline:
+/// gravity on the whole surface is multiplied by `mass` / `beam_mass`. In this way, the weight of a border
+/// and of eyes for bolts is spread over the tiles. The stiffness of border and eyes is ignored.
 struct Facts {
     std::size_t tiles = 0, bars = 0, pieces = 0, openings = 0;
-    reduction::Joints joints = reduction::Joints::Centreline;  ///< joints in the model of sag and stress
-    geometry::Box box{};                                       ///< of the outline, m
-    double height = 0.0;                                       ///< m, of the section
-    double area = 0.0;                                         ///< m2, of the true outline
-    double volume = 0.0;                                       ///< m3
-    double mass = 0.0;                                         ///< kg; 0 if the material has no density
-    double beam_mass = 0.0;                  ///< kg, mass of the model's beams, which overlap in joints
-    double cut_length = 0.0;                 ///< m
-    std::size_t pierces = 0;                 ///< number of contours; a cutter pierces the material once for
-                                             ///< each
-    std::size_t layers = 0;                  ///< number of layers of a print
-    double wall_length = 0.0;                ///< m, length of the contours of all layers
-    double sharpest_angle = 0.0;             ///< rad, between bars of a node
-    std::optional<NarrowPlace> narrowest{};  ///< the narrowest of all gaps and openings up to twice a bar's
-                                             ///< width
-    double smallest_radius = 0.0;            ///< m, smallest radius of inner corners; 0: sharp
+    /// Treatment of joints in the model for sag and stress.
+    reduction::Joints joints = reduction::Joints::Centreline;
+    geometry::Box box{};  ///< box around the outline, m
+    double height = 0.0;  ///< height of the section, m
+    double area = 0.0;    ///< area of the true outline, m2
+    double volume = 0.0;  ///< m3
+    /// Mass of the true outline, kg; 0 if the material has no density.
+    double mass = 0.0;
+    double beam_mass = 0.0;   ///< mass of the model's beams, which overlap in joints, kg
+    double cut_length = 0.0;  ///< m
+    /// Number of contours, which is the number of times that a cutter pierces the material.
+    std::size_t pierces = 0;
+    std::size_t layers = 0;       ///< number of layers of a print
+    double wall_length = 0.0;     ///< length of the contours of all layers together, m
+    double sharpest_angle = 0.0;  ///< smallest angle between two bars at a node, rad
+    /// The narrowest gap or opening, if one is narrower than twice a bar's width.
+    std::optional<NarrowPlace> narrowest{};
+    double smallest_radius = 0.0;  ///< smallest radius of an inner corner, m; 0: sharp
     /// The deflection under the surface's own weight on the supports of a load case, computed with
-    /// corotational tiles at large displacements. If their path does not reach the whole weight, there is a
-    /// warning and no sag.
+    /// corotational tiles at large displacements. If the equilibrium path does not reach the whole weight,
+    /// the facts have a warning and no sag.
     struct Sag {
-        std::string load_case;    ///< whose supports hold
-        double weight = 0.0;      ///< N, load on the supports: `mass` times 9.80665 m/s2
-        double deflection = 0.0;  ///< m, the largest
-        geometry::Point2 place;   ///< m, at rest
+        std::string load_case;    ///< name of the load case whose supports are used
+        double weight = 0.0;      ///< load on the supports, N: `mass` times 9.80665 m/s2
+        double deflection = 0.0;  ///< largest deflection, m
+        geometry::Point2 place;   ///< place of the largest deflection, m, at rest
     };
-    std::optional<Sag> sag{};  ///< under its own weight
+    std::optional<Sag> sag{};  ///< sag under the surface's own weight
     /// The largest normal stress of a beam.
     struct Stress {
-        std::string source;          ///< the load case, or the result
-        double value = 0.0;          ///< Pa
-        TileIndex tile;              ///< where it is
-        TessellationNodeIndex node;  ///< where it is
+        std::string source;          ///< "load case" and its name, or "the result"
+        double value = 0.0;          ///< stress, Pa
+        TileIndex tile;              ///< tile of the beam
+        TessellationNodeIndex node;  ///< node at the end of the beam with the stress
     };
-    std::optional<Stress> stress{};    ///< under the load case
-    std::optional<double> strength{};  ///< Pa, the given strength or the material's
-    std::vector<Warning> warnings;     ///< what may fail when it is made
+    std::optional<Stress> stress{};    ///< largest stress under FactsLoads
+    std::optional<double> strength{};  ///< strength, Pa: the strength in FactsOptions or in the setting
+    std::vector<Warning> warnings;     ///< warnings about what may fail when the surface is made
 };
 
-/// The load case, or the result, for stresses.
+/// The load case or the result from which sag and stress follow.
 struct FactsLoads {
-    const simulation::LoadCase* load_case = nullptr;  ///< may be null
-    /// A solution of the surface under the weight of the beams; it is not scaled to `mass`. If null, the load
-    /// case is solved with corotational tiles.
+    const simulation::LoadCase* load_case = nullptr;  ///< load case; may be null
+    /// A result of the surface for the stress. The weight in the result is the weight of the beams, which is
+    /// not scaled to `mass`. If null, the load case is solved with corotational tiles.
     const simulation::SurfaceResult* result = nullptr;
 };
 

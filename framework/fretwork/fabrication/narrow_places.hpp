@@ -9,20 +9,20 @@ namespace fretwork::fabrication {
 
 /// A place where two sides of a contour come near each other.
 struct NarrowPlace {
-    /// What is narrow.
+    /// The kind of a narrow place.
     enum class Kind {
-        Gap,      ///< a gap between material and material that widens in both directions
+        Gap,      ///< a gap between two edges of the material, which widens in both directions
         Opening,  ///< a narrow opening, whose cut-out is a sliver; the place is its largest inner circle
     };
-    Kind kind = Kind::Gap;       ///< what is narrow
+    Kind kind = Kind::Gap;       ///< kind of the place
     geometry::Point2 place;      ///< the middle of the gap or of the circle, m
     double width = 0.0;          ///< m
-    TileIndex tile;              ///< tile of the nearest bar
-    TessellationNodeIndex node;  ///< the nearest node
+    TileIndex tile;              ///< tile of the bar nearest to the place
+    TessellationNodeIndex node;  ///< node nearest to the place
 };
 
-/// All places narrower than `clearance` (m), the narrowest first. The corners of openings between bars do not
-/// count as gaps, because fillets round them. Throws Stopped.
+/// All places narrower than `clearance` (m), the narrowest first. Corners of openings between bars do not
+/// count as gaps, because fillets round such corners. Throws Stopped.
 std::vector<NarrowPlace> narrow_places(const Shape& shape, const BarPlan& plan, double clearance,
                                        const base::Control& control = {});
 

@@ -8,33 +8,33 @@
 
 namespace fretwork::fabrication {
 
-/// The bed of a cutter, which is the size of each sheet, with the distances and fits of the parts on it.
+/// The bed of a cutter: the size of each sheet, and the distances and fits of the parts on a sheet.
 struct Bed {
     double width = 0.0;     ///< m
     double height = 0.0;    ///< m
-    double margin = 5e-3;   ///< m, free margin along the sheet's edges
-    double spacing = 3e-3;  ///< m, distance between parts
-    double fit = 5e-5;      ///< m, gap between the two sides of a connector
+    double margin = 5e-3;   ///< free margin along the sheet's edges, m
+    double spacing = 3e-3;  ///< distance between parts, m
+    double fit = 5e-5;      ///< gap between the two sides of a connector, m
     /// Throws InputError that names an invalid option.
     void validate() const;
 };
 
 /// A surface in parts that fit a bed, nested on sheets.
 ///
-/// Parts are groups of neighbouring tiles, separated along tile sides. Each interface node on a seam has a
-/// connector: the part with the lower number has a plate with a knob, the other part a plate with the socket.
-/// The connector's name is engraved on both plates.
+/// A part is a group of neighbouring tiles; tile sides separate it from other parts. Each interface node
+/// between two parts has a connector: the part with the lower number has a plate with a knob, and the other
+/// part has a plate with a socket. The connector's name is engraved on both plates.
 struct SheetSet {
-    std::vector<CutSheet> sheets;  ///< with the parts that are cut from each
-    /// The plan of assembly: the outlines of the parts in place as guides, and the numbers of parts and tiles
-    /// as labels.
+    std::vector<CutSheet> sheets;  ///< sheets with the parts to cut from each
+    /// The plan of assembly: the outlines of the parts at their places as guides, and the numbers of parts
+    /// and tiles as labels.
     CutSheet assembly;
     std::size_t parts = 0;   ///< number of parts
     std::size_t joints = 0;  ///< number of connectors
 };
 
-/// Cut a surface into parts on sheets. Throws as make_shape(), and InputError if a tile does not fit the bed,
-/// or plates of two connectors meet.
+/// Cut a surface into parts on sheets. Throws as make_shape(). Throws InputError if a tile does not fit the
+/// bed, or if plates of two connectors meet.
 SheetSet cut_into_sheets(const simulation::Surface& surface, const ShapeOptions& options, const Bed& bed);
 
 /// All sheets of a set side by side, with the plan of assembly above them, as one drawing.

@@ -17,17 +17,19 @@ struct Solid {
 
 /// Options of make_solid().
 struct SolidOptions {
-    double chord_tolerance = 5e-6;  ///< m, largest distance between an arc and its chords
-    base::Control control{};        ///< how the caller follows and stops the work
+    double chord_tolerance = 5e-6;  ///< largest distance between an arc and its chords, m
+    base::Control control{};        ///< progress and stop
     /// Throws InputError that names an invalid option.
     void validate() const;
 };
 
-/// A shape extruded from z = 0 to its height. Vertices lie on a grid of a tenth of a micrometre (coarser for
-/// shapes of more than a metre: 2^-22 of the size), so that they stay apart as 32 bit numbers in millimetres.
+/// Extrude a shape from z = 0 to its height. Vertices lie on a grid with a spacing of a tenth of a
+/// micrometre, or of 2^-22 of the size for shapes of more than a metre. So two vertices differ even if they
+/// are stored as 32-bit numbers in millimetres.
 ///
 /// Every edge of the solid belongs to two triangles, in opposite directions. Throws GeometryError that names
-/// a place where the shape touches itself, because no such solid exists then; Stopped.
+/// a place where the shape touches itself, because no solid with this property exists for such a shape.
+/// Throws Stopped.
 Solid make_solid(const Shape& shape, const SolidOptions& options = {});
 
 /// The volume of a solid, m3.
@@ -36,9 +38,10 @@ double volume(const Solid& solid);
 /// The result of checking that a solid is closed.
 struct SolidCheck {
     std::size_t open_edges = 0;  ///< number of directed edges without exactly one opposite edge
-    long euler_number = 0;       ///< vertices - edges + triangles: 2 for each piece minus 2 for each opening
+    /// Vertices - edges + triangles, which should be 2 for each piece minus 2 for each opening.
+    long euler_number = 0;
 };
-/// Whether a solid is closed and oriented.
+/// Check that a solid is closed and oriented.
 SolidCheck check(const Solid& solid);
 
 }  // namespace fretwork::fabrication

@@ -13,22 +13,22 @@ struct Box {
     double ymin = 0.0;  ///< m
     double xmax = 0.0;  ///< m
     double ymax = 0.0;  ///< m
-    /// Its size along x, m.
+    /// The size of the box along x, m.
     [[nodiscard]] double width() const { return xmax - xmin; }
-    /// Its size along y, m.
+    /// The size of the box along y, m.
     [[nodiscard]] double height() const { return ymax - ymin; }
     /// True if the boxes have a point in common.
     [[nodiscard]] bool meets(const Box& other) const {
         return xmin <= other.xmax && other.xmin <= xmax && ymin <= other.ymax && other.ymin <= ymax;
     }
 };
-/// The smallest box around the points. Pre: there is at least one.
+/// The smallest box around the points. Pre: there is at least one point.
 Box box_of(std::span<const Point2> points);
 /// The smallest box around a box and a point.
 Box united(const Box& box, Point2 point);
 /// The smallest box around two boxes.
 Box united(const Box& left, const Box& right);
-/// The box moved outward by a margin on every side, m.
+/// The box enlarged by `margin` (m) on every side.
 Box grown(const Box& box, double margin);
 
 }  // namespace fretwork::geometry

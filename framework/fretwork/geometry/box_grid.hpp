@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A grid of equal cells that finds those of many boxes that meet a given box.
+// A grid of equal cells, for finding which of many boxes meet a given box.
 #pragma once
 
 #include <fretwork/geometry/box.hpp>
@@ -10,10 +10,10 @@
 
 namespace fretwork::geometry {
 
-/// A grid that finds which of many boxes meet a given one.
+/// A grid that finds which of many boxes meet a given box.
 class BoxGrid {
   public:
-    /// Builds about as many cells as boxes.
+    /// Build a grid with about as many cells as boxes.
     explicit BoxGrid(std::span<const Box> boxes);
 
     /// The numbers of the boxes that meet a box, ascending.

@@ -42,19 +42,19 @@ inline double distance(Point2 a, Point2 b) {
 inline Point2 unit(Point2 a) {
     return (1.0 / length(a)) * a;
 }
-/// The vector turned by a quarter, counterclockwise.
+/// The vector turned by 90 degrees, counterclockwise.
 inline Point2 left_of(Point2 a) {
     return {-a.y, a.x};
 }
-/// The unit vector at an angle from the x axis, rad.
+/// The unit vector at `angle` (rad) from the x axis.
 inline Point2 direction(double angle) {
     return {std::cos(angle), std::sin(angle)};
 }
-/// The left-hand turn from direction a to direction b, in (-pi, pi].
+/// The angle from direction a to direction b, in (-pi, pi] rad; counterclockwise is positive.
 inline double turn(Point2 a, Point2 b) {
     return std::atan2(cross(a, b), dot(a, b));
 }
-/// The point at a share of the way from a to b.
+/// The point a + share (b - a).
 inline Point2 between(Point2 a, Point2 b, double share) {
     return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
 }
@@ -65,7 +65,7 @@ inline Point2 nearest_on_segment(Point2 a, Point2 b, Point2 point) {
     const double share = square > 0.0 ? std::clamp(dot(point - a, side) / square, 0.0, 1.0) : 0.0;
     return between(a, b, share);
 }
-/// The length of a closed polygon.
+/// The sum of the lengths of a polygon's sides.
 inline double perimeter(const Polygon& polygon) {
     double sum = 0.0;
     for (std::size_t i = 0; i < polygon.size(); ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A grid that finds the points near a place, and to which points can be added at any time.
+// A grid for finding the points near a place. Points can be added to the grid at any time.
 #pragma once
 
 #include <fretwork/geometry/plane.hpp>
@@ -13,11 +13,13 @@
 
 namespace fretwork::geometry {
 
-/// Points in square cells whose width is the search distance: a point within that distance lies in the same
-/// cell or in one of the eight around it. Adding and searching take constant time if few points share a cell.
+/// Points in square cells as wide as the search distance: a point within that distance of a place lies in the
+/// place's cell or in one of the eight cells around it. Adding and searching take constant time if few points
+/// share a cell.
 class PointGrid {
   public:
-    /// `width` in metres, positive: the largest distance at which points are found.
+    /// Make an empty grid.
+    /// @param width  the largest distance at which points are found, m, above zero
     explicit PointGrid(double width) : width_(width) {}
 
     /// Add a point. Points are numbered in the order in which they are added.
@@ -30,8 +32,8 @@ class PointGrid {
     /// All points, in the order in which they were added.
     [[nodiscard]] const std::vector<Point2>& points() const { return points_; }
 
-    /// Calls `visit(number)` for each point of the nine cells around a place, in an unspecified order, until
-    /// one call returns true.
+    /// Call `visit(number)` for each point in a place's cell and the eight cells around it, in an unspecified
+    /// order, until one call returns true.
     /// @return true if a call returned true
     template <class Visit>
     bool any_around(Point2 place, Visit visit) const {
@@ -47,7 +49,7 @@ class PointGrid {
         return false;
     }
 
-    /// Calls `visit(number)` for each point of the nine cells around a place.
+    /// Call `visit(number)` for each point in a place's cell and the eight cells around it.
     template <class Visit>
     void visit_around(Point2 place, Visit visit) const {
         any_around(place, [&](std::size_t number) {
@@ -56,7 +58,7 @@ class PointGrid {
         });
     }
 
-    /// True if a point is nearer to `place` than `reach`. Pre: `reach` is at most the width.
+    /// True if a point is nearer to `place` than `reach`. Pre: `reach` is at most the width of a cell.
     [[nodiscard]] bool has_near(Point2 place, double reach) const {
         return any_around(place,
                           [&](std::size_t number) { return distance(points_[number], place) < reach; });

@@ -16,8 +16,8 @@ struct Point2 {
 using Polygon = std::vector<Point2>;
 
 /// The regular polygon around the origin. The middle of side t lies at angle 270 + 360 t / sides degrees, so
-/// vertex t lies half a sector before that. `side` is the side length in metres. Throws InputError unless
-/// sides >= 3 and side > 0.
+/// vertex t lies at angle 270 + 360 (t - 1/2) / sides degrees. `side` is the side length in metres. Throws
+/// InputError unless sides >= 3 and side > 0.
 Polygon regular_polygon(int sides, double side);
 
 /// The signed area: positive for a counterclockwise polygon.
@@ -26,8 +26,8 @@ double signed_area(const Polygon& polygon);
 /// The area centroid. Throws GeometryError if the area is zero.
 Point2 centroid(const Polygon& polygon);
 
-/// True if the polygon is counterclockwise and turns left (or goes straight) at every vertex. Decided
-/// exactly.
+/// True if the polygon is counterclockwise and turns left (or goes straight) at every vertex. The decision is
+/// exact.
 bool is_convex(const Polygon& polygon);
 
 /// Remove each point that is nearer than `nearest` (m) to the point before it; the last point is also

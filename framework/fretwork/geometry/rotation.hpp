@@ -13,28 +13,28 @@ inline Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
     return m;
 }
 
-/// The rotation of a rotation vector of any length.
+/// The rotation that a rotation vector of any length describes.
 Eigen::Quaterniond exponential(const Eigen::Vector3d& rotation_vector);
 
-/// The rotation vector of a rotation, at most pi long.
+/// The rotation vector of a rotation, with a length of at most pi.
 Eigen::Vector3d logarithm(const Eigen::Quaterniond& rotation);
 
-/// The rotation vector of a rotation that is nearest to `reference`. The vectors of one rotation differ by
-/// whole turns; so along a path of small steps the result has no jumps and counts the turns.
+/// The rotation vector nearest to `reference` among all vectors of a rotation, whose angles differ by whole
+/// turns. Along a path of small steps, this vector has no jumps and counts the turns.
 Eigen::Vector3d logarithm_near(const Eigen::Quaterniond& rotation, const Eigen::Vector3d& reference);
 
 /// The matrix T with spin = T d(rotation vector): exp(v + dv) = exp(T dv) exp(v).
 Eigen::Matrix3d spin_map(const Eigen::Vector3d& rotation_vector);
 
-/// The inverse of spin_map, for rotations below a whole turn.
+/// The inverse of spin_map(), for rotations below a whole turn.
 Eigen::Matrix3d inverse_spin_map(const Eigen::Vector3d& rotation_vector);
 
-/// A rotation vector and its inverse spin map, computed together at less cost.
+/// A rotation vector and its inverse spin map, which cost less if they are computed together.
 struct LogarithmWithMap {
-    Eigen::Vector3d rotation_vector;   ///< at most pi long
-    Eigen::Matrix3d inverse_spin_map;  ///< takes a spin to the change of the rotation vector
+    Eigen::Vector3d rotation_vector;   ///< length at most pi
+    Eigen::Matrix3d inverse_spin_map;  ///< maps a spin to the change of the rotation vector
 };
-/// The rotation vector of a rotation, and how spins change it.
+/// The rotation vector of a rotation, and its inverse spin map.
 LogarithmWithMap logarithm_with_map(const Eigen::Quaterniond& rotation);
 
 /// The derivative with respect to v of spin_map(v)^T a, for a fixed a.

@@ -8,7 +8,7 @@ namespace fretwork::geometry {
 /// The eigenvalues of a symmetric matrix, ascending, and its unit eigenvectors, one in each column.
 struct SymmetricEigen {
     Eigen::VectorXd values;   ///< ascending
-    Eigen::MatrixXd vectors;  ///< a unit column for each value
+    Eigen::MatrixXd vectors;  ///< one column of length 1 for each eigenvalue
 };
 
 /// Decompose a symmetric matrix; only its lower triangle is read. One source file compiles Eigen's solver for

@@ -9,15 +9,16 @@
 
 namespace fretwork::library {
 
-/// Options of fill(): the calibration that it adds to each pattern, and how it runs.
+/// Options of fill(): the calibration that fill() adds to each pattern, and the way fill() runs.
 struct FillOptions {
-    std::string model = "paper6";  ///< a row of `models`
+    std::string model = "paper6";  ///< name of a row of `models`
     /// The catalogue that has the model.
     std::span<const reduction::TileModel> models = reduction::tile_models();
-    reduction::CalibrationOptions calibration{};  ///< how the model is fitted
-    int threads = 0;                              ///< 0: one for each processor
-    double seconds_between_stores = 1.0;          ///< 0: each finished pattern is stored at once
-    /// After a stop, fill() stores and reports the finished patterns and does not throw.
+    reduction::CalibrationOptions calibration{};  ///< options of the fit
+    int threads = 0;                              ///< number of threads; 0: one for each processor
+    /// Time between two stores, s; 0: each finished pattern is stored at once.
+    double seconds_between_stores = 1.0;
+    /// Progress and stop. After a stop, fill() stores and reports the finished patterns and does not throw.
     base::Control control{};
     /// Throws InputError if a value is invalid.
     void validate() const;
@@ -27,23 +28,23 @@ struct FillOptions {
     [[nodiscard]] CalibrationKey key() const;
 };
 
-/// What fill() did.
+/// The report of fill().
 struct FillReport {
-    std::size_t open = 0;         ///< patterns that lacked the calibration at the start
-    std::size_t done = 0;         ///< patterns calibrated by this call
-    std::size_t failed = 0;       ///< patterns recorded as failed by this call
-    std::size_t dead_starts = 0;  ///< starts without a descent, in the searches of this call that gave
-                                  ///< calibrations
+    std::size_t open = 0;    ///< number of patterns that lacked the calibration at the start
+    std::size_t done = 0;    ///< number of patterns calibrated by this call
+    std::size_t failed = 0;  ///< number of patterns recorded as failed by this call
+    /// Number of starts without a descent, in the searches of this call that gave calibrations.
+    std::size_t dead_starts = 0;
 };
 
 /// Compute the missing data of some of a library's patterns: responses, effective properties, and the
-/// calibration of the options.
+/// calibration that the options describe.
 ///
 /// Finished patterns are stored about every second in one transaction, so a killed process loses about one
-/// second of computation, and a new call continues from there. The result does not depend on threads,
-/// interruptions and shards. A failed computation is recorded with its reason, and does not stop the rest.
-/// Memory does not grow with the number of patterns. Throws as Library::store; data that was stored before
-/// remains.
+/// second of computation, and a new call continues with the patterns that are not stored. The result does not
+/// depend on threads, interruptions and shards. A failed computation is recorded with its reason, and does
+/// not stop the rest. Memory does not grow with the number of patterns. Throws as Library::store; data that
+/// was stored before the error remains.
 FillReport fill(Library& library, std::span<const pattern::NamedPattern> patterns,
                 const FillOptions& options);
 

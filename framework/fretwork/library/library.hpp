@@ -26,13 +26,13 @@ enum class Access { ReadOnly, ReadWrite };
 /// edges.
 bool comes_before(const pattern::NamedPattern& left, const pattern::NamedPattern& right);
 
-/// The key of a calibration among those of one pattern.
+/// The key that distinguishes the calibrations of one pattern.
 struct CalibrationKey {
     std::string model;       ///< name of the tile model
     std::string optimizer;   ///< name of the method
-    std::uint64_t seed = 0;  ///< below 2^63
-    int starts = 0;          ///< descents from different points
-    int budget = 0;          ///< the most evaluations
+    std::uint64_t seed = 0;  ///< seed of the search, below 2^63
+    int starts = 0;          ///< number of descents from different points
+    int budget = 0;          ///< largest number of evaluations
     friend bool operator==(const CalibrationKey&, const CalibrationKey&) = default;
 };
 /// The key of a calibration with these options.
@@ -42,57 +42,58 @@ CalibrationKey calibration_key(const reduction::CalibrationOptions& options,
 /// A calibration with the library's notes on it.
 struct CalibrationRecord {
     reduction::Calibration calibration;  ///< the fitted model
-    int budget = 0;                      ///< the most evaluations
+    int budget = 0;                      ///< largest number of evaluations
     double seconds = 0.0;                ///< wall time; not part of the content
-    /// Under which it is stored.
+    /// The key under which the calibration is stored.
     [[nodiscard]] CalibrationKey key() const;
 };
 
 /// The data to store for one pattern. An empty member leaves the stored data unchanged.
 struct PatternData {
-    std::string pattern;                          ///< id
+    std::string pattern;                          ///< pattern id
     std::vector<reduction::Response> responses;   ///< none, or one for each scenario of the setting
-    std::vector<CalibrationRecord> calibrations;  ///< of all models
+    std::vector<CalibrationRecord> calibrations;  ///< calibrations of any models
     std::vector<std::pair<std::string, double>> properties;  ///< name and value, SI
 };
 
 /// A summary of the data that a library has of one pattern.
 struct PatternSummary {
-    std::string pattern;         ///< id
-    int edges = 0;               ///< of the pattern
-    int samples = 0;             ///< number of samples of its responses, scenarios times magnitudes; 0: no
-                                 ///< responses
-    int converged_samples = 0;   ///< number of converged samples
-    int stable_samples = 0;      ///< number of converged samples that are stable
-    int limit_load_samples = 0;  ///< number of samples beyond the largest load that the path reaches; they
-                                 ///< have not converged
-    int calibrations = 0;        ///< how many there are
-    std::optional<double> best_objective{};  ///< the smallest objective of its calibrations
-    int failures = 0;                        ///< how many are recorded
+    std::string pattern;  ///< pattern id
+    int edges = 0;        ///< number of edges of the pattern
+    /// Number of samples of the pattern's responses, scenarios times magnitudes; 0: no responses.
+    int samples = 0;
+    int converged_samples = 0;  ///< number of converged samples
+    int stable_samples = 0;     ///< number of converged samples that are stable
+    /// Number of samples with a load above the largest load of the path; these samples have not converged.
+    int limit_load_samples = 0;
+    int calibrations = 0;                    ///< number of calibrations
+    std::optional<double> best_objective{};  ///< smallest objective among the calibrations
+    int failures = 0;                        ///< number of recorded failures
 };
 
-/// A recorded failure of a computation on one pattern. It does not stop the computations on other patterns.
+/// A recorded failure of a computation on one pattern. A failure does not stop the computations on other
+/// patterns.
 struct Failure {
-    std::string pattern;  ///< id
+    std::string pattern;  ///< pattern id
     std::string stage;    ///< the failed computation: responses_stage(), or calibration_stage(key)
     std::string reason;   ///< one line
     friend bool operator==(const Failure&, const Failure&) = default;
 };
-/// The name of the stage that computes responses.
+/// The name of the computation of responses, for Failure::stage.
 std::string responses_stage();
-/// The name of the stage that fits a model.
+/// The name of the computation of a calibration, for Failure::stage.
 std::string calibration_stage(const CalibrationKey& key);
 
 /// The pattern library: one setting, patterns of one node layout, their responses, calibrations and
 /// properties, in one SQLite file (tables and columns: schema.md).
 ///
 /// Every writing call is one transaction: if the process is killed or the disk is full, the file is as before
-/// or as after the call. A stored response or calibration never changes: storing an equal one again does
-/// nothing, and storing a different one is an InputError. Only one thread at a time may use a Library.
+/// or as after the call. A stored response or calibration never changes: storing an equal value again does
+/// nothing, and storing a different value throws InputError. Only one thread at a time may use a Library.
 /// Several processes may have one file open (rollback journal and file locks, so network disks work).
 ///
-/// Reading calls throw InputError if an id is unknown or the file is damaged; writing calls also IoError
-/// (disk full, no permission, locked by another process for longer than ten seconds).
+/// Reading calls throw InputError if an id is unknown or the file is damaged. Writing calls also throw
+/// IoError (disk full, no permission, file locked by another process for longer than ten seconds).
 class Library {
   public:
     /// Create a new file. Throws InputError if the file exists, IoError if it cannot be written.
@@ -103,7 +104,7 @@ class Library {
     /// another schema.
     static Library open(const std::filesystem::path& path, Access access = Access::ReadOnly);
     /// Open an existing file for writing and check its layout and setting, or create a new file with these
-    /// patterns. If not all of them can be written, no new file is left.
+    /// patterns. If not all patterns can be written, no new file is left.
     static Library open_or_create(const std::filesystem::path& path, const pattern::NodeLayout& layout,
                                   const reduction::Setting& setting,
                                   std::span<const pattern::Pattern> patterns = {},
@@ -112,33 +113,34 @@ class Library {
     Library& operator=(Library&&) noexcept;
     ~Library();
 
-    /// Its file.
+    /// The path of the library's file.
     [[nodiscard]] const std::filesystem::path& path() const;
-    /// The layout of all its patterns.
+    /// The node layout of all patterns.
     [[nodiscard]] const pattern::NodeLayout& layout() const;
-    /// Material, section and scenarios of its responses.
+    /// The material, section and scenarios of all responses.
     [[nodiscard]] const reduction::Setting& setting() const;
-    /// Throws InputError that names the first difference from the library's setting; check_layout() does the
-    /// same for the layout.
+    /// Check that the library has this setting. Throws InputError that names the first difference.
     void check_setting(const reduction::Setting& wanted) const;
-    /// Throws InputError if the library has another layout.
+    /// Check that the library has this layout. Throws InputError that states the difference.
     void check_layout(const pattern::NodeLayout& wanted) const;
-    /// Replace the library's setting, if nothing has been computed under it. Otherwise only take the strength
-    /// of `wanted`, if it has one, and check the rest as check_setting does.
+    /// Replace the library's setting by `wanted`, if nothing has been computed under the library's setting.
+    /// Otherwise replace only the strength of the material, if `wanted` states one, and check all other
+    /// values as check_setting() does.
     void adopt_setting(const reduction::Setting& wanted);
 
-    /// Add patterns that the library lacks. Returns their number. A stop adds no pattern.
+    /// Add patterns that the library lacks. Returns the number of patterns added. If the call is stopped, no
+    /// pattern is added.
     std::size_t add_patterns(std::span<const pattern::Pattern> patterns, const base::Control& control = {});
-    /// The number of its patterns.
+    /// The number of patterns.
     [[nodiscard]] std::size_t pattern_count() const;
-    /// All patterns, by number of edges and then by their edges, in whatever order they were added.
+    /// All patterns, sorted by number of edges and then by their edges.
     [[nodiscard]] std::vector<pattern::NamedPattern> patterns() const;
     /// Up to `size` of patterns(), spread over the numbers of edges as by reduction::stratified_sample().
     /// Only the chosen patterns are read.
     [[nodiscard]] std::vector<pattern::NamedPattern> sample(std::size_t size) const;
     /// One summary for each pattern, in the order of patterns().
     [[nodiscard]] std::vector<PatternSummary> summaries() const;
-    /// One summary for each of these patterns, in their order.
+    /// One summary for each of `patterns`, in the same order.
     [[nodiscard]] std::vector<PatternSummary> summaries(
         std::span<const pattern::NamedPattern> patterns) const;
     /// The patterns with a calibration of a model that has parameters, in the order of patterns().
@@ -155,23 +157,24 @@ class Library {
     /// as failed. Patterns whose responses failed are left out.
     [[nodiscard]] std::vector<pattern::NamedPattern> patterns_without_calibration(
         const CalibrationKey& key) const;
-    /// True if one pattern is among patterns_without_responses(), or patterns_without_calibration().
+    /// True if the pattern is among patterns_without_responses().
     [[nodiscard]] bool lacks_responses(std::string_view pattern_id) const;
-    /// True if the pattern has no calibration of that key.
+    /// True if the pattern is among patterns_without_calibration(key).
     [[nodiscard]] bool lacks_calibration(std::string_view pattern_id, const CalibrationKey& key) const;
 
     /// Store a batch in one transaction, whole or not at all. A recorded failure of a computation is deleted
-    /// if its result is now stored. Throws InputError (unknown pattern or scenario, wrong number of samples,
-    /// a value that differs from the stored one), NumericalError (a value is not finite).
+    /// if the batch has the result of that computation. Throws InputError (unknown pattern or scenario, wrong
+    /// number of samples, a value that differs from the stored one), NumericalError (a value is not finite).
     void store(std::span<const PatternData> batch, std::span<const Failure> failures = {});
-    /// All failures that are recorded.
+    /// All recorded failures.
     [[nodiscard]] std::vector<Failure> failures() const;
-    /// Delete all recorded failures, so that their computations are tried again.
+    /// Delete all recorded failures, so that fill() tries the failed computations again.
     void forget_failures();
 
     /// The responses of a pattern in the order of the setting's scenarios; empty if none are stored.
     [[nodiscard]] std::vector<reduction::Response> responses(std::string_view pattern_id) const;
-    /// The same of many patterns, at one moment. Empty, too, for a pattern that the library does not have.
+    /// The responses of each of `patterns`, read in one transaction; empty for a pattern that has none or is
+    /// not in the library.
     [[nodiscard]] std::vector<std::vector<reduction::Response>> responses(
         std::span<const pattern::NamedPattern> patterns) const;
     /// All calibrations of a pattern, sorted by key.
@@ -179,16 +182,17 @@ class Library {
     /// The calibration with the smallest objective for each tile model of a pattern, sorted by the model's
     /// name.
     [[nodiscard]] std::vector<reduction::Calibration> best_calibrations(std::string_view pattern_id) const;
-    /// The calibration with the smallest objective among a pattern's fitted models.
+    /// The calibration with the smallest objective among the models of a pattern that have parameters;
+    /// nothing if there is none.
     [[nodiscard]] std::optional<reduction::Calibration> best_fit(std::string_view pattern_id) const;
-    /// Properties of a pattern, sorted by name.
+    /// The properties of a pattern, sorted by name.
     [[nodiscard]] std::vector<std::pair<std::string, double>> properties(std::string_view pattern_id) const;
 
     /// A SHA-256 (64 hexadecimal digits) of the content: layout, setting, patterns, responses, calibrations,
-    /// properties, failures. It does not depend on the order in which the content was stored, on times, hosts
-    /// and program versions, or on the layout of the file by SQLite.
+    /// properties, failures. The hash does not depend on the order in which the content was stored, on times,
+    /// hosts and program versions, or on the layout of the file by SQLite.
     [[nodiscard]] std::string content_hash() const;
-    /// True if a hash is that of the content, computed by this or an older version of the program.
+    /// True if `hash` is the hash of the content by this or an older version of the program.
     [[nodiscard]] bool has_content(std::string_view hash) const;
     /// Write each table as one CSV file, and layout.json and setting.json, into a folder, which is created if
     /// missing. Rows are sorted; times and hosts are left out, so equal contents give equal files.

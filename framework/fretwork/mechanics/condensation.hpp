@@ -14,22 +14,24 @@ namespace fretwork::mechanics {
 std::vector<NodeIndex> first_nodes(int count);
 
 /// Condense the linear stiffness of a structure onto the nodes `kept` (Schur complement). The result is exact
-/// for small displacements if only these nodes have loads and supports. Supports and loads of the assembly
-/// are ignored. Returns the 6n x 6n matrix of the n nodes in the given order: symmetric, positive
+/// for small displacements if only the kept nodes have loads and supports. Supports and loads of the assembly
+/// are ignored. Returns the 6n x 6n stiffness of the n kept nodes in the given order: symmetric, positive
 /// semidefinite, rank 6n - 6 for a connected frame. Throws NumericalError if the other nodes can move without
-/// strain while the kept ones are fixed.
+/// strain while the kept nodes are fixed.
 Eigen::MatrixXd condense(const Assembly& assembly, std::span<const NodeIndex> kept);
 
-/// Condense the consistent mass of a structure onto the nodes `kept`: the other nodes follow them statically
-/// [Guyan1965]. The result is exact for rigid motions. Natural frequencies come out too high; the error is
-/// small for frequencies far below those of the structure with its kept nodes fixed. 6n x 6n, symmetric. For
-/// structures of up to some hundred nodes: matrices are dense. Throws as condense, and InputError if the mass
-/// of an element is not known.
+/// Condense the consistent mass of a structure onto the nodes `kept`: the other nodes follow the kept nodes
+/// statically [Guyan1965]. The result is exact for rigid motions. Natural frequencies come out too high; the
+/// error is small for frequencies far below the natural frequencies of the structure with its kept nodes
+/// fixed. Returns a symmetric 6n x 6n matrix. The function is made for structures of up to some hundred
+/// nodes, because its matrices are dense. Throws as condense, and InputError if the mass of an element is not
+/// known.
 Eigen::MatrixXd condense_mass(const Assembly& assembly, std::span<const NodeIndex> kept);
 
-/// The matrix by which the other nodes follow the kept ones statically: six rows for each reported node that
-/// is not kept, in order, and six columns for each kept node. It is exact if only kept nodes have loads and
-/// supports. For structures of up to some hundred nodes: matrices are dense. Throws as condense.
+/// The matrix by which the other nodes follow the kept nodes statically: six rows for each reported node that
+/// is not kept, in order, and six columns for each kept node. The matrix is exact if only kept nodes have
+/// loads and supports. The function is made for structures of up to some hundred nodes, because its matrices
+/// are dense. Throws as condense().
 Eigen::MatrixXd following(const Assembly& assembly, std::span<const NodeIndex> kept);
 
 }  // namespace fretwork::mechanics

@@ -12,27 +12,28 @@ namespace fretwork::mechanics {
 /// The frame with `times` as many elements in every beam. Throws InputError if `times` is below one.
 Frame refined(Frame frame, int times);
 
-/// An estimate of the distance of a solution from the limit of ever finer divisions. Each value is the
+/// An estimate of the difference between a solution and the limit of ever finer divisions. Each value is the
 /// largest over the frame's nodes.
 struct DiscretizationError {
-    double displacement = 0.0;  ///< metres
-    double rotation = 0.0;      ///< rad
-    /// The larger of two relative errors: that of displacements over the largest displacement, and that of
-    /// rotations over the largest rotation. The latter is taken as at least the largest displacement divided
-    /// by the frame's extent.
+    double displacement = 0.0;  ///< largest error of a displacement, m
+    double rotation = 0.0;      ///< largest error of a rotation, rad
+    /// The larger of two relative errors. One is `displacement` over the largest displacement. The other is
+    /// `rotation` over the largest rotation, which is taken as at least the largest displacement divided by
+    /// the frame's extent.
     double share = 0.0;
-    bool known = false;  ///< false if one of the two solutions did not converge or does not exist, or if they
-                         ///< are too far apart to lie on one branch
+    /// False if one of the two solutions did not converge or does not exist, or if the two solutions are too
+    /// far apart to lie on one branch.
+    bool known = false;
     friend bool operator==(const DiscretizationError&, const DiscretizationError&) = default;
 };
 
 /// Estimate the discretization error of each solution of a load path (Richardson extrapolation) by following
-/// the path again with other divisions. If the divisions of all beams are even, it takes half as many, at
-/// about half the cost of the path. Otherwise it takes twice as many, at twice the cost. The elements
-/// converge with order four if sections bend equally about both axes, and with order two otherwise. The
-/// estimate assumes order two, which is on the safe side. With one element for each beam, errors of opposite
-/// sign can cancel, so an estimate can be too small by a factor of a few if one of the two solutions has one
-/// division.
+/// the path again with other divisions. If the divisions of all beams are even, the second path has half as
+/// many divisions, and costs about half as much as the first. Otherwise the second path has twice as many
+/// divisions, and costs twice as much. The elements converge with order four if sections bend equally about
+/// both axes, and with order two otherwise. The estimate assumes order two, which is on the safe side. If one
+/// of the two paths has one element for each beam, errors of opposite sign can cancel, and the estimate can
+/// be too small by a factor of a few.
 ///
 /// @param solutions  the solutions that follow_load_path gave for these load factors
 std::vector<DiscretizationError> estimate_discretization_error(const Frame& frame,

@@ -13,46 +13,48 @@ namespace fretwork::mechanics {
 /// The position and orientation of a node. The rotation is a quaternion, so rotations of any size have no
 /// singular point.
 struct NodeState {
-    Eigen::Vector3d displacement = Eigen::Vector3d::Zero();        ///< metres
-    Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< from rest; of unit norm
+    Eigen::Vector3d displacement = Eigen::Vector3d::Zero();        ///< displacement, m
+    Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< rotation from rest, of unit norm
 };
 
 /// An element's response to the states of its nodes.
 ///
-/// Each node has six components in turn: three of its displacement and three of its spin. A spin is an
-/// infinitesimal rotation w in space, R <- exp(w) R. Along spins w_i the energy is, to second order, E +
-/// force . w + w . tangent . w / 2: the force is the gradient and the tangent is symmetric. The plain
-/// derivative of the force along a spin is the tangent - [m]/2 on the rotational diagonal block of each node,
-/// where m is the node's moment and [m] w = m x w; these skew parts add up to the applied moments.
+/// The response has six components for each node: three of its displacement and three of its spin. A spin is
+/// an infinitesimal rotation w in space, R <- exp(w) R. Along spins w, the energy is, to second order, E +
+/// force . w + w . tangent . w / 2. So the force is the gradient of the energy, and the tangent is symmetric.
+/// The plain derivative of the force along a spin differs from the tangent by - [m]/2 on the rotational
+/// diagonal block of each node, where m is the node's moment and [m] w = m x w. Summed over the elements, the
+/// moments m are the applied moments.
 struct ElementResponse {
-    double energy = 0.0;      ///< J
-    Eigen::VectorXd force;    ///< 6n: N and N m
-    Eigen::MatrixXd tangent;  ///< 6n x 6n, symmetric; computed only if Demand::Tangent asks for it
+    double energy = 0.0;      ///< energy, J
+    Eigen::VectorXd force;    ///< forces and moments on the nodes, 6n, N and N m
+    Eigen::MatrixXd tangent;  ///< tangent, 6n x 6n, symmetric; computed only with Demand::Tangent
 };
 
 /// The requested quantities of an element.
 enum class Demand {
     Force,   ///< energy and forces
-    Tangent  ///< these, and their derivatives
+    Tangent  ///< energy, forces and tangent
 };
 
-/// The stresses of one element in a mixed iteration. The caller owns the memory.
+/// The stresses of one element in a mixed iteration. The caller owns the memory of the spans.
 struct ElementStresses {
-    std::span<const double> given;  ///< replace the element's own stresses in the geometric terms
-    std::span<double> own;          ///< out: s = K e(x)
-    std::span<double> slopes;       ///< out, only with Demand::Tangent: B = de/dx along small motions of the
-                                    ///< nodes, stress_count() x 6n, column by column
+    /// Stresses that replace the element's own stresses in the geometric terms.
+    std::span<const double> given;
+    std::span<double> own;     ///< out: the element's own stresses, s = K e(x)
+    std::span<double> slopes;  ///< out, only with Demand::Tangent: B = de/dx along small motions of the
+                               ///< nodes, stress_count() x 6n, column by column
 };
 
-/// An element's response with given stresses: the true energy, the true force B^T s, and the tangent B^T K B
-/// + sum of given_i d2e_i/dx2.
+/// An element's response with given stresses: the true energy, the true force B^T s from the own stresses s,
+/// and the tangent B^T K B + sum of given_i d2e_i/dx2.
 struct MixedResponse : ElementResponse {
-    Eigen::VectorXd given_force;  ///< 6n: B^T given
+    Eigen::VectorXd given_force;  ///< force of the given stresses, 6n: B^T given
 };
 
 /// A component of a structure with any number of nodes, such as a beam or a condensed tile. Elements are
-/// immutable, so threads may share them. Every kind of element implements all functions, because a default
-/// could be wrong without notice.
+/// immutable, so threads may share them. Every kind of element must implement all functions, because a
+/// default could be wrong without notice.
 class Element {
   public:
     Element() = default;
@@ -72,36 +74,38 @@ class Element {
     virtual void evaluate(std::span<const NodeState> states, Demand demand,
                           ElementResponse& response) const = 0;
 
-    /// The number of stresses s = K e of an element. The element's energy is e . K e / 2, where the strains
-    /// e(x) depend on the states of its nodes and the stiffness K is constant. Zero for an element whose
-    /// energy has another form or whose strains are linear.
+    /// The number of stresses s = K e of an element with the energy e . K e / 2, where the strains e(x)
+    /// depend on the states of the nodes and the stiffness K is constant. Zero for an element whose energy
+    /// has another form, or whose strains are linear.
     [[nodiscard]] virtual Eigen::Index stress_count() const = 0;
 
     /// Write the response with given stresses, and the element's own stresses. As in evaluate(), the caller
-    /// owns the buffers. If the given stresses are the element's own, the result is that of evaluate(). This
-    /// always holds if stress_count() is zero; then given_force is the force.
+    /// owns the buffers. If the given stresses are the element's own stresses, the response is the response
+    /// of evaluate(). If stress_count() is zero, the response is always the response of evaluate(), and
+    /// given_force is the force.
     ///
-    /// Newton's method can take far longer steps if the stresses are extrapolated from the last iteration, s
-    /// + K B dx. The stresses at the current displacements would be huge, because of the membrane stiffness.
-    /// [Magisano2017]
+    /// Newton's method can take far longer steps if the stresses s + K B dx are extrapolated from the last
+    /// iteration. The stresses at the current displacements would be huge because of the membrane stiffness
+    /// [Magisano2017].
     virtual void evaluate_mixed(std::span<const NodeState> states, Demand demand,
                                 const ElementStresses& stresses, MixedResponse& response) const = 0;
 
     /// Write the stresses K e of given strains. Both spans have stress_count() entries.
     virtual void stresses_of(std::span<const double> strains, std::span<double> stresses) const = 0;
 
-    /// The relative rotation of the element's ends, rad, for an element that knows it only up to whole turns.
-    /// On a path this rotation must stay below pi. Zero for an element that is right at any relative
-    /// rotation, or that is made for small rotations only.
+    /// The relative rotation of the element's ends, rad, for an element that knows this rotation only up to
+    /// whole turns. On a path, the rotation must stay below pi. Zero for an element that is valid at any
+    /// relative rotation, or that is made for small rotations only.
     [[nodiscard]] virtual double relative_turn(std::span<const NodeState> states) const = 0;
 
-    /// Write the geometric stiffness, 6n x 6n: the change of the stiffness at rest by the internal forces of
-    /// small displacements (6n, linear). The change of the geometry itself is left out, as in linearized
-    /// buckling.
+    /// Write the geometric stiffness, 6n x 6n: the change of the stiffness at rest by the internal forces
+    /// that small displacements (6n) cause. The stiffness is linear in the displacements. The change of the
+    /// geometry itself is left out, as in linearized buckling.
     virtual void geometric_stiffness(const Eigen::VectorXd& displacements,
                                      Eigen::MatrixXd& stiffness) const = 0;
 
-    /// Write the consistent mass at rest, 6n x 6n (kg, kg m, kg m^2). Throws InputError if it is not known.
+    /// Write the consistent mass at rest, 6n x 6n (kg, kg m, kg m^2). Throws InputError if the mass is not
+    /// known.
     virtual void mass(Eigen::MatrixXd& mass) const = 0;
 };
 

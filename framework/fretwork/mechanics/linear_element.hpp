@@ -12,7 +12,7 @@ namespace fretwork::mechanics {
 
 /// The matrices that define a linear element of n nodes; each is 6n x 6n, in the order of the nodes.
 struct LinearMatrices {
-    Eigen::MatrixXd stiffness;  ///< symmetric
+    Eigen::MatrixXd stiffness;  ///< stiffness, symmetric
     Eigen::MatrixXd mass{};     ///< mass at rest; empty: not known, and natural frequencies are refused
 };
 

@@ -11,59 +11,62 @@ namespace fretwork::mechanics {
 
 /// Options of the linear solve.
 struct LinearOptions {
-    int threads = 1;          ///< 0: one for each processor. The number does not change a bit of a result.
-    base::Control control{};  ///< how the caller follows and stops the work
+    /// Number of threads; 0: one for each processor. The number does not change a bit of a result.
+    int threads = 1;
+    base::Control control{};  ///< progress and stop
 };
 
 /// The effect of an update on the factors.
 enum class FactorChange {
-    Kept,     ///< the factors stay; an earlier correction is dropped if no element differs from the
-              ///< factorized ones
-    Updated,  ///< the factors get a low-rank correction for the elements that differ from the factorized ones
+    /// The factors stay; an earlier correction is dropped if no element differs from the factorized elements.
+    Kept,
+    /// The factors get a low-rank correction for the elements that differ from the factorized elements.
+    Updated,
     Refactorized,  ///< all factors are recomputed, with the same bits as in a new solver
 };
 
-/// The linear equilibrium K d = F of a structure at rest. K is factorized once, so each further load costs a
+/// The linear equilibrium K d = F of a structure at rest. K is factorized once, and each solution costs a
 /// back-substitution.
 ///
 /// A flat structure whose elements decouple is solved as two problems of three dofs at each node: in plane
-/// (ux uy rz) and out of plane (uz rx ry). The factorization is a multifrontal L D L^T, ordered by the graph
-/// of nodes, not of dofs.
+/// (ux uy rz) and out of plane (uz rx ry). The factorization is a multifrontal L D L^T. The order of
+/// elimination comes from the graph of nodes, not from the graph of dofs.
 class LinearSolver {
   public:
-    /// Throws NumericalError that names a node if the structure can move without strain in spite of its
-    /// supports.
+    /// Factorize the stiffness of an assembly. Throws NumericalError that names a node if the structure can
+    /// move without strain in spite of its supports.
     explicit LinearSolver(const Assembly& assembly, const LinearOptions& options = {});
     LinearSolver(LinearSolver&&) noexcept;
     LinearSolver& operator=(LinearSolver&&) noexcept;
     ~LinearSolver();
 
-    /// Solve under the assembly's own loads, or under other loads (one row for each node of the assembly).
-    /// Several threads may solve at once.
+    /// Solve under the assembly's own loads. Several threads may solve at once.
     ///
-    /// The solution is refined as long as that reduces the residual, and the best iterate is returned. It has
-    /// converged if its residual is below 1e-9; a residual up to 1e-4 counts, too, if the rounding of the
-    /// displacements explains it. Throws NumericalError if a displacement is too large for a number; Stopped.
+    /// The solution is refined as long as refinement reduces the residual, and the best iterate is returned.
+    /// The solution has converged if its residual is below 1e-9, or if its residual is below 1e-4 and the
+    /// rounding of the displacements explains it. Throws NumericalError if a displacement is too large for a
+    /// number; Stopped.
     [[nodiscard]] Solution solve(const base::Control& control = {}) const;
-    /// Solve under other loads with the factors that are there.
+    /// Solve under other loads, one row for each node of the assembly. Throws as the function above.
     [[nodiscard]] Solution solve(const NodeValues& loads, const base::Control& control = {}) const;
 
-    /// Solve K x = g with all held dofs at zero, for several right sides at once. Adjoint gradients need it.
-    /// Columns have 6 rows for each node of the assembly, in the order of Dof. Forces on held dofs are
+    /// Solve K x = g with all held dofs at zero, for several right sides g at once, as adjoint gradients need
+    /// it. Each column has 6 rows for each node of the assembly, in the order of Dof. Forces on held dofs are
     /// ignored. Throws NumericalError if a displacement is too large for a number; Stopped.
     [[nodiscard]] Eigen::MatrixXd solve_free(const Eigen::MatrixXd& right_sides,
                                              const base::Control& control = {}) const;
 
-    /// Switch to another assembly, and recompute only what its differences require:
-    /// - loads and prescribed values: nothing;
-    /// - elements replaced by others of the same nodes, listed in any order: a low-rank correction if a count
-    ///   of multiplications says that it costs less than new factors, and no place becomes 1e5 times softer
-    ///   or stiffer; else new factors. A solve with corrected factors takes up to four times as long
-    ///   (README.md, bench/edits_bench);
-    /// - supports: everything but the elimination order;
-    /// - anything else: everything.
-    /// Elements are compared by address. The solver shares them and keeps no reference to the assembly
-    /// itself. Throws as the constructor, and then leaves the solver as it was.
+    /// Switch to another assembly, and recompute only the data that depend on the differences between the two
+    /// assemblies:
+    /// - if loads or prescribed values differ: nothing;
+    /// - if elements are replaced by others of the same nodes, listed in any order: a low-rank correction, if
+    ///   a count of multiplications shows that the correction costs less than new factors, and if no place
+    ///   becomes 1e5 times softer or stiffer; otherwise new factors. A solution with corrected factors takes
+    ///   up to four times as long (README.md, bench/edits_bench);
+    /// - if supports differ: everything but the elimination order;
+    /// - if anything else differs: everything.
+    /// Elements are compared by address. The solver shares the elements and keeps no reference to the
+    /// assembly itself. Throws as the constructor, and leaves the solver as it was.
     FactorChange update(const Assembly& assembly, const base::Control& control = {});
 
   private:

@@ -10,35 +10,36 @@
 
 namespace fretwork::mechanics {
 
-/// A mode of vibration about the rest position, or of buckling.
+/// A mode of vibration about the rest position, or a mode of buckling.
 struct Mode {
-    double value = 0.0;  ///< vibration: frequency in Hz; buckling: load factor
-    /// One row for each reported node. The mode is scaled so that the largest displacement of all nodes is 1.
-    /// A mode without displacements is scaled so that its largest rotation is 1.
+    double value = 0.0;  ///< frequency in Hz for vibration, load factor for buckling
+    /// The shape of the mode, one row for each reported node. The mode is scaled so that the largest
+    /// displacement of all nodes is 1. A mode without displacements is scaled so that its largest rotation is
+    /// 1.
     NodeValues shape;
     NodeValues inner_shape{};  ///< rows of the assembly's other nodes, as in Solution::inner_displacements
 };
 
 /// Options of the search for modes.
 struct ModeOptions {
-    base::Control control{};  ///< how the caller follows and stops the work
+    base::Control control{};  ///< progress and stop
 };
 
 /// The modes of the lowest natural frequencies, ascending, with consistent masses. Prescribed components are
-/// held. There are at most as many modes as free components with mass. Throws InputError if no element has
-/// mass, NumericalError and Stopped as LinearSolver.
+/// held. The number of modes is at most the number of free components with mass. Throws InputError if no
+/// element has mass, NumericalError and Stopped as LinearSolver.
 std::vector<Mode> vibration_modes(const Assembly& assembly, int count, const ModeOptions& options = {});
 
-/// The modes of linearized buckling, ascending in their load factor. At this factor on the loads, the
-/// stiffness plus the geometric stiffness of the linear solution becomes singular. Only positive factors are
-/// returned, so there may be fewer modes than wanted, or none, for example without loads. Moments are treated
-/// as semi-tangential moments, which have a potential: the factors are those of the symmetric part of the
-/// stiffness. Throws as vibration_modes.
+/// The modes of linearized buckling, ascending in their load factor. If the loads are multiplied by this
+/// factor, the stiffness plus the geometric stiffness of the linear solution becomes singular. Only positive
+/// factors are returned, so there may be fewer modes than `count`, or none, for example without loads.
+/// Moments are treated as semi-tangential moments, which have a potential: the load factors belong to the
+/// symmetric part of the stiffness. Throws as vibration_modes.
 std::vector<Mode> buckling_modes(const Assembly& assembly, int count, const ModeOptions& options = {});
 
-/// The reason, for people, why fewer modes were found than wanted. Empty if all were found.
+/// The reason, for people, why fewer modes of vibration were found than wanted. Empty if all were found.
 std::string missing_vibration_modes_text(std::ptrdiff_t found, int wanted);
-/// The same for buckling.
+/// The reason, for people, why fewer modes of buckling were found than wanted. Empty if all were found.
 std::string missing_buckling_modes_text(std::ptrdiff_t found, int wanted);
 
 }  // namespace fretwork::mechanics

@@ -10,12 +10,12 @@
 
 namespace fretwork::mechanics {
 
-/// The state of a node from a row of its displacement and rotation vector.
+/// The state of a node from a row with its displacement and rotation vector.
 inline NodeState node_state(const Eigen::Matrix<double, 1, kDofsPerNode>& row) {
     return {row.head<3>().transpose(), geometry::exponential(row.tail<3>().transpose())};
 }
 
-/// The states of nodes from rows of displacements and rotation vectors, one row for each node.
+/// The states of nodes from rows with their displacements and rotation vectors.
 inline std::vector<NodeState> node_states(const NodeValues& rows) {
     std::vector<NodeState> states;
     states.reserve(rows.rows());

@@ -14,69 +14,65 @@ namespace fretwork::optimization {
 
 /// The limits of a run: its cost, its time, and the caller's stop.
 struct Budget {
-    long cost = 20000;                                         ///< in the problem's unit, > 0
-    double seconds = std::numeric_limits<double>::infinity();  ///< wall time, > 0
-    base::Control control{};  ///< checked before every evaluation; progress counts the cost
+    long cost = 20000;                                         ///< largest cost, in the problem's unit, > 0
+    double seconds = std::numeric_limits<double>::infinity();  ///< largest wall time, s, > 0
+    /// Stop and progress; the stop is checked before every evaluation, and progress counts the cost.
+    base::Control control{};
     /// Throws InputError if a value is invalid.
     void validate() const;
 };
 
 /// The best objective value found up to a cost.
 struct TracePoint {
-    long cost = 0;       ///< spent until then, in the problem's unit
-    double value = 0.0;  ///< the best objective by then
+    long cost = 0;       ///< cost spent so far, in the problem's unit
+    double value = 0.0;  ///< best objective found at that cost
     friend bool operator==(const TracePoint&, const TracePoint&) = default;
 };
 
-/// The problem as a method sees it. Every evaluation passes through this class, which charges it to the
-/// budget and remembers the best point.
+/// The access of a method to the problem. Every evaluation passes through the evaluator, which charges the
+/// evaluation to the budget and remembers the best point.
 ///
-/// An evaluation is refused and returns nothing if the rest of the budget does not cover it, or the point is
-/// outside the bounds. It throws base::Stopped if the caller asks to stop. The best point is the one with the
-/// lowest objective, not the lowest smoothed value; NaN counts as infinite.
+/// An evaluation is refused and returns nothing if the rest of the budget does not cover it, or if the point
+/// is outside the bounds. An evaluation throws base::Stopped if the caller asks to stop. The best point is
+/// the point with the lowest objective, not with the lowest smoothed value; NaN counts as infinite.
 class Evaluator {
   public:
-    /// Throws InputError if the bounds or the budget are invalid.
+    /// Begin a run. Throws InputError if the bounds or the budget are invalid.
     Evaluator(base::Borrowed<Problem> problem, const Budget& budget);
 
-    /// What is minimized.
+    /// The problem to minimize.
     [[nodiscard]] const Problem& problem() const { return problem_; }
-    /// The problem's bounds.
+    /// The bounds of the variables.
     [[nodiscard]] const Bounds& bounds() const { return problem_->bounds(); }
 
-    /// The objective; none if the budget does not pay for it.
+    /// The objective at a point; none if the evaluation is refused.
     std::optional<double> value(const Eigen::VectorXd& point);
-    /// The gradient with its objective; none if the budget does not pay for it.
+    /// The objective and a gradient at a point; none if the evaluation is refused.
     std::optional<GradientEvaluation> gradient(const Eigen::VectorXd& point, double smoothing = 0.0);
-    /// Residuals and their Jacobian; none if the budget does not pay for it.
+    /// The residuals and their Jacobian at a point; none if the evaluation is refused.
     std::optional<ResidualEvaluation> residuals(const Eigen::VectorXd& point, double smoothing = 0.0);
-    /// Gradient and curvature; none if the budget does not pay for it.
+    /// The gradient and the curvature at a point; none if the evaluation is refused.
     std::optional<CurvatureEvaluation> curvature(const Eigen::VectorXd& point, double smoothing = 0.0);
 
     /// True if the rest of the budget covers one more evaluation of this kind.
     [[nodiscard]] bool can_afford(Evaluation kind) const;
 
-    /// What was spent, in the problem's unit.
+    /// The cost spent so far, in the problem's unit.
     [[nodiscard]] long cost() const { return cost_; }
-    /// How many evaluations there were.
+    /// The number of evaluations so far.
     [[nodiscard]] long evaluations() const { return evaluations_; }
-    /// How many of them had derivatives.
+    /// The number of evaluations with derivatives so far.
     [[nodiscard]] long derivative_evaluations() const { return derivative_evaluations_; }
-    [[nodiscard]] long points_outside() const {
-        return points_outside_;
-    }  ///< evaluations refused for their
-       ///< point
-    [[nodiscard]] long failures() const {
-        return failures_;
-    }  ///< evaluations with a non-finite
-       ///< objective
-    [[nodiscard]] double best_value() const {
-        return best_value_;
-    }  ///< infinite before the first
-       ///< evaluation
-    /// Where the objective was least.
+    /// The number of evaluations refused so far because the point was outside the bounds.
+    [[nodiscard]] long points_outside() const { return points_outside_; }
+    /// The number of evaluations so far whose objective was not finite.
+    [[nodiscard]] long failures() const { return failures_; }
+    /// The lowest objective so far; infinite before the first finite objective.
+    [[nodiscard]] double best_value() const { return best_value_; }
+    /// The point with the lowest objective so far; empty if no objective was finite so far.
     [[nodiscard]] const Eigen::VectorXd& best_point() const { return best_point_; }
-    /// One point for each improvement: cost ascending, value descending.
+    /// The best objective over the cost: one entry for each improvement, with ascending cost and descending
+    /// value.
     [[nodiscard]] const std::vector<TracePoint>& trace() const { return trace_; }
 
   private:

@@ -11,22 +11,24 @@ namespace fretwork::optimization {
 /// The outcome of a run.
 struct OptimizationReport {
     std::string optimizer;              ///< name of the method
-    Ending ending = Ending::Converged;  ///< how it ended
+    Ending ending = Ending::Converged;  ///< the way in which the run ended
     Eigen::VectorXd point;              ///< the best point found; empty if the objective was never finite
-    double value = 0.0;                 ///< the objective there
+    double value = 0.0;                 ///< objective at the best point
     Eigen::VectorXd final_point;        ///< the point at which the method itself ended
-    long cost = 0;                      ///< in the problem's unit
+    long cost = 0;                      ///< cost of the run, in the problem's unit
     long evaluations = 0;               ///< number of evaluations of any kind
-    long derivative_evaluations = 0;    ///< evaluations with derivatives
-    int dead_starts = 0;                ///< starts that gave no descent; if all did, `ending` is Invalid
-    long failures = 0;                  ///< evaluations whose objective was not finite
-    long points_outside = 0;            ///< evaluations refused outside the bounds, a fault of the method
-    std::vector<TracePoint> trace;      ///< the best objective over the cost
+    long derivative_evaluations = 0;    ///< number of evaluations with derivatives
+    /// Number of starts that gave no descent; if no start gave a descent, `ending` is Invalid.
+    int dead_starts = 0;
+    long failures = 0;  ///< number of evaluations whose objective was not finite
+    /// Number of evaluations refused because the point was outside the bounds, a fault of the method.
+    long points_outside = 0;
+    std::vector<TracePoint> trace;  ///< the best objective over the cost
 };
 
-/// Minimize a problem by the method of this row. The same arguments give the same report, unless a budget in
-/// seconds ends the run. Throws InputError if an option is invalid, or the problem does not offer the
-/// evaluations that the method needs; base::Stopped if the budget's control asks to stop.
+/// Minimize a problem by the method of a row of a catalogue. The same arguments give the same report, unless
+/// a budget in seconds ends the run. Throws InputError if an option is invalid, or the problem does not offer
+/// the evaluations that the method needs. Throws base::Stopped if the budget's control asks to stop.
 OptimizationReport minimize(const Problem& problem, const OptimizerRow& method,
                             const OptimizerOptions& options = {}, const Budget& budget = {});
 

@@ -10,46 +10,50 @@ namespace fretwork::optimization {
 
 /// The kind of search that a method performs.
 enum class OptimizerClass {
-    Local,   ///< descends from each of `starts` points to a minimum nearby
-    Global,  ///< searches the whole box by a deterministic plan: neither `starts` nor the seed matters
-    Random,  ///< draws at random, in `starts` repetitions
+    Local,  ///< the method descends from each of `starts` points to a minimum nearby
+    /// The method searches the whole box by a deterministic plan, without use of `starts` and the seed.
+    Global,
+    Random,  ///< the method draws points at random, in `starts` repetitions
 };
-/// The word for it in tables.
+/// The word for a class in tables.
 std::string_view optimizer_class_name(OptimizerClass kind);
 
 /// The way in which a run ended.
 enum class Ending {
-    Converged,    ///< by the method's own criterion
+    Converged,    ///< the method's own criterion was met
     BudgetSpent,  ///< an evaluation was refused because the rest of the budget did not cover it
     Stalled,      ///< the method made no further progress before its criterion was met
-    Invalid,      ///< no start gave a descent: the objective was not finite there, or the first step failed
+    /// No start gave a descent: the objective was not finite at the start, or the first step failed.
+    Invalid,
 };
-/// The word for it in tables.
+/// The word for an ending in tables.
 std::string_view ending_name(Ending ending);
 
 /// The options that all methods understand.
 struct OptimizerOptions {
     int starts = 4;  ///< number of descents, or of repetitions of a method without descents; 1 to 100,000
-    std::uint64_t seed = 1;  ///< of all random choices
+    std::uint64_t seed = 1;  ///< seed of all random choices
     /// Throws InputError if a value is invalid.
     void validate() const;
 };
 
-/// The outcome of a run: why the method ended, and at which point, which need not be the best point. With
-/// several starts, both belong to the start that found the best value, unless the budget was spent.
+/// The outcome of a run: the reason why the method ended, and the point at which it ended, which need not be
+/// the best point. With several starts, reason and point belong to the start that found the best value,
+/// unless the budget was spent.
 struct RunOutcome {
-    Ending ending = Ending::Converged;  ///< how the method ended
-    Eigen::VectorXd final_point;        ///< where the method itself stands
-    int dead_starts = 0;  ///< starts that gave no descent: the objective was not finite, or the method gave
-                          ///< up after the first evaluation
+    Ending ending = Ending::Converged;  ///< the reason why the method ended
+    Eigen::VectorXd final_point;        ///< the point at which the method ended
+    /// Number of starts that gave no descent: the objective was not finite, or the method gave up after the
+    /// first evaluation.
+    int dead_starts = 0;
 };
 
-/// A minimization method. It evaluates the problem only through the evaluator, and ends if an evaluation is
-/// refused.
+/// A minimization method. A method evaluates the problem only through the evaluator, and ends if an
+/// evaluation is refused.
 class Optimizer {
   public:
     virtual ~Optimizer() = default;
-    /// Minimize; the evaluator keeps the best point and the budget.
+    /// Minimize the evaluator's problem. The evaluator keeps the best point and the budget.
     virtual RunOutcome run(Evaluator& evaluator) const = 0;
 };
 

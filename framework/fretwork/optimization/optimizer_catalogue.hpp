@@ -13,10 +13,10 @@ namespace fretwork::optimization {
 
 /// One method that a user can choose by name.
 struct OptimizerRow {
-    std::string name;     ///< as people type it
-    std::string summary;  ///< one line
-    OptimizerClass kind;  ///< local, global or random
-    Evaluation needs;     ///< the kind of evaluation that it needs besides the value
+    std::string name;     ///< name of the method, as users type it
+    std::string summary;  ///< description in one line
+    OptimizerClass kind;  ///< class of the method
+    Evaluation needs;     ///< the kind of evaluation that the method needs besides the value
     std::function<std::unique_ptr<Optimizer>(const OptimizerOptions& options)> make;  ///< makes the method
 };
 
@@ -24,7 +24,7 @@ struct OptimizerRow {
 /// row. A program with its own methods passes its own list of rows to the functions that take one.
 std::span<const OptimizerRow> optimizer_catalogue();
 
-/// The row with this name. Throws InputError that suggests the nearest name, or lists all.
+/// The row with this name. Throws InputError that suggests the nearest name, or lists all names.
 const OptimizerRow& find_optimizer(std::string_view name,
                                    std::span<const OptimizerRow> rows = optimizer_catalogue());
 

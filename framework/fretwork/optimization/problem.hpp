@@ -10,18 +10,18 @@ namespace fretwork::optimization {
 
 /// The kinds of evaluation that a problem may offer.
 enum class Evaluation { Value, Gradient, Residuals, Curvature };
-/// The word for it in tables.
+/// The word for a kind of evaluation in tables.
 std::string_view evaluation_name(Evaluation kind);
 
 /// Bounds of the variables: lower <= x <= upper, component by component.
 struct Bounds {
-    Eigen::VectorXd lower;  ///< one for each variable
-    Eigen::VectorXd upper;  ///< above the lower ones
+    Eigen::VectorXd lower;  ///< lower bound of each variable
+    Eigen::VectorXd upper;  ///< upper bound of each variable
     /// The number of variables.
     [[nodiscard]] int dimension() const { return static_cast<int>(lower.size()); }
     /// True if the point lies within the bounds; false for a point with NaN.
     [[nodiscard]] bool contain(const Eigen::VectorXd& point) const;
-    /// The nearest point within.
+    /// The point within the bounds that is nearest to `point`.
     [[nodiscard]] Eigen::VectorXd clamp(const Eigen::VectorXd& point) const;
     /// The point lower + shares (upper - lower), component by component.
     [[nodiscard]] Eigen::VectorXd at_shares(const Eigen::VectorXd& shares) const;
@@ -32,57 +32,62 @@ struct Bounds {
 /// The objective and a gradient. As in every evaluation with derivatives, `value` and the derivatives belong
 /// to the smoothed objective, whose kinks are rounded by `smoothing`. With smoothing 0, value = objective.
 struct GradientEvaluation {
-    double objective = 0.0;    ///< unsmoothed
-    double value = 0.0;        ///< of what is differentiated
-    Eigen::VectorXd gradient;  ///< by the variables
+    double objective = 0.0;    ///< objective without smoothing
+    double value = 0.0;        ///< smoothed objective, which is differentiated
+    Eigen::VectorXd gradient;  ///< derivatives of `value` with respect to the variables
 };
 
 /// Residuals and their Jacobian. The smoothed objective is the squared norm of the residuals.
 struct ResidualEvaluation {
-    double objective = 0.0;     ///< unsmoothed
-    Eigen::VectorXd residuals;  ///< their squares sum up to the objective
-    Eigen::MatrixXd jacobian;   ///< one row for each residual
+    double objective = 0.0;     ///< objective without smoothing
+    Eigen::VectorXd residuals;  ///< residuals; the sum of their squares is the smoothed objective
+    Eigen::MatrixXd jacobian;   ///< derivatives, one row for each residual
 };
 
 /// Gradient and curvature. `curvature` is a generalized Gauss-Newton matrix: positive semidefinite, and equal
 /// to the Hessian without the terms that contain second derivatives of the inner model. If the problem also
 /// offers residuals, it is not smaller than 2 J^T J.
 struct CurvatureEvaluation {
-    double objective = 0.0;     ///< unsmoothed
-    double value = 0.0;         ///< of what is differentiated
-    Eigen::VectorXd gradient;   ///< by the variables
-    Eigen::MatrixXd curvature;  ///< symmetric, positive semidefinite
+    double objective = 0.0;     ///< objective without smoothing
+    double value = 0.0;         ///< smoothed objective, which is differentiated
+    Eigen::VectorXd gradient;   ///< derivatives of `value` with respect to the variables
+    Eigen::MatrixXd curvature;  ///< curvature matrix, symmetric and positive semidefinite
 };
 
-/// A function to be minimized inside bounds. It states the evaluations that it offers and the cost of each in
-/// its own unit. Evaluator counts them. Evaluations are pure: thread-safe and repeatable.
+/// A function to be minimized inside bounds. A problem states the kinds of evaluation that it offers, and the
+/// cost of each kind in its own unit. An Evaluator adds up the cost. Evaluations are pure: thread-safe and
+/// repeatable.
 class Problem {
   public:
     virtual ~Problem() = default;
 
-    /// A word for tables and messages.
+    /// The name of the problem in tables and messages.
     [[nodiscard]] virtual std::string name() const = 0;
-    /// Within which it is defined.
+    /// The bounds within which the problem is defined.
     [[nodiscard]] virtual const Bounds& bounds() const = 0;
-    /// Whether it has evaluations of this kind.
+    /// True if the problem offers evaluations of this kind.
     [[nodiscard]] virtual bool offers(Evaluation kind) const { return kind == Evaluation::Value; }
-    /// What an evaluation costs, in cost_unit().
+    /// The cost of one evaluation of a kind, in cost_unit().
     [[nodiscard]] virtual long cost(Evaluation) const { return 1; }
     /// The unit of cost, a noun in the plural.
     [[nodiscard]] virtual std::string cost_unit() const { return "evaluations"; }
-    /// True if the objective has kinks that `smoothing` > 0 rounds. A smooth problem ignores smoothing.
+    /// True if the objective has kinks that `smoothing` > 0 rounds. A problem without kinks ignores
+    /// smoothing.
     [[nodiscard]] virtual bool has_kinks() const { return false; }
-    /// True if this variable is the natural logarithm of the quantity that is fitted. A method that is
-    /// sensitive to scales can then move in the quantity itself, to show the effect.
+    /// True if a variable is the natural logarithm of the quantity that is fitted. With this information, a
+    /// method that is sensitive to scales can move in the quantity itself, to show the effect.
     [[nodiscard]] virtual bool is_logarithm(int /*variable*/) const { return false; }
 
     /// The objective at a point within the bounds.
     [[nodiscard]] virtual double value(const Eigen::VectorXd& point) const = 0;
-    /// Evaluations with derivatives. A problem that does not offer one throws NumericalError.
+    /// The objective and a gradient at a point. Throws NumericalError if the problem does not offer
+    /// gradients.
     [[nodiscard]] virtual GradientEvaluation gradient(const Eigen::VectorXd& point, double smoothing) const;
-    /// Residuals and their Jacobian, if it offers them.
+    /// The residuals and their Jacobian at a point. Throws NumericalError if the problem does not offer
+    /// residuals.
     [[nodiscard]] virtual ResidualEvaluation residuals(const Eigen::VectorXd& point, double smoothing) const;
-    /// Gradient and curvature, if it offers them.
+    /// The gradient and the curvature at a point. Throws NumericalError if the problem does not offer
+    /// curvatures.
     [[nodiscard]] virtual CurvatureEvaluation curvature(const Eigen::VectorXd& point, double smoothing) const;
 };
 

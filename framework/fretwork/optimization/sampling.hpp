@@ -11,7 +11,7 @@ namespace fretwork::optimization {
 /// generalized golden ratio [Roberts2018], shifted at random by the seed.
 class LowDiscrepancySequence {
   public:
-    /// Pre: dimension >= 1.
+    /// Make a sequence. Pre: dimension >= 1.
     LowDiscrepancySequence(int dimension, std::uint64_t seed);
     /// Point n, which depends on dimension, seed and n alone.
     [[nodiscard]] Eigen::VectorXd point(std::uint64_t n) const;

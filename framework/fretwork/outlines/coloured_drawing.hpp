@@ -16,11 +16,11 @@ namespace fretwork::outlines {
 /// else.
 std::string parse_colour(std::string_view text);
 
-/// The filled areas of an SVG, by colour. Coordinates are those of an outline read from the same file:
-/// metres, from the lower left corner of the viewBox.
+/// The filled areas of an SVG, by colour. Coordinates are in metres from the lower left corner of the
+/// viewBox, as in an outline read from the same file.
 class ColouredDrawing {
   public:
-    /// Throws InputError or GeometryError with file and place.
+    /// Read a drawing. Throws InputError or GeometryError with file and place.
     explicit ColouredDrawing(const std::filesystem::path& path);
     ~ColouredDrawing();
     ColouredDrawing(ColouredDrawing&&) noexcept;
@@ -29,7 +29,7 @@ class ColouredDrawing {
     /// The colours in use, each once, in the order in which they are painted: "#rrggbb", and "" for
     /// gradients.
     [[nodiscard]] std::vector<std::string> colours() const;
-    /// The visible colour at a point; none if nothing is filled there.
+    /// The visible colour at a point; none if no area is filled at the point.
     [[nodiscard]] std::optional<std::string> colour_at(geometry::Point2 point) const;
 
   private:

@@ -14,11 +14,11 @@ namespace fretwork::outlines {
 /// overlap.
 struct Outline {
     geometry::Polygon boundary;            ///< metres
-    std::vector<geometry::Polygon> holes;  ///< clockwise, inside the boundary, apart
+    std::vector<geometry::Polygon> holes;  ///< metres; clockwise, inside the boundary, apart
 };
 
-/// Check and orient an outline. Throws GeometryError that names the two sides which cross, or the hole that
-/// lies outside.
+/// Check and orient an outline. Throws GeometryError that names two sides that cross, or a hole that lies
+/// outside the boundary.
 Outline make_outline(geometry::Polygon boundary, std::vector<geometry::Polygon> holes);
 
 /// The area of an outline without its holes, m2.
@@ -46,21 +46,21 @@ struct OutlineFile {
 };
 
 /// Read outlines: SVG (what a browser would fill), DXF (closed curves of the model space), OBJ/PLY/OFF (flat,
-/// one part), JSON (one part). The file's ending decides. Lengths are metres, x to the right, y upwards; the
-/// origin of an SVG is the lower left corner of its viewBox, other files keep their origin. Throws InputError
-/// or GeometryError with file and place.
+/// one part), JSON (one part). The file extension selects the format. Lengths are metres, x to the right, y
+/// upwards; the origin of an SVG is the lower left corner of its viewBox, other files keep their origin.
+/// Throws InputError or GeometryError with file and place.
 OutlineFile read_outline_file(const std::filesystem::path& path);
-/// The largest part of a file.
+/// The largest part of a file, read as by read_outline_file().
 Outline read_outline(const std::filesystem::path& path);
 
 /// Select parts of a file: "largest", "all", or a number from 1, the largest first. If parts are left out, a
-/// remark says which were taken. Throws InputError that lists the valid choices.
+/// remark names the parts that were taken. Throws InputError that lists the valid choices.
 OutlineFile take_parts(OutlineFile file, std::string_view which);
 
 /// Scale all parts of a file by one factor, so that together they are `width` metres wide.
 OutlineFile scaled_to_width(OutlineFile file, double width);
 
-/// The width and height of outlines together, for people: "284 x 190 mm".
+/// The width and height of the box around outlines, as a text for people: "284 x 190 mm".
 std::string size_text(const std::vector<Outline>& parts);
 
 }  // namespace fretwork::outlines

@@ -9,43 +9,44 @@
 
 namespace fretwork::pattern {
 
-/// A number of graphs: up to C(128, 64), which needs more than 64 bits.
+/// A count of graphs. The largest is C(128, 64), which needs more than 64 bits.
 __extension__ using GraphCount = unsigned __int128;
 
-/// A count in decimal digits.
+/// The decimal digits of a count.
 std::string count_text(GraphCount count);
 
 /// A row of the census: the graphs with one number of edges.
 struct CensusRow {
     int edges = 0;            ///< number of edges
-    GraphCount patterns = 0;  ///< all graphs with this number of candidate edges
-    /// For each filter, the number of graphs that break its rule, whether or not they break other rules.
-    /// Empty if only a walk over all graphs could count them.
+    GraphCount patterns = 0;  ///< number of all graphs with this number of candidate edges
+    /// For each filter, the number of graphs that break its rule, whether or not they break other rules. An
+    /// entry is empty if only a walk over all graphs could count these graphs.
     std::vector<std::optional<GraphCount>> rejected;
-    GraphCount valid = 0;  ///< the graphs that keep every rule
+    GraphCount valid = 0;  ///< number of graphs that keep every rule
 };
 
 /// The paper's Table 1, for any layout.
 struct Census {
     std::vector<std::string> filters;  ///< the names of the columns of `rejected`
     std::vector<CensusRow> rows;       ///< one for each number of edges
-    /// The sum of all rows.
+    /// The number of valid graphs in all rows together.
     [[nodiscard]] GraphCount valid() const;
 };
 
-/// The most candidate edges for which a census walks every graph: 20 edges make a million graphs.
+/// The largest number of candidate edges for which a census walks every graph: 20 edges make a million
+/// graphs.
 inline constexpr int kMostEdgesWalked = 20;
 
-/// Count the graphs that each filter rejects, and those that all filters accept. Up to kMostEdgesWalked
-/// candidate edges, every graph is walked. Beyond that, a search counts the valid patterns, and closed forms
-/// count the rejections by rules about pairs, loads and groups of edges. The columns of the other filters
-/// stay empty.
+/// Count the graphs that each filter rejects, and the graphs that all filters accept. With up to
+/// kMostEdgesWalked candidate edges, every graph is walked. With more candidate edges, a search counts the
+/// valid patterns, and closed forms count the rejections by rules about pairs, loads and groups of edges; the
+/// columns of all other filters stay empty.
 Census take_census(const NodeLayout& layout, const EnumerationOptions& options = {});
 /// Take the census with the `valid` counts of an earlier search under the same options.
 Census take_census(const NodeLayout& layout, const EnumerationOptions& options, const PatternCount& valid);
 
-/// The table as CSV with LF. Columns: edges, patterns, one for each filter, valid. An entry is empty if its
-/// number could not be counted.
+/// The census as CSV with LF. Columns: edges, patterns, one for each filter, valid. An entry is empty if it
+/// could not be counted.
 std::string census_csv(const Census& census);
 
 }  // namespace fretwork::pattern

@@ -12,8 +12,8 @@ namespace fretwork::pattern {
 
 /// The range of the number of edges of a pattern, both ends included.
 struct EdgeRange {
-    int least = 2;                  ///< at least
-    int most = kMaxCandidateEdges;  ///< at most
+    int least = 2;                  ///< smallest number of edges
+    int most = kMaxCandidateEdges;  ///< largest number of edges
     /// Throws InputError unless 1 <= least <= most.
     void validate() const;
 };
@@ -23,12 +23,14 @@ EdgeRange default_edge_range(const NodeLayout& layout);
 
 /// Options of the enumeration.
 struct EnumerationOptions {
-    EdgeRange edges;           ///< an upper end beyond the number of candidate edges is clipped
+    /// Numbers of edges of the patterns; an upper end beyond the number of candidate edges is clipped.
+    EdgeRange edges;
     FilterSettings filters{};  ///< the rules that valid patterns keep
-    int threads = 0;           ///< 0: one for each processor; the result and its order do not depend on it
-    /// The most patterns that each of the 256 pieces of the search keeps before their turn in the stream. A
-    /// smaller number saves memory and costs time: a piece with more patterns is searched again, a section at
-    /// a time.
+    /// Number of threads; 0: one for each processor; the result and its order do not depend on the number.
+    int threads = 0;
+    /// The largest number of patterns that each of the 256 pieces of the search stores until they are passed
+    /// on in order. A smaller number saves memory and costs time: a piece with more patterns is searched
+    /// again, one section at a time.
     std::size_t most_kept = std::size_t{1} << 15;
     base::Control control{};  ///< progress counts pieces of the search; a stop throws base::Stopped
     /// Throws InputError if a value is invalid.
@@ -37,17 +39,17 @@ struct EnumerationOptions {
 
 /// The number of patterns, by their number of edges.
 struct PatternCount {
-    std::vector<std::uint64_t> by_edges;  ///< entry k: the patterns with k edges
+    std::vector<std::uint64_t> by_edges;  ///< entry k: number of patterns with k edges
     /// The sum over all numbers of edges.
     [[nodiscard]] std::uint64_t total() const;
 };
 
-/// Call visit(pattern) for every valid pattern, on the calling thread, in lexicographic order of their edge
-/// lists. A pattern comes before those that append edges to its list.
+/// Call visit(pattern) for every valid pattern, on the calling thread, in lexicographic order of the
+/// patterns' edge lists. A pattern comes before the patterns whose lists append edges to its own.
 ///
 /// Paper, Sections 4.1 and 4.2, with one difference: filters are not applied afterwards. Instead, a search
 /// adds edges one by one and turns back as soon as a rule can no longer be kept. Memory does not grow with
-/// the number of patterns: each piece keeps at most `most_kept` patterns that are found before their turn.
+/// the number of patterns: see EnumerationOptions::most_kept.
 PatternCount for_each_pattern(const NodeLayout& layout, const EnumerationOptions& options,
                               const std::function<void(const Pattern&)>& visit);
 

@@ -22,12 +22,13 @@ using FanNodeIndex = base::Index<struct FanNodeTag>;
 struct Fan {
     /// A node of the fan.
     struct Node {
-        LayoutNodeIndex layout_node;  ///< never a node on v0 v2: its partner in the next sector stands for it
-        int sector = 0;               ///< from 0, counterclockwise
+        /// The node of the layout; never a node on v0 v2, which is a node on v0 v1 of the next sector.
+        LayoutNodeIndex layout_node;
+        int sector = 0;  ///< the sector, numbered from 0 counterclockwise
         friend bool operator==(const Node&, const Node&) = default;
     };
-    int sides = 0;                                     ///< of the polygon
-    int interface_node_count = 0;                      ///< the number on all sides together
+    int sides = 0;                                     ///< number of sides of the polygon
+    int interface_node_count = 0;                      ///< number of interface nodes on all sides together
     base::IndexVector<FanNodeIndex, Node> nodes{};     ///< interface nodes first
     std::vector<std::array<FanNodeIndex, 2>> edges{};  ///< each edge once, smaller node first; sorted
 };
@@ -42,7 +43,7 @@ Fan make_fan(const NodeLayout& layout, const Pattern& pattern, int sides);
 /// The positions (m) of the nodes of a fan in a convex polygon. Sector t is the triangle of the polygon's
 /// area centroid, vertex t and vertex t + 1. Each node keeps its barycentric coordinates in its sector.
 /// Paper, Section 4.1. Throws GeometryError if the polygon is not convex and counterclockwise, InputError if
-/// its number of sides is not that of the fan.
+/// polygon and fan differ in the number of sides.
 base::IndexVector<FanNodeIndex, geometry::Point2> place_fan(const NodeLayout& layout, const Fan& fan,
                                                             const geometry::Polygon& polygon);
 

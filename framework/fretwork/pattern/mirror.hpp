@@ -8,10 +8,11 @@
 
 namespace fretwork::pattern {
 
-/// The reflection of a layout's base triangle that exchanges v1 and v2. It maps fans to their mirror images.
+/// The reflection of a layout's base triangle that exchanges v1 and v2. The reflection maps a fan to its
+/// mirror image.
 class Mirror {
   public:
-    /// Finds the mirror image of each edge of a layout.
+    /// Find the mirror image of each edge of a layout.
     explicit Mirror(const NodeLayout& layout);
 
     /// The mirror image of a pattern. None if the pattern uses a face node whose mirror image is not in the

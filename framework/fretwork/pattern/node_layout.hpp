@@ -13,68 +13,69 @@
 
 namespace fretwork::pattern {
 
-/// A node of a layout: the paper's n0 .. n6 are 0 .. 6.
+/// The index of a node of a layout. The paper's nodes n0 .. n6 have the indices 0 .. 6.
 using LayoutNodeIndex = base::Index<struct LayoutNodeTag>;
-/// A candidate edge of a layout, in the order of NodeLayout::candidate_edges().
+/// The index of a candidate edge, in the order of NodeLayout::candidate_edges().
 using EdgeIndex = base::Index<struct EdgeTag>;
 
 /// The region of the base triangle in which a node lies. Paper, Fig. 3a.
 enum class Region {
-    Center,       ///< at v0
-    LeftRadial,   ///< on v0 v1
-    RightRadial,  ///< on v0 v2: the left one of the next sector
-    Face,         ///< inside
-    Interface,    ///< on v1 v2
-    Corner        ///< at v1 or v2
+    Center,       ///< the node lies at v0
+    LeftRadial,   ///< the node lies on v0 v1
+    RightRadial,  ///< the node lies on v0 v2, which is v0 v1 of the next sector
+    Face,         ///< the node lies inside the triangle
+    Interface,    ///< the node lies on v1 v2
+    Corner        ///< the node lies at v1 or v2
 };
 
 /// A node of the base triangle v0 v1 v2; v0 is the polygon's centroid, v1 and v2 are the ends of one of its
 /// sides.
 struct LayoutNode {
-    Region region;                  ///< where on the triangle
-    std::array<Rational, 3> place;  ///< barycentric coordinates (v0, v1, v2), exact, with sum 1
+    Region region;                  ///< the region in which the node lies
+    std::array<Rational, 3> place;  ///< exact barycentric coordinates for (v0, v1, v2), with sum 1
 };
 
 /// A candidate edge i-j, first < second.
 struct Edge {
     LayoutNodeIndex first;   ///< the smaller index
-    LayoutNodeIndex second;  ///< the larger one
+    LayoutNodeIndex second;  ///< the larger index
     friend auto operator<=>(const Edge&, const Edge&) = default;
 };
 
 /// The content of a layout file; experiments/layouts/README.md shows how to write one.
 struct NodeLayoutDescription {
-    std::string name;              ///< letters, digits, `-`, `_`
-    bool center = true;            ///< a node at v0
-    bool corners = false;          ///< nodes at v1 and v2: refused
+    std::string name;              ///< name of the layout: letters, digits, `-`, `_`
+    bool center = true;            ///< true if v0 is a node
+    bool corners = false;          ///< true if v1 and v2 are nodes, which is refused
     std::vector<Rational> radial;  ///< distances from v0 along v0 v1 and v0 v2, as shares of their length
-    std::vector<std::array<Rational, 3>> face;  ///< barycentric places
+    std::vector<std::array<Rational, 3>> face;  ///< barycentric coordinates for (v0, v1, v2)
     std::vector<Rational> interface;            ///< distances from v1 along v1 v2, as shares of its length
 };
 
-/// The nodes that a pattern may use, and the edges that it may choose from.
+/// The nodes that a pattern may use, and the edges that a pattern may choose.
 ///
 /// Numbering: center, radial nodes on v0 v1, radial nodes on v0 v2, face nodes, interface nodes (from v1 to
 /// v2), corners. Candidate edges are sorted by first, then second node. Three kinds of edges are not
-/// candidates: those along the right radial side (the left side gives the same fan), those along the
-/// interface side, and those that pass through another node. Paper, Sections 4.1 and 4.2.
+/// candidates: edges along the right radial side (the left radial side gives the same fan), edges along the
+/// interface side, and edges that pass through another node. Paper, Sections 4.1 and 4.2.
 class NodeLayout {
   public:
-    /// Throws InputError that names a node and the rule that it breaks.
+    /// Make a layout from its description. Throws InputError that names a node and the rule that the node
+    /// breaks.
     explicit NodeLayout(NodeLayoutDescription description);
 
-    /// What it was made from.
+    /// The description from which the layout was made.
     [[nodiscard]] const NodeLayoutDescription& description() const { return description_; }
-    /// Its name, which stands before pattern ids.
+    /// The name of the layout, which may stand before a pattern id.
     [[nodiscard]] const std::string& name() const { return description_.name; }
-    /// Center, left radial, right radial, face, interface.
+    /// The nodes, in the order of the class comment.
     [[nodiscard]] const base::IndexVector<LayoutNodeIndex, LayoutNode>& nodes() const { return nodes_; }
-    /// The pairs that a pattern may choose.
+    /// The candidate edges, sorted.
     [[nodiscard]] const base::IndexVector<EdgeIndex, Edge>& candidate_edges() const { return edges_; }
     /// The interface nodes, from v1 to v2.
     [[nodiscard]] std::vector<LayoutNodeIndex> interface_nodes() const;
-    /// The partner on v0 v1 of a node on v0 v2: both are the same node of the fan, in neighbouring sectors.
-    /// Any other node is its own partner.
+    /// The node on v0 v1 that is the same node of the fan, in the next sector, as this node on v0 v2. For a
+    /// node that is not on v0 v2, the node itself.
     [[nodiscard]] LayoutNodeIndex left_partner(LayoutNodeIndex node) const;
 
   private:
@@ -91,13 +92,14 @@ std::string node_layout_text(const NodeLayout& layout);
 /// The inverse of node_layout_text; `source` names the text in messages.
 NodeLayout parse_node_layout(std::string_view text, std::string source);
 
-/// The names of the built-in layouts, the paper's first.
+/// The names of the built-in layouts; the paper's layout comes first.
 std::vector<std::string> layout_names();
 
-/// The paper's layout, "paper7", read once. Safe to call from several threads.
+/// The paper's layout, "paper7", read once. Several threads may call this function at once.
 const NodeLayout& paper_layout();
 
-/// The built-in layout with this name ("paper7"), or else the layout in this file. Throws InputError.
+/// The built-in layout with this name ("paper7") or, if there is none, the layout in the file with this path.
+/// Throws InputError.
 NodeLayout find_node_layout(std::string_view name_or_path);
 
 }  // namespace fretwork::pattern

@@ -10,21 +10,20 @@ namespace fretwork::pattern {
 
 /// An exact fraction in lowest terms with a positive denominator.
 ///
-/// Numerator and denominator have 64 bits; a result that does not fit is a NumericalError, never a wrong
-/// number.
+/// Numerator and denominator have 64 bits. An operation whose result does not fit throws NumericalError.
 class Rational {
   public:
     constexpr Rational() = default;
-    /// A whole number.
+    /// Make a whole number.
     constexpr Rational(std::int64_t whole) : numerator_(whole) {}  // NOLINT(google-explicit-constructor)
-    /// Throws NumericalError if the denominator is zero.
+    /// Make the fraction numerator / denominator. Throws NumericalError if the denominator is zero.
     Rational(std::int64_t numerator, std::int64_t denominator);
 
-    /// In lowest terms.
+    /// The numerator in lowest terms.
     [[nodiscard]] constexpr std::int64_t numerator() const { return numerator_; }
-    /// Above 0.
+    /// The denominator in lowest terms, above 0.
     [[nodiscard]] constexpr std::int64_t denominator() const { return denominator_; }
-    /// The double nearest to the quotient of the two as doubles.
+    /// The quotient of the numerator and the denominator, each rounded to a double.
     [[nodiscard]] double to_double() const;
     /// The text "3/10", or "2" for a whole number. parse_rational reads it back.
     [[nodiscard]] std::string text() const;

@@ -12,69 +12,78 @@ namespace fretwork::pattern {
 
 /// A filter's verdict on a pattern. A rejection is a normal outcome, and its reason is data.
 struct Verdict {
-    bool accepted = true;           ///< it keeps the rule
-    std::string filter;             ///< the name of the filter that rejects; empty if accepted
-    std::string reason;             ///< one sentence for people; empty if accepted
-    std::vector<EdgeIndex> guilty;  ///< the edges to be drawn in red; empty if the pattern lacks an edge
+    bool accepted = true;  ///< true if the pattern keeps the rule
+    std::string filter;    ///< name of the filter that rejects the pattern; empty if accepted
+    std::string reason;    ///< the reason for the rejection, one sentence; empty if accepted
+    /// The edges that break the rule, drawn in red; empty if the pattern is rejected because it lacks an
+    /// edge.
+    std::vector<EdgeIndex> guilty;
 };
 
-// The forms in which a filter may state its rule. The search, the census and the verdict know these forms and
-// no filter by name. Each form declares its cost and how it prunes the search.
+// The forms in which a filter may state its rule. The search, the census and the verdict know these five
+// forms and know no filter by name. The comment of each form states its cost and the way in which it prunes
+// the search.
 
-/// Certain pairs of edges may not be chosen together, and certain edges may not be chosen at all. Prunes: a
-/// broken rule stays broken when edges are added. Cost: one AND per edge.
+/// Certain pairs of edges may not be chosen together, and certain edges may not be chosen at all. Pruning:
+/// adding edges to a pattern that breaks the rule does not mend it. Cost: one AND per edge.
 struct ConflictRule {
-    /// Symmetric; an edge in conflict with itself is never chosen.
+    /// For each edge, the edges that conflict with it; symmetric. An edge that conflicts with itself is never
+    /// chosen.
     base::IndexVector<EdgeIndex, Pattern::Bits> conflicts;
-    std::string phrase;       ///< "cross", as in "the edges 0-1 and 2-5 cross"
-    std::string self_phrase;  ///< "is forbidden", as in "the edge 0-1 is forbidden"
+    std::string phrase;  ///< verb for messages: "cross", as in "the edges 0-1 and 2-5 cross"
+    /// Verb for an edge that conflicts with itself: "is forbidden", as in "the edge 0-1 is forbidden".
+    std::string self_phrase;
 };
 
-/// Each resource (such as the valence of a node) bears a load from each chosen edge, up to a limit.
-/// Prunes: a broken rule stays broken when edges are added. Cost: one addition per edge.
+/// Each resource (such as the valence of a node) bears a load from each chosen edge, up to a limit. Pruning:
+/// adding edges to a pattern that breaks the rule does not mend it. Cost: one addition per edge.
 struct CapacityRule {
-    /// Something that edges load, such as a node.
+    /// A resource that edges load, such as a node.
     struct Resource {
-        std::string name;                         ///< "node n2"
-        base::IndexVector<EdgeIndex, int> loads;  ///< zero or more
+        std::string name;                         ///< name for messages, such as "node n2"
+        base::IndexVector<EdgeIndex, int> loads;  ///< load by each edge, zero or more
     };
-    std::vector<Resource> resources;  ///< what each edge loads
-    int limit = 0;                    ///< the largest load of each
-    std::string phrase;               ///< "valence", as in "node n2 has valence 8, above 6"
+    std::vector<Resource> resources;  ///< the resources that edges load
+    int limit = 0;                    ///< largest load of a resource
+    /// Noun for messages: "valence", as in "node n2 has valence 8, above 6".
+    std::string phrase;
 };
 
 /// A set of edges with a name for people: an edge, or all edges at a node.
 struct EdgeGroup {
-    std::string name;     ///< "node n6"
-    Pattern::Bits edges;  ///< of which one has to be there
+    std::string name;     ///< name for messages, such as "node n6"
+    Pattern::Bits edges;  ///< the edges of the group
 };
 
-/// At least one edge of each group is chosen. Prunes once no edge of a group is available any more. Cost: one
-/// AND per group.
+/// At least one edge of each group is chosen. Pruning: the search turns back once no edge of a group is
+/// available any more. Cost: one AND per group.
 struct CoverRule {
-    std::vector<EdgeGroup> groups;  ///< each has to be covered
-    std::string phrase;             ///< "no beam ends at", as in "no beam ends at node n6"
+    std::vector<EdgeGroup> groups;  ///< the groups, each with at least one edge in a pattern
+    /// Words for messages: "no beam ends at", as in "no beam ends at node n6".
+    std::string phrase;
 };
 
-/// A graph property of the fan in the hexagon. Boost.Graph defines it; the search uses an equivalent
-/// bit-parallel test. It does not prune by itself. Cost: a few graph searches with bit sets.
+/// The fan in the hexagon has a graph property. Boost.Graph defines the property; the search uses an
+/// equivalent bit-parallel test. Pruning: none. Cost: a few graph searches with bit sets.
 struct GraphRule {
-    /// What the fan's graph has to be.
+    /// The property that the fan's graph must have.
     enum class Property {
-        Connected,           ///< one component
-        WithoutArticulation  ///< no articulation point when a further node outside connects all interface
-                             ///< nodes
+        Connected,  ///< the graph has one component
+        /// The graph has no articulation point after a further node outside was connected to all interface
+        /// nodes.
+        WithoutArticulation
     };
-    Property property = Property::Connected;  ///< which one
+    Property property = Property::Connected;  ///< the property
 };
 
-/// Any other rule. It does not prune. Cost: one call.
+/// Any other rule. Pruning: none. Cost: one call.
 struct PredicateRule {
-    std::function<bool(const Pattern&)> is_kept;  ///< true for patterns that keep the rule
-    std::string phrase;                           ///< "the pattern is not its own mirror image"
+    std::function<bool(const Pattern&)> is_kept;  ///< returns true if the pattern keeps the rule
+    /// Sentence for messages: "the pattern is not its own mirror image".
+    std::string phrase;
 };
 
-/// One of five forms; the search prunes by the first four.
+/// A rule in one of the five forms.
 using Rule = std::variant<ConflictRule, CapacityRule, CoverRule, GraphRule, PredicateRule>;
 
 }  // namespace fretwork::pattern

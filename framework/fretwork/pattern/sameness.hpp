@@ -11,16 +11,18 @@
 
 namespace fretwork::pattern {
 
-/// The symmetries that a pattern's fan has beside its turns.
+/// The symmetries of a pattern's fan beside its rotations. Every fan in a regular polygon has the rotations
+/// of that polygon.
 enum class Symmetry {
-    None,   ///< no more than the turns
-    Mirror  ///< the pattern is its own mirror image (every pattern has its polygon's rotations)
+    None,   ///< the fan has no symmetry beside its rotations
+    Mirror  ///< the pattern is its own mirror image
 };
 
-/// The relations of a pattern to the others of a list.
+/// The relations of a pattern to the other patterns of a list.
 struct PatternSameness {
-    Symmetry symmetry = Symmetry::None;  ///< of its fan
-    /// The position of the mirror image in the list, if it is another pattern of the list.
+    Symmetry symmetry = Symmetry::None;  ///< symmetry of the pattern's fan
+    /// The position of the pattern's mirror image in the list; none if the mirror image is the pattern itself
+    /// or is not in the list.
     std::optional<std::size_t> mirror_partner;
     /// Two patterns have the same class if their fans in the hexagon are isomorphic as graphs with coloured
     /// interface nodes, whatever their geometry. Classes are numbered from 0 in the order of their first
@@ -30,15 +32,16 @@ struct PatternSameness {
 
 /// Options of find_sameness().
 struct SamenessOptions {
-    int threads = 0;          ///< 0: one for each processor; the result does not depend on it
+    /// Number of threads; 0: one for each processor; the result does not depend on the number.
+    int threads = 0;
     base::Control control{};  ///< progress is reported every few thousand patterns
 };
 
-/// What is the same among patterns.
+/// The mirror pairs and isomorphism classes of a list of patterns.
 struct SamenessReport {
-    std::vector<PatternSameness> of_pattern;  ///< in the order of the list
-    std::size_t up_to_mirror = 0;             ///< the number of patterns if a mirror pair counts once
-    std::size_t up_to_isomorphism = 0;        ///< the number of isomorphism classes
+    std::vector<PatternSameness> of_pattern;  ///< one entry for each pattern, in the order of the list
+    std::size_t up_to_mirror = 0;             ///< number of patterns if a mirror pair counts once
+    std::size_t up_to_isomorphism = 0;        ///< number of isomorphism classes
 };
 
 /// Find mirror images and isomorphism classes (by nauty's canonical forms) in a list of distinct patterns of

@@ -11,24 +11,26 @@ namespace fretwork::pattern {
 
 /// The number of valid patterns of a layout, estimated from random trials.
 struct CountEstimate {
-    double valid = 0.0;  ///< the unbiased estimate
-    double lower = 0.0;  ///< with probability `confidence`, the true number lies between lower and upper
-    double upper = 0.0;  ///< (Clopper and Pearson's interval, which is never too narrow)
-    double confidence = 0.95;  ///< of the interval
-    std::uint64_t trials = 0;  ///< graphs that were drawn
-    std::uint64_t hits = 0;    ///< trials that drew a valid pattern
-    GraphCount proposals = 0;  ///< the number of graphs that a trial draws from
+    double valid = 0.0;  ///< unbiased estimate of the number
+    double lower = 0.0;  ///< lower end of the confidence interval
+    /// Upper end of the confidence interval (Clopper and Pearson's, which is never too narrow).
+    double upper = 0.0;
+    double confidence = 0.95;  ///< probability that the interval contains the true number
+    std::uint64_t trials = 0;  ///< number of trials; each draws one graph
+    std::uint64_t hits = 0;    ///< number of trials that drew a valid pattern
+    GraphCount proposals = 0;  ///< number of graphs from which a trial draws
 };
 
 /// Draws valid patterns of layouts that are too large to list, each with exactly the same probability.
 ///
-/// A trial draws a graph uniformly among those that keep all rules about pairs of edges (crossings, angles,
-/// clearances, forbidden edges) and have an allowed number of edges. These graphs are counted exactly, so the
-/// draw is exactly uniform. A graph that breaks another rule is rejected. Every valid pattern is one of these
-/// graphs, so the valid patterns are drawn uniformly, too. Trial n depends on the seed and n alone.
+/// A trial draws a graph from the proposals: all graphs that keep all rules about pairs of edges (crossings,
+/// angles, clearances, forbidden edges) and have an allowed number of edges. The proposals are counted
+/// exactly, so each is drawn with exactly the same probability. A proposal that breaks another rule is
+/// rejected. Every valid pattern is a proposal, so each valid pattern is drawn with the same probability,
+/// too. Trial n depends on the seed and n alone.
 class PatternSampler {
   public:
-    /// Throws NumericalError if the layout is too large to count even the graphs without conflicts.
+    /// Count the proposals. Throws NumericalError if the layout is too large for this count.
     PatternSampler(const NodeLayout& layout, const EnumerationOptions& options, std::uint64_t seed);
     PatternSampler(PatternSampler&&) noexcept;
     PatternSampler& operator=(PatternSampler&&) noexcept;

@@ -14,8 +14,9 @@ namespace fretwork::reduction {
 /// The stiffness and mass of the thin plate that is equivalent to an infinite, regular surface of one
 /// pattern, at small displacements.
 ///
-/// Both tensors are in Voigt's notation with engineering shear: A maps (e_xx, e_yy, 2 e_xy) to membrane
-/// forces, D maps curvatures (w_xx, w_yy, 2 w_xy) to moments. Forces and moments are per unit of length.
+/// The tensors A and D are in Voigt's notation with engineering shear: A maps (e_xx, e_yy, 2 e_xy) to
+/// membrane forces, D maps curvatures (w_xx, w_yy, 2 w_xy) to moments. Forces and moments are per unit of
+/// length.
 struct EffectiveProperties {
     Eigen::Matrix3d A;           ///< N/m
     Eigen::Matrix3d D;           ///< N m
@@ -23,22 +24,23 @@ struct EffectiveProperties {
 };
 
 /// Homogenize a pattern in the setting's regular polygon. The polygon must have four or six sides, so that
-/// each of its sides meets the opposite side of the neighbour.
+/// each side of a tile meets the opposite side of the neighbouring tile.
 ///
-/// The periodic cell is one tile: the pattern's frame condensed onto its interface nodes. Opposite nodes move
-/// by the macroscopic strain (or curvature) plus a periodic fluctuation that minimizes the energy. The result
-/// is exact for the periodic frame. Throws InputError if the polygon has another number of sides, or the
-/// pattern has an interface node without a beam.
+/// The periodic cell is one tile: the pattern's frame condensed onto its interface nodes. Its interface nodes
+/// move by the macroscopic strain (or curvature) plus a fluctuation, which is equal at opposite nodes and
+/// minimizes the energy. The result is exact for the periodic frame. Throws InputError if the polygon has
+/// another number of sides, or the pattern has an interface node without a beam.
 EffectiveProperties effective_properties(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                          const Setting& setting);
 
-/// The stiffness of a strip along `angle` (rad) that is free to contract across.
+/// The stiffness of a strip along the direction `angle` (rad), which may contract freely across that
+/// direction.
 double directional_stiffness(const Eigen::Matrix3d& tensor, double angle);
 
 /// The named values that libraries store: membrane_stiffness (N/m), membrane_poisson, membrane_shear (N/m),
 /// membrane_anisotropy (largest over smallest directional stiffness), the same four names with bending_ (N
 /// m), mass_per_area (kg/m^2), and both tensors (A11 A12 A16 A22 A26 A66, D11 ..). Stiffness and Poisson's
-/// ratio are those in the direction x.
+/// ratio are taken in the direction x.
 std::vector<std::pair<std::string, double>> property_values(const EffectiveProperties& properties);
 
 }  // namespace fretwork::reduction

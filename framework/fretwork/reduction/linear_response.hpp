@@ -6,8 +6,8 @@
 
 namespace fretwork::reduction {
 
-/// The responses of a linear model at the setting's magnitudes. A calibration to them can reach zero error,
-/// because the model itself fits them exactly.
+/// The responses of a linear model at the setting's magnitudes. A calibration of the same model to these
+/// responses can reach zero error.
 std::vector<Response> linear_responses(const UnitDisplacements& model, const Setting& setting);
 
 }  // namespace fretwork::reduction

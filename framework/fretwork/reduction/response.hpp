@@ -16,24 +16,25 @@
 
 namespace fretwork::reduction {
 
-/// The displacements of a tile's interface nodes under one scenario, at its magnitudes k = 1, 2, ..
+/// The displacements of a tile's interface nodes under one scenario, at the magnitudes k = 1, 2, .. of the
+/// setting.
 struct Response {
-    /// What the tile does under one magnitude.
+    /// The displacements under one magnitude.
     struct Sample {
-        int step = 0;                         ///< k
-        double magnitude = 0.0;               ///< N
+        int step = 0;                         ///< number k of the magnitude
+        double magnitude = 0.0;               ///< magnitude, N
         mechanics::NodeValues displacements;  ///< one row for each interface node; zeros if not converged
-        bool converged = true;                ///< an equilibrium was found
-        bool stable = true;                   ///< and it is stable
-        bool limit_load = false;  ///< not converged, because the equilibrium path turns back before this
-                                  ///< magnitude
+        bool converged = true;                ///< true if an equilibrium was found
+        bool stable = true;                   ///< true if the equilibrium is stable
+        /// True if no equilibrium was found because the equilibrium path turns back before this magnitude.
+        bool limit_load = false;
         /// The discretization error, estimated by Richardson extrapolation, as a share of the largest
-        /// displacement (or rotation) of the tile's nodes. Empty if it was not asked for, or if this sample
-        /// or its twin with other divisions did not converge.
+        /// displacement (or rotation) of the tile's nodes. None if no estimate was requested, or if the
+        /// sample did not converge with either number of divisions.
         std::optional<double> discretization_error{};
     };
-    std::string scenario;         ///< its name
-    std::vector<Sample> samples;  ///< ascending magnitudes
+    std::string scenario;         ///< name of the scenario
+    std::vector<Sample> samples;  ///< samples in order of ascending magnitude
 };
 
 /// The beams of a fan in a convex polygon, without supports and loads. Node i of the frame is interface node
@@ -54,8 +55,8 @@ mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern:
 mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                const Setting& setting);
 
-/// The frame of one tile with the supports and loads of a scenario at its largest magnitude. Here and below,
-/// the scenario numbers interface nodes as the tile does (spread_over_sides).
+/// The frame of one tile with the supports and loads of a scenario at its largest magnitude. In this and the
+/// following functions, the scenario must number interface nodes as the tile does (see spread_over_sides()).
 mechanics::Frame scenario_frame(mechanics::Frame tile, const Scenario& scenario);
 
 /// Add the supports and loads of a scenario at its largest magnitude to an assembled tile.
@@ -64,7 +65,8 @@ void apply_scenario(const Scenario& scenario, mechanics::Assembly& tile);
 /// A tile with supports and loads.
 struct LoadedTile {
     base::Borrowed<mechanics::Assembly> structure;  ///< the tile with its inner nodes
-    int interface_nodes = 0;                        ///< their number; they come first in the structure
+    /// Number of interface nodes, which come first in the structure.
+    int interface_nodes = 0;
 };
 
 /// The displacements of the interface nodes at the setting's magnitudes of a scenario. Throws as
@@ -74,12 +76,12 @@ Response follow_scenario(const LoadedTile& tile, const Scenario& scenario, const
 
 /// Options of compute_responses().
 struct ResponseOptions {
-    bool estimate_error = false;  ///< fill Sample::discretization_error, which takes half as long again
+    bool estimate_error = false;  ///< true: fill Sample::discretization_error, which takes half as long again
     base::Control control{};      ///< progress counts scenarios
 };
 
 /// The nonlinear responses of a pattern, one for each scenario of the setting, with each beam divided into
-/// the setting's number of elements. Paper, Eq. (2), where each beam is one element. Throws InputError,
+/// the setting's number of elements. The paper's Eq. (2) has one element for each beam. Throws InputError,
 /// NumericalError if the tile can move freely under a scenario, and Stopped.
 std::vector<Response> compute_responses(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                         const Setting& setting, const ResponseOptions& options = {});

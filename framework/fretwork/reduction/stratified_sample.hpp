@@ -9,13 +9,14 @@
 
 namespace fretwork::reduction {
 
-/// Choose up to `size` items: the same number from each stratum (fewer from a stratum that has fewer), evenly
-/// spread within it. Returns ascending indices. The choice is deterministic.
+/// Choose up to `size` items: the same number from each stratum, or all items of a stratum with fewer items.
+/// The chosen items are evenly spread within their stratum. Returns ascending indices. The choice is
+/// deterministic.
 /// @param strata  the stratum of each item
 std::vector<std::size_t> stratified_sample(std::span<const int> strata, std::size_t size);
 
-/// Choose up to `size` of these patterns and keep their order. Patterns with the same number of edges form a
-/// stratum.
+/// Choose up to `size` patterns by stratified_sample() and keep their order. Patterns with the same number of
+/// edges form a stratum.
 std::vector<pattern::Pattern> spread_over_edges(std::span<const pattern::Pattern> patterns, std::size_t size);
 
 }  // namespace fretwork::reduction

@@ -17,13 +17,14 @@ using UnitDisplacements = std::vector<mechanics::NodeValues>;
 /// Unit displacements with derivatives: for each scenario a matrix of 6n rows (node by node) and one column
 /// for each parameter.
 struct UnitDisplacementsAndDerivatives {
-    UnitDisplacements displacements;           ///< under unit magnitudes
-    std::vector<Eigen::MatrixXd> derivatives;  ///< of each scenario, by the parameters
+    UnitDisplacements displacements;  ///< displacements under magnitudes of 1 N
+    /// Derivatives with respect to the parameters, one matrix for each scenario.
+    std::vector<Eigen::MatrixXd> derivatives;
 };
 
-/// The displacements, under the setting's scenarios, of a tile with this stiffness (6n x 6n) of its n
-/// interface nodes. Each side of the setting's polygon has the same number of interface nodes. Throws
-/// NumericalError that names a scenario under which the tile can move freely.
+/// The displacements of a tile under the setting's scenarios at a magnitude of 1 N. `stiffness` (6n x 6n) is
+/// the stiffness of the tile's n interface nodes. Each side of the setting's polygon has the same number of
+/// interface nodes. Throws NumericalError that names a scenario under which the tile can move freely.
 UnitDisplacements unit_displacements(const Eigen::MatrixXd& stiffness, const Setting& setting);
 
 }  // namespace fretwork::reduction

@@ -8,14 +8,16 @@
 
 namespace fretwork::simulation {
 
-// The model `mixed:SHARE` has corotational tiles, but the given share of the tiles (rounded up) has all of
-// its beams. These are the tiles in which the corotational solution is worst, judged by the product of the
-// tile's energy and the largest rotation of a node relative to the tile's corotating axes.
+// In the model `mixed:SHARE`, the given share of the tiles (rounded up) have all of their beams, and all
+// other tiles are corotational. The tiles with beams are the tiles in which the corotational solution is
+// worst, judged by the product of the tile's energy and the largest rotation of a node relative to the tile's
+// corotating axes.
 
-/// The tiles with the largest products of energy and rotation, worst first. Their number is `share` of all
-/// tiles, rounded up; a tile with a product of zero is left out.
+/// The tiles with the largest products of energy and rotation, worst first. The number of these tiles is
+/// `share` times the number of all tiles, rounded up; tiles with a product of zero are left out.
 std::vector<tiling::TileIndex> worst_tiles(std::span<const TileDeformation> tiles, double share);
-/// The same of the tiles without a model of their own, which others keep; ascending.
+/// The worst tiles among the tiles without their own tile model, ascending. Tiles with their own tile model
+/// keep it.
 std::vector<tiling::TileIndex> worst_tiles(const Surface& surface, std::span<const TileDeformation> tiles,
                                            double share);
 

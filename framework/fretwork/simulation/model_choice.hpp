@@ -9,27 +9,27 @@
 
 namespace fretwork::simulation {
 
-/// The choice of the tile model of each tile of a surface.
+/// The choice of a tile model for each tile of a surface.
 struct ModelChoice {
-    std::string name = "full";  ///< model of the tiles for which the surface names none
-    std::span<const reduction::TileModel> models = reduction::tile_models();  ///< the catalogue
+    std::string name = "full";  ///< name of the model of all tiles without their own tile model
+    std::span<const reduction::TileModel> models = reduction::tile_models();  ///< catalogue of tile models
 };
 
 /// The tile model of one tile. Throws InputError if the name is unknown.
 const reduction::TileModel& tile_model(const Surface& surface, const ModelChoice& choice,
                                        tiling::TileIndex tile);
 
-/// Large if any tile of the surface has a model for large displacements, else Small.
+/// Large if any tile of the surface has a model for large displacements, Small otherwise.
 reduction::Displacements displacements(const Surface& surface, const ModelChoice& choice);
 
-/// The calibrated parameters of a tile's pattern for a tile model, in the order of its row; empty for a model
-/// without parameters. Throws InputError that names a tile without a pattern, or a pattern without a
+/// The calibrated parameters of a tile's pattern for a tile model, in the order of the model's row; empty for
+/// a model without parameters. Throws InputError that names a tile without a pattern, or a pattern without a
 /// calibration.
 std::vector<double> tile_parameters(const Surface& surface, tiling::TileIndex tile,
                                     const reduction::TileModel& model);
 
-/// A warning, in one line, if tiles are more than 1.5 times as large as those for which their models are
-/// calibrated, or less than two thirds as large; else "".
+/// A warning, in one line, if tiles are more than 1.5 times as large as the tiles for which their models are
+/// calibrated, or less than two thirds as large. Otherwise "".
 std::string foreign_size_text(const Surface& surface, const ModelChoice& choice);
 
 }  // namespace fretwork::simulation

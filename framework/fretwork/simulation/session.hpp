@@ -21,34 +21,36 @@ namespace fretwork::simulation {
 
 struct Sensitivity;
 
-/// Gives a session the calibrations of a newly painted pattern, one for each tile model.
+/// A function that gives a session the calibrations of a newly painted pattern, one for each tile model.
 using CalibrationSource = std::function<std::vector<reduction::Calibration>(const std::string& pattern)>;
 
 /// The deformation of a tile.
 struct TileDeformation {
-    double energy = 0.0;    ///< J
-    double rotation = 0.0;  ///< rad, largest rotation of a node relative to the tile's corotating axes
+    double energy = 0.0;    ///< elastic energy, J
+    double rotation = 0.0;  ///< largest rotation of a node relative to the tile's corotating axes, rad
 };
 
-/// A surface under a load case, for repeated edits and solutions. A session keeps what it has computed: the
-/// tiles, the assembled structure, the order of elimination, the factors, and the last nonlinear equilibrium.
+/// A surface under a load case, for repeated edits and solutions. A session keeps all that it has computed:
+/// the tiles, the assembled structure, the order of elimination, the factors, and the last nonlinear
+/// equilibrium.
 ///
-/// Edits compute nothing. The comment of each edit states what it invalidates, and the next solve() computes
-/// only that. After any edits, a linear solution equals that of a new session on the edited surface: it has
-/// the same bits after a new factorization, and agrees within rounding after an update of the factors. A
-/// nonlinear solution agrees within the solver's tolerance if the loads have only one stable equilibrium;
-/// otherwise it is the equilibrium to which the edits have led (mechanics::EquilibriumSolver). An edit that
-/// throws changes nothing.
+/// Edits compute nothing. The comment of each edit states which results the edit invalidates, and the next
+/// solve() computes only these again. After any edits, a linear solution is equal to the solution of a new
+/// session on the edited surface: it has the same bits after a new factorization, and agrees within rounding
+/// after an update of the factors. A nonlinear solution agrees with the solution of a new session within the
+/// solver's tolerance if there is only one stable equilibrium. If there are several, the nonlinear solution
+/// is the equilibrium to which the edits have led (mechanics::EquilibriumSolver). An edit that throws changes
+/// nothing.
 ///
-/// The model `mixed:SHARE` (mixed_model.hpp) takes two solutions: one with corotational tiles only, and one
-/// with the worst of these in full. A session keeps both and continues from both after an edit. It starts the
-/// second one again if other tiles become the worst.
+/// The model `mixed:SHARE` (mixed_model.hpp) takes two solutions: a solution with corotational tiles only,
+/// and a solution in which the worst tiles have all of their beams. A session keeps both solutions and
+/// continues from both after an edit. If other tiles become the worst, the second solution starts again.
 ///
 /// Only one thread at a time may use a session. SimulationOptions::models must live as long as the session.
 class Session {
   public:
-    /// `calibrations` may be empty; then only the surface's own patterns have calibrations. Throws InputError
-    /// if the options or the load case are invalid for the surface.
+    /// Begin a session. If `calibrations` is empty, only the patterns of the given surface have calibrations.
+    /// Throws InputError if the options or the load case are invalid for the surface.
     Session(Surface surface, LoadCase load_case, SimulationOptions options = {},
             CalibrationSource calibrations = {});
     Session(Session&&) noexcept;
@@ -59,39 +61,43 @@ class Session {
     [[nodiscard]] const Surface& surface() const;
     /// The load case as it is after all edits.
     [[nodiscard]] const LoadCase& load_case() const;
-    /// The options, with the model as it is after all edits.
+    /// The options, with the model after all edits.
     [[nodiscard]] const SimulationOptions& options() const;
 
-    /// Paint tiles with a pattern, given by its id. Invalid: these tiles, and with gravity the loads. Throws
-    /// InputError as make_palette does, or if the tile model needs a calibration that is missing.
+    /// Paint tiles with a pattern, given by its id. Invalid after the edit: the painted tiles and, with
+    /// gravity, the loads. Throws InputError as make_palette(), or if the tile model needs a calibration that
+    /// is missing.
     void paint(std::span<const tiling::TileIndex> tiles, const std::string& pattern);
-    /// Turn the patterns of tiles: vertex 0 moves by `vertices` vertices counterclockwise. Invalid: as
-    /// paint().
+    /// Turn the patterns of tiles: vertex 0 moves by `vertices` vertices counterclockwise. Invalid after the
+    /// edit: the same as after paint().
     void turn(std::span<const tiling::TileIndex> tiles, int vertices);
-    /// Give tiles their own tile model; "" removes it. Invalid: these tiles.
+    /// Give tiles their own tile model; "" removes their own tile model. Invalid after the edit: these tiles.
     void set_tile_model(std::span<const tiling::TileIndex> tiles, const std::string& model);
-    /// Replace the model of the tiles without their own. Invalid: all tiles.
+    /// Replace the model of the tiles without their own tile model. Invalid after the edit: all tiles.
     void set_model(const std::string& model);
-    /// Replace the setting (material, section, scenarios). Invalid: all tiles and, with gravity, the loads.
-    /// Calibrations stay; the caller has to replace them. Throws InputError if the setting is invalid, or has
-    /// no mass for the load case's gravity.
+    /// Replace the setting (material, section, scenarios). Invalid after the edit: all tiles and, with
+    /// gravity, the loads. The calibrations do not change; the caller has to replace them. Throws InputError
+    /// if the setting is invalid, or if gravity acts and the material has no density.
     void set_setting(const reduction::Setting& setting);
-    /// Replace the calibrations, in the order of the surface's patterns. Invalid: all tiles. Throws
-    /// InputError if their number is not that of the patterns, or a painted tile's model needs one that is
-    /// missing.
+    /// Replace the calibrations, given in the order of the surface's patterns. Invalid after the edit: all
+    /// tiles. Throws InputError if the numbers of calibrations and patterns differ, or if a painted tile's
+    /// model needs a calibration that is missing.
     void set_calibrations(std::vector<std::vector<reduction::Calibration>> calibrations);
 
-    /// Replace the load case. Invalid: the loads, and the factors if other dofs are held than before.
+    /// Replace the load case. Invalid after the edit: the loads, and the factors if other dofs are held than
+    /// before.
     void set_load_case(const LoadCase& load_case);
-    /// Change one entry of the load case, or append one, if `entry` is the number of entries. Invalid: as
-    /// set_load_case().
+    /// Replace one of the load case's supports, or append a support if `entry` is the number of supports.
+    /// Invalid after the edit: the same as after set_load_case().
     void set_support(std::size_t entry, const LoadCase::Support& support);
-    /// Change an entry of the load case's loads.
+    /// Replace or append one of the load case's loads, as set_support() does with supports.
     void set_load(std::size_t entry, const LoadCase::Load& load);
-    /// Change an entry of its prescribed displacements.
+    /// Replace or append one of the load case's prescribed displacements, as set_support() does with
+    /// supports.
     void set_prescribed(std::size_t entry, const LoadCase::PrescribedDisplacement& displacement);
 
-    /// The tiles that a mixed model has in full after solve(), ascending; none for other models.
+    /// The tiles that have all of their beams in a mixed model after solve(), ascending; none for other
+    /// models.
     [[nodiscard]] std::vector<tiling::TileIndex> full_tiles() const;
     /// The solution with corotational tiles from which a mixed model chose full_tiles(), after solve(). Null
     /// for other models.
@@ -99,63 +105,69 @@ class Session {
 
     /// Solve for the equilibrium of the present surface. A linear solution uses the kept factors. A nonlinear
     /// solution starts from the last equilibrium if the nodes are the same and the options ask for one load
-    /// step. Otherwise, and if the equilibrium may lie on another path, it starts from rest. The result has
-    /// no subject; result_subject() makes it. Throws InputError if a tile cannot be built after the edits,
-    /// NumericalError if the structure has too few supports, and base::Stopped; then all edits are kept, and
-    /// the next call continues. StabilityCheck::Left is for loads that a user drags in small steps. Linear
-    /// solutions, and paths of several load steps, ignore it.
+    /// step. In all other cases, and if the equilibrium may lie on another path, a nonlinear solution starts
+    /// from rest. The result has no subject; result_subject() makes the subject. Throws InputError if a tile
+    /// cannot be built after the edits, NumericalError if the structure has too few supports, and
+    /// base::Stopped. After an error, all edits are kept, and the next call continues.
     ///
-    /// @param first_iterate  called during solve() with the first iterate of a nonlinear solution that starts
-    /// from the last equilibrium; not called for mixed models and linear solutions; may be empty
+    /// @param check  whether to check the stability; StabilityCheck::Left is for loads that a user drags in
+    /// small steps, and is ignored by linear solutions and by paths of several load steps
+    /// @param first_iterate  receiver of the first iterate of a nonlinear solution that starts from the last
+    /// equilibrium; not called for mixed models and linear solutions; may be empty
     SurfaceResult solve(const base::Control& control = {},
                         mechanics::StabilityCheck check = mechanics::StabilityCheck::Made,
                         const mechanics::FirstIterate& first_iterate = {});
 
     /// The linear displacements K^-1 g under nodal loads g, one column each, with the supports of the load
-    /// case and without prescribed displacements. With the gradient of a target as g, they are its adjoint.
-    /// Columns have 6n rows, node by node, for the n nodes of the result. Throws InputError if the number of
-    /// rows is wrong, and as solve().
+    /// case and without prescribed displacements. If g is the gradient of a function, the result is the
+    /// adjoint of this function. Columns have 6n rows, node by node, for the n nodes of the result. Throws
+    /// InputError if the number of rows is wrong, and as solve().
     Eigen::MatrixXd solve_adjoint(const Eigen::MatrixXd& rows, const base::Control& control = {});
 
     /// Linearize the surface at the nonlinear equilibrium of the last solve(); derivatives
-    /// (derivatives/sensitivity.hpp) need it. Pre: no edit since then. It reuses the solution's factors, and
-    /// is valid until the next edit or solve(). Throws InputError if there is no such equilibrium, or if it
-    /// was reached in several load steps; NumericalError if the tangent is singular there; Stopped.
+    /// (derivatives/sensitivity.hpp) need it. Pre: no edit since the last solve(). The linearization reuses
+    /// the solution's factors, and is valid until the next edit or solve(). Throws InputError if there is no
+    /// such equilibrium, or if the equilibrium was reached in several load steps; NumericalError if the
+    /// tangent is singular at the equilibrium; Stopped.
     [[nodiscard]] Linearization linearize(TileQuantities quantities = TileQuantities::Strains,
                                           const base::Control& control = {});
-    /// The derivatives of a function J of the displacements by all that the equilibrium of the last solve()
-    /// depends on, linear or nonlinear. Strains of a linear solution are displacements in a tile's own axes.
-    /// @param gradient  dJ by displacements and rotation vectors, a row for each node of the result
-    /// Throws as linearize(), and InputError if the rows are not as many.
+    /// The derivatives of a function J of the displacements with respect to all that the equilibrium of the
+    /// last solve(), linear or nonlinear, depends on. In a linear solution, the strains of a tile are its
+    /// displacements in its own axes. Throws as linearize(), and InputError if the number of rows of
+    /// `gradient` is wrong.
+    /// @param gradient  the derivatives of J with respect to displacements and rotation vectors, one row for
+    /// each node of the result
     [[nodiscard]] Sensitivity sensitivity(const mechanics::NodeValues& gradient,
                                           const base::Control& control = {});
-    /// The gradient of the elastic energy by displacements and rotation vectors (N, N m), a row for each node
-    /// of a solution that this session gave since the last edit: its internal forces.
+    /// The gradient of the elastic energy with respect to displacements and rotation vectors (N, N m), one
+    /// row for each node of a solution that this session gave since the last edit. This gradient is the
+    /// internal forces.
     [[nodiscard]] mechanics::NodeValues energy_gradient(const mechanics::Solution& solution) const;
 
     /// The deformation of each tile in a solution of this session; zero for tiles made of beams.
     [[nodiscard]] std::vector<TileDeformation> tile_deformations(const mechanics::Solution& solution) const;
 
-    /// The motions of a tile's beams in a solution that this session gave since the last edit; nothing if its
-    /// model does not give them. Several threads may call it at once.
+    /// The motions of a tile's beams in a solution that this session gave since the last edit; nothing if the
+    /// tile's model does not give the motions. Several threads may call this function at once.
     [[nodiscard]] std::optional<reduction::BeamMotion> beam_motion(tiling::TileIndex tile,
                                                                    const mechanics::Solution& solution) const;
-    /// The gradient of a function of that motion by the rows of the tile's interface nodes:
-    /// reduction::TileStructure::motion_gradient. Nothing if the tile's model does not give it.
+    /// The gradient of a function of beam_motion() with respect to the rows of the tile's interface nodes;
+    /// see reduction::TileStructure::motion_gradient(). Nothing if the tile's model does not give this
+    /// gradient.
     [[nodiscard]] std::optional<mechanics::NodeValues> motion_gradient(
         tiling::TileIndex tile, const mechanics::Solution& solution,
         const mechanics::NodeValues& by_beams) const;
 
-    /// The report of the last solve() or solve_adjoint(): what it computed and what it reused.
+    /// The report of the last solve() or solve_adjoint() about what was computed and what was reused.
     struct Work {
-        std::size_t tiles_built = 0;  ///< a shared tile counts once
-        /// What became of the factors.
+        std::size_t tiles_built = 0;  ///< number of tiles built; a shared tile counts once
+        /// The effect on the factors.
         using Factors = mechanics::FactorChange;
-        Factors factors = Factors::Refactorized;  ///< for a linear solution
-        /// For a nonlinear solution: the state from which it started.
+        Factors factors = Factors::Refactorized;  ///< effect on the factors of a linear solution
+        /// The state from which a nonlinear solution started.
         mechanics::StartingPoint starting_point = mechanics::StartingPoint::Rest;
     };
-    /// What the last solve() did.
+    /// The report of the last solve() or solve_adjoint().
     [[nodiscard]] const Work& last_work() const;
 
   private:
@@ -166,7 +178,8 @@ class Session {
     [[nodiscard]] Impl& answering() const;
 
     std::unique_ptr<Impl> impl_;
-    std::unique_ptr<Mixture> mixture_;  ///< for mixed models; `impl_` then has only the corotational tiles
+    /// For mixed models, for which `impl_` has only corotational tiles; null for other models.
+    std::unique_ptr<Mixture> mixture_;
 };
 
 }  // namespace fretwork::simulation

@@ -9,7 +9,7 @@
 
 namespace fretwork::simulation {
 
-/// Simulate a surface under a load case, with a session for a single solution. Interface nodes come first in
+/// Simulate a surface under a load case, by a session with a single solution. Interface nodes come first in
 /// the result, with the same ids in every model. Paper, Section 6. Throws InputError (load case, model,
 /// calibrations), NumericalError (too few supports), base::Stopped.
 SurfaceResult simulate(const Surface& surface, const LoadCase& load_case,

@@ -10,53 +10,57 @@
 
 namespace fretwork::simulation {
 
-/// The analysis of a surface. OfTheModel: nonlinear if the model of any tile is for large displacements, else
-/// linear. Linear: linear for every model, with equilibrium in the flat state.
+/// The analysis of a surface. OfTheModel: the analysis is nonlinear if the model of any tile is for large
+/// displacements, and linear otherwise. Linear: the analysis is linear for every model, with equilibrium in
+/// the flat state.
 enum class Analysis { OfTheModel, Linear };
 
 /// Options of simulate() and of a session.
 struct SimulationOptions {
-    /// The model of the tiles without their own: a row of `models`, or `mixed:SHARE` (mixed_model.hpp).
+    /// The name of the model of all tiles without their own tile model: a row of `models`, or `mixed:SHARE`
+    /// (mixed_model.hpp).
     std::string model = "full";
-    std::span<const reduction::TileModel> models = reduction::tile_models();  ///< the catalogue
-    Analysis analysis = Analysis::OfTheModel;                                 ///< see Analysis
-    bool estimate_error = false;  ///< fill Result::discretization_error; only for nonlinear models made of
-                                  ///< beams
-    bool estimate_model_error = false;  ///< fill SurfaceResult::model_error, for reduced models
-                                        ///< (model_error.hpp)
-    /// SurfaceResult::model_doubt of nonlinear solutions; and model_error, where that is large, of
-    /// corotational and mixed tiles.
+    std::span<const reduction::TileModel> models = reduction::tile_models();  ///< catalogue of tile models
+    /// Linear or nonlinear analysis.
+    Analysis analysis = Analysis::OfTheModel;
+    /// True: fill Result::discretization_error; only for nonlinear models made of beams.
+    bool estimate_error = false;
+    /// True: fill SurfaceResult::model_error; for reduced models (model_error.hpp).
+    bool estimate_model_error = false;
+    /// True: fill SurfaceResult::model_doubt of nonlinear solutions. If the doubt of a solution of
+    /// corotational or mixed tiles exceeds a limit (model_doubt.hpp), also fill SurfaceResult::model_error.
     bool estimate_where_doubtful = false;
-    int load_steps = 1;  ///< number of equal steps of the load, each with a result; nonlinear only
-    /// The equilibria to follow when the path becomes unstable. A branch other than the primary one needs a
-    /// nonlinear model that is not mixed, and excludes estimates of errors.
+    /// Number of equal steps of the load, each with a result; only for nonlinear analyses.
+    int load_steps = 1;
+    /// The equilibria to follow when the path becomes unstable. Any branch but the primary needs a nonlinear
+    /// model that is not mixed, and excludes estimates of errors.
     mechanics::Branch branch = mechanics::Branch::Primary;
-    /// Additional results of simulate(); a session does not compute them.
+    /// Modes are computed by simulate(), but not by a session.
     int vibration_modes = 0;  ///< number of natural frequencies of the surface at rest, with all of its beams
     int buckling_modes =
         0;  ///< number of critical load factors by linearized buckling, with all of its beams
-    bool estimate_linear_range = false;  ///< fill SurfaceResult::linear_range, for linear solutions
-    int threads = 0;                     ///< 0: one for each processor. The number does not change a bit of
-                                         ///< the result.
-    /// Throws InputError if a value is invalid, or contradicts other options or the surface.
+    bool estimate_linear_range = false;  ///< true: fill SurfaceResult::linear_range; for linear solutions
+    /// Number of threads; 0: one for each processor. The number does not change a bit of the result.
+    int threads = 0;
+    /// Throws InputError if a value is invalid, or if it contradicts other options or the surface.
     void validate(const Surface& surface) const;
 };
 
-/// The tile model of those tiles of a mixed model that are not in full.
+/// The tile model, in a mixed model, of the tiles that do not have all of their beams.
 inline constexpr const char* kMixedTiles = "corotational";
 
-/// The share of tiles in full of the model `mixed:SHARE`; none for any other name. Throws InputError unless
-/// the share is a number from 0 to 1.
+/// The share of the tiles that have all of their beams in the model `mixed:SHARE`; none for a model of any
+/// other name. Throws InputError unless the share is a number from 0 to 1.
 std::optional<double> mixed_share(const std::string& model);
 
-/// The tile models of these options. For a mixed model, the model of the tiles that are not in full.
+/// The choice of tile models by the options. For a mixed model, ModelChoice::name is kMixedTiles.
 ModelChoice model_choice(const SimulationOptions& options);
-/// The choice of the full model for every tile, which is the first reference of the catalogue. Throws
-/// InputError if the catalogue has none.
+/// The choice of the full model, which is the first reference in the catalogue, for every tile. Throws
+/// InputError if the catalogue has no reference.
 ModelChoice reference_choice(const SimulationOptions& options);
 
-/// True if equilibrium is sought in the deformed state: a tile model of the surface is for large
-/// displacements, and the analysis is OfTheModel. Throws InputError if a model is unknown.
+/// True if equilibrium is sought in the deformed state, because a tile model of the surface is for large
+/// displacements and the analysis is OfTheModel. Throws InputError if a model is unknown.
 bool is_nonlinear(const Surface& surface, const SimulationOptions& options);
 
 /// True if every tile has all of its beams.

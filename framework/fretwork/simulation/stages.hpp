@@ -16,13 +16,18 @@
 
 namespace fretwork::simulation {
 
-/// The changes in one load stage. Everything else stays as the previous load stage left it.
+/// A load stage, as the changes that it makes. All loads, supports and prescribed displacements that the load
+/// stage does not name stay as the previous load stage left them.
 struct Stage {
-    std::string name;                      ///< for reports
-    std::vector<LoadCase::Share> loads{};  ///< load cases whose loads change to this factor; 0 removes them
-    std::vector<LoadCase::PrescribedDisplacement> prescribed{};  ///< components that change to these values
-    std::vector<LoadCase::Support> keep{};                       ///< components held where they are
-    std::vector<LoadCase::Support> free{};  ///< components released, if they were prescribed or kept
+    std::string name;  ///< name in reports
+    /// Load cases, each with the factor to which its loads change; 0 removes the loads.
+    std::vector<LoadCase::Share> loads{};
+    /// Components with the values to which they change.
+    std::vector<LoadCase::PrescribedDisplacement> prescribed{};
+    /// Components that are held at their present values.
+    std::vector<LoadCase::Support> keep{};
+    /// Components that are released, after they were prescribed or kept.
+    std::vector<LoadCase::Support> free{};
 };
 
 /// Parse load stages:
@@ -44,18 +49,19 @@ std::vector<Stage> read_stages(const std::filesystem::path& path);
 /// Load stages with the load cases that they need.
 struct StagePlan {
     base::Borrowed<LoadCase>
-        supports;                     ///< its supports hold the surface; its loads act where a stage names it
+        supports;  ///< load case whose supports hold the surface; its loads act only if a load stage names it
     std::span<const LoadCase> cases;  ///< the load cases that load stages may name
-    std::span<const Stage> stages;    ///< one after the other
+    std::span<const Stage> stages;    ///< load stages, one after the other
 };
 
-/// Simulate stage after stage, each from the equilibrium that the one before has led to
-/// (mechanics::StagedPath), with a model for large displacements. With Branch::Snapping a stage goes on
-/// beyond limit loads; with the others it ends there. Result::load_steps has one solution for each stage that
-/// was begun; its subject names the stages and the load cases that they name. The error of corotational tiles
-/// is estimated by the same stages with the worst tiles in full; the doubt and the error are the largest at
-/// the end of any stage. Throws InputError for other models, for no stage, for a place that no node lies at,
-/// and for a load case that is not there.
+/// Simulate load stages one after the other with a model for large displacements. Each load stage starts from
+/// the equilibrium to which the previous load stage has led (mechanics::StagedPath). With Branch::Snapping, a
+/// load stage continues beyond limit loads; with other branches, it ends at a limit load. Result::load_steps
+/// has one solution for each load stage that was begun. The subject of the result names the load stages, and
+/// the load cases that they name. The error of corotational tiles is estimated by the same load stages where
+/// the worst tiles have all of their beams. The doubt and the error in the result are the largest at the end
+/// of any load stage. Throws InputError if a model is not for large displacements, if there is no load stage,
+/// if a place has no node, or if a load case does not exist.
 SurfaceResult simulate_stages(const Surface& surface, const StagePlan& plan, const SimulationOptions& options,
                               const base::Control& control = {});
 

@@ -15,25 +15,25 @@ namespace fretwork::simulation {
 
 /// A painted tessellation with the setting and calibrations from which its tiles are built.
 struct Surface {
-    pattern::NodeLayout layout;         ///< of all patterns
-    tiling::Tessellation tessellation;  ///< painted
-    reduction::Setting setting;         ///< material and section of the beams
-    /// For each of Tessellation::patterns, its best calibration of each tile model that the library has.
+    pattern::NodeLayout layout;         ///< node layout of all patterns
+    tiling::Tessellation tessellation;  ///< painted tiles
+    reduction::Setting setting;         ///< setting, with material and section of the beams
+    /// For each of Tessellation::patterns, the pattern's best calibration for each tile model, as far as the
+    /// library has calibrations.
     std::vector<std::vector<reduction::Calibration>> calibrations;
-    /// The tile model of each tile; "" for a tile with the simulation's model. If the vector is empty, all
-    /// tiles have that model.
+    /// The name of each tile's own tile model; "" for a tile with the simulation's model. If the vector is
+    /// empty, all tiles have the simulation's model.
     base::IndexVector<tiling::TileIndex, std::string> tile_models{};
 };
 
-/// Make the surface of a project. `library` may be null; then there are no calibrations. The setting is the
-/// project's, else the library's, else the paper's. Throws InputError if the library has another layout or
-/// setting.
+/// Make the surface of a project. If `library` is null, the surface has no calibrations. The setting is the
+/// setting from setting_of(). Throws InputError if the library has another layout or setting.
 Surface make_surface(const Project& project, const library::Library* library);
 
 /// All beams of all tiles as one graph. Throws InputError that names an unpainted tile.
 tiling::TessellationFan surface_fan(const Surface& surface);
 
-/// The mass of every tile's beams, kg, on which gravity acts.
+/// The mass of the beams of each tile, kg, on which gravity acts.
 base::IndexVector<tiling::TileIndex, double> tile_masses(const Surface& surface);
 
 }  // namespace fretwork::simulation

@@ -7,8 +7,9 @@
 
 namespace fretwork::simulation {
 
-/// The surface under a load case as a frame, which other solvers can check. Its first nodes are the interface
-/// nodes. Throws InputError if a tile model does not consist of beams (such as `condensed`), and Stopped.
+/// The surface under a load case as a frame, which other solvers can check. The first nodes of the frame are
+/// the interface nodes. Throws InputError if the tiles of a tile model do not consist of beams (such as
+/// `condensed`), and Stopped.
 mechanics::Frame surface_frame(const Surface& surface, const ModelChoice& choice,
                                const Conditions& conditions, const base::Control& control = {});
 

@@ -12,17 +12,19 @@
 
 namespace fretwork::tiling {
 
-/// Counts tiles.
+/// The index of a tile.
 using TileIndex = base::Index<struct TileTag>;
-/// Counts vertices.
+/// The index of a vertex.
 using VertexIndex = base::Index<struct VertexTag>;
-/// An interface node of the tessellation. It has the same number in every model of the surface.
+/// The index of an interface node of the tessellation. An interface node has the same number in every model
+/// of the surface.
 using InterfaceIndex = base::Index<struct InterfaceTag>;
 
-/// A convex polygon of the tessellation. Its first vertex is vertex 0 and sets the orientation of its
-/// pattern. `tessellate` chooses it so that the first side faces down (against y) as nearly as possible, as
-/// in geometry::regular_polygon. "Down" is adjusted, by at most 30 degrees, to a direction that the sides of
-/// most hexagons face. So neighbours in a regular region have the same orientation.
+/// A convex polygon of the tessellation. The first vertex of the polygon is vertex 0 and sets the orientation
+/// of the tile's pattern. tessellate() chooses vertex 0 so that the first side faces down (against y) as
+/// nearly as possible, as in geometry::regular_polygon(). The direction "down" is adjusted, by at most 30
+/// degrees, to a direction that sides of most hexagons face, so that neighbours in a regular region have the
+/// same orientation.
 struct Tile {
     std::vector<VertexIndex> vertices;            ///< counterclockwise
     std::vector<InterfaceIndex> interface_nodes;  ///< one side after the other, on each side from vertex t to
@@ -30,9 +32,9 @@ struct Tile {
     int pattern = -1;                             ///< index into Tessellation::patterns; -1: not painted
 };
 
-/// A flat surface of polygons that share interface nodes, each painted with a pattern. `tessellate` numbers
-/// tiles from left to right by their centroids, and vertices and interface nodes in the order in which the
-/// tiles first use them.
+/// A flat surface of polygons, each painted with a pattern; neighbours share interface nodes. tessellate()
+/// numbers tiles from left to right by their centroids, and vertices and interface nodes in the order in
+/// which the tiles first use them.
 struct Tessellation {
     std::string layout;  ///< name of the node layout that defines the interface nodes
     base::IndexVector<VertexIndex, geometry::Point2> vertices;            ///< metres
@@ -41,7 +43,8 @@ struct Tessellation {
     std::vector<pattern::NamedPattern> patterns;                          ///< the palette in use
 };
 
-/// Turn a tile's pattern: vertex 0 moves by `vertices` vertices counterclockwise, or clockwise if below zero.
+/// Turn a tile's pattern: vertex 0 moves by `vertices` vertices counterclockwise; a negative number moves it
+/// clockwise.
 void turn(Tile& tile, int vertices);
 
 /// The pattern of a tile; null if it is not painted.
@@ -59,10 +62,10 @@ double mean_tile_side(const Tessellation& tessellation);
 /// A side that belongs to one tile only, in the direction of that tile's polygon: the surface lies on its
 /// left.
 struct RimSide {
-    TileIndex tile;                     ///< the only one at this side
-    VertexIndex from;                   ///< its first vertex, counterclockwise
-    VertexIndex to;                     ///< its second one
-    std::vector<InterfaceIndex> nodes;  ///< the nodes on the side, in its direction
+    TileIndex tile;                     ///< the only tile at this side
+    VertexIndex from;                   ///< first vertex of the side, counterclockwise
+    VertexIndex to;                     ///< second vertex of the side
+    std::vector<InterfaceIndex> nodes;  ///< interface nodes on the side, in the direction of the side
 };
 /// The closed lines of the rim, each as a list of sides: the outer boundary and each hole.
 std::vector<std::vector<RimSide>> rim_sides(const Tessellation& tessellation);
@@ -70,10 +73,10 @@ std::vector<std::vector<RimSide>> rim_sides(const Tessellation& tessellation);
 std::vector<std::vector<InterfaceIndex>> rim_loops(const Tessellation& tessellation);
 
 /// Check that a tessellation, for example one from a file, is valid:
-/// - it names this layout, indices are in range, and positions are finite;
-/// - tiles are convex and counterclockwise (decided exactly);
+/// - it names the layout `layout`, indices are in range, and positions are finite;
+/// - tiles are convex and counterclockwise, by an exact test;
 /// - at most two tiles share a side, in opposite directions and with the same interface nodes;
-/// - interface nodes lie on their side at the layout's places, and on no other side;
+/// - each interface node lies on its side at a place of the layout, and on no other side;
 /// - each pattern of a tile exists, is listed once, and is a pattern of the layout;
 /// - each vertex and each interface node belongs to a tile.
 ///

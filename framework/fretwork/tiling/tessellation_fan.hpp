@@ -9,10 +9,10 @@
 
 namespace fretwork::tiling {
 
-/// A node of a TessellationFan, in the order of TessellationFan::nodes.
+/// The index of a node, in the order of TessellationFan::nodes.
 using TessellationNodeIndex = base::Index<struct TessellationNodeTag>;
 
-/// The patterns of all tiles as one graph in the plane. Full models and drawings are made from it.
+/// The patterns of all tiles as one graph in the plane. Full models and drawings are made from this graph.
 ///
 /// The first nodes are all interface nodes of the tessellation, with their own numbers, whether a pattern
 /// uses them or not. The inner nodes follow, tile by tile, in the order of each tile's fan. Edges are listed
@@ -20,14 +20,15 @@ using TessellationNodeIndex = base::Index<struct TessellationNodeTag>;
 struct TessellationFan {
     /// A bar of a tile.
     struct Edge {
-        std::array<TessellationNodeIndex, 2> nodes;  ///< its ends
-        TileIndex tile;                              ///< whose bar it is
+        std::array<TessellationNodeIndex, 2> nodes;  ///< the ends of the bar
+        TileIndex tile;                              ///< the tile to which the bar belongs
         friend bool operator==(const Edge&, const Edge&) = default;
     };
-    int interface_node_count = 0;                                      ///< the first nodes
+    /// Number of interface nodes, which are the first nodes.
+    int interface_node_count = 0;
     base::IndexVector<TessellationNodeIndex, geometry::Point2> nodes;  ///< metres
-    std::vector<Edge> edges;                                           ///< tile after tile
-    /// For each tile, the graph's nodes of its fan, in the order of pattern::Fan::nodes.
+    std::vector<Edge> edges;                                           ///< the bars, tile after tile
+    /// For each tile, the nodes of its fan, as nodes of this graph, in the order of pattern::Fan::nodes.
     base::IndexVector<TileIndex, std::vector<TessellationNodeIndex>> tile_nodes;
     /// For each tile, the index of its first edge; one further entry holds the number of edges.
     base::IndexVector<TileIndex, int> first_edge;

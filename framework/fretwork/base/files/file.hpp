@@ -13,17 +13,17 @@ namespace fretwork::base {
 /// GiB.
 std::string read_text_file(const std::filesystem::path& path);
 
-/// The file at the end of a chain of symbolic links, which is the one that is read or written under this
-/// name. It need not exist yet.
+/// The file at the end of a chain of symbolic links that starts at `path`: reading or writing `path` reads or
+/// writes this file. The file need not exist yet.
 std::filesystem::path link_target(std::filesystem::path path);
 
 /// Replace the file at `path` by `content`, whole or not at all: a scratch file beside it is written, flushed
 /// to the disk and renamed. A symbolic link stays, and its target is replaced. Throws IoError (folder
-/// missing, no permission, disk full) and then leaves `path` as it was.
+/// missing, no permission, disk full) and leaves `path` as it was.
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
 /// An atomic write of content that comes piece by piece and may be large. Content that is never committed
-/// leaves no trace. Content for a device or a pipe (/dev/stdout) goes there directly.
+/// leaves no trace. Content for a device or a pipe (/dev/stdout) is written to it directly.
 class AtomicFile {
   public:
     /// Create the scratch file. Throws IoError.
@@ -37,8 +37,8 @@ class AtomicFile {
     /// Flush everything written so far to the disk, so that `commit` only has to rename the file. Throws
     /// IoError.
     void flush();
-    /// Replace the file at the path by everything written so far. Throws IoError and then leaves the path as
-    /// it was.
+    /// Replace the file at the path by everything written so far. Throws IoError and leaves the file at the
+    /// path as it was.
     void commit();
 
   private:
@@ -59,8 +59,9 @@ class FileBatch {
     std::vector<AtomicFile> files_;
 };
 
-/// Many files of one folder, which is created if it is missing. The files appear in it when they are
-/// committed, with one flush to the disk. If a file cannot be written, the folder stays as it was.
+/// A batch of files for one folder, which is created if it is missing. The files appear in the folder when
+/// the batch is committed, with one flush to the disk. If a file cannot be written, the folder stays as it
+/// was.
 class FolderBatch {
   public:
     /// Create the scratch folder. Throws IoError.

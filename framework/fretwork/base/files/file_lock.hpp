@@ -10,9 +10,9 @@ namespace fretwork::base {
 /// it back.
 ///
 /// The operating system holds the lock (`flock`) on the file itself. The lock ends with the process, however
-/// the process ends, and leaves nothing in the folder. It protects only against processes that take it as
-/// well. An atomic write puts a new file in place of the locked one, so one lock covers one change. To write
-/// repeatedly, or to create the file, lock its folder.
+/// the process ends, and leaves nothing in the folder. The lock protects only against processes that lock the
+/// file as well. An atomic write puts a new file in place of the locked one, so one lock covers one change.
+/// To write repeatedly, or to create the file, lock its folder.
 class FileLock {
   public:
     /// Lock a file or a folder, and wait while another process holds the lock. Throws InputError if the path

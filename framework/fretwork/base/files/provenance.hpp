@@ -12,12 +12,13 @@ namespace fretwork::base {
 std::string version();
 
 /// The names and values that a result carries so that it can be reproduced: the library's version and commit,
-/// the compiler, the build type, the kind of machine, and the arithmetic. Their order is fixed, and times and
-/// host names are left out. Two results have the same bits if all of these are equal.
+/// the compiler, the build type, the kind of machine, and the arithmetic. The order of the names is fixed,
+/// and times and host names are left out. Two computations with equal input and equal provenance give results
+/// with the same bits.
 std::vector<std::pair<std::string, std::string>> provenance();
 
-/// The first line of every drawing, mesh and deck that the program writes. The program replaces a file
-/// without asking only if it carries this line.
+/// The first line of every drawing, mesh and deck that the program writes. The program replaces an existing
+/// file without asking only if that file carries this line.
 inline constexpr std::string_view kMadeBy = "made by fretwork";
 
 }  // namespace fretwork::base

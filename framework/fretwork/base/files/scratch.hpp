@@ -11,10 +11,10 @@ namespace fretwork::base {
 /// unless it was renamed to the target.
 ///
 /// A running process holds a lock on its scratch. So the next scratch in the same folder can recognise and
-/// remove those of killed processes. The names begin with ".fretwork-".
+/// remove the scratches of killed processes. The name of a scratch begins with ".fretwork-".
 class Scratch {
   public:
-    /// What is made.
+    /// The choice between a temporary file and a temporary folder.
     enum class Kind { File, Folder };
     /// @param target  the file or folder to be made; its parent folder must exist
     ///
@@ -25,9 +25,9 @@ class Scratch {
     Scratch& operator=(Scratch&&) = delete;
     ~Scratch();
 
-    /// Where it lies.
+    /// The path of the scratch.
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-    /// The descriptor that holds the lock. That of a file is open for reading and writing.
+    /// The descriptor that holds the lock. The descriptor of a file is open for reading and writing.
     [[nodiscard]] int descriptor() const { return descriptor_; }
     /// Keep the content, because it has been renamed: the destructor then removes nothing.
     void release() { path_.clear(); }

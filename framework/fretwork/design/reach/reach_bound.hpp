@@ -7,31 +7,33 @@
 
 namespace fretwork::design::detail {
 
-/// A lower bound of the misfit of every painting, in linear theory.
+/// A lower bound of the misfit of every painting with the palette, in linear theory.
 ///
-/// Let A <= K_p <= B, as quadratic forms, for every pattern p that a tile may have; summed over the tiles,
-/// K_A <= K <= K_B holds for every painting, and so K_B^-1 <= K^-1 <= K_A^-1. With D = K_A^-1 - K_B^-1 then
-/// K^-1 = (K_A^-1 + K_B^-1) / 2 + D^1/2 X D^1/2 / 2 with |X| <= 1: the displacements K^-1 F of all
-/// paintings lie in an ellipsoid. So do the observations C K^-1 F, and the bound is the distance of the
-/// wanted values from their ellipsoid, along some directions (as many as matter): a Lagrange multiplier gives
-/// it.
+/// Let A <= K_p <= B, as quadratic forms, for the stiffness K_p of a tile with any pattern p that it may
+/// have. Summed over the tiles, K_A <= K <= K_B holds for every painting, and therefore K_B^-1 <= K^-1 <=
+/// K_A^-1. With D = K_A^-1 - K_B^-1, it follows that K^-1 = (K_A^-1 + K_B^-1) / 2 + D^1/2 X D^1/2 / 2 with
+/// |X| <= 1. So the displacements K^-1 F of all paintings lie in an ellipsoid, and so do the observations C
+/// K^-1 F. The bound is the distance of the wanted values from the ellipsoid of the observations, along the
+/// directions that matter. A Lagrange multiplier gives this distance.
 ///
-/// None where it does not hold or says nothing: displacements that are large for linear theory, weight (it
-/// changes with the painting), moved supports, unknowns besides the painting, surfaces to slide on.
+/// None if the bound does not hold or is of no use: for displacements that are too large for linear theory,
+/// for weight, which changes with the painting, for moved supports, for free unknowns besides the painting,
+/// and for goals with a surface on which nodes may slide.
 std::optional<double> reach_bound(const Trials& trials, const std::vector<std::size_t>& palette,
                                   const base::Control& control);
 
-/// Matrices of which one is below and one above all of some positive definite ones, as quadratic forms.
+/// Two matrices that enclose some positive definite matrices, as quadratic forms: one is below all of these,
+/// and the other is above all of these.
 struct Enclosure {
     Eigen::MatrixXd below;
     Eigen::MatrixXd above;
-    /// Take a further one in: the difference's positive part is added above, its negative part taken away
-    /// below, in the metric of the bounds.
+    /// Enclose another matrix: the positive part of its difference is added to `above`, and the negative part
+    /// is subtracted from `below`, in the metric of the two matrices.
     void include(const Eigen::MatrixXd& matrix);
 };
 
-/// The distance from a point to the ellipsoid { z: z . H^-1 z <= r^2 } with H positive semidefinite, a little
-/// too small.
+/// The distance from a point to the ellipsoid { z: z . H^-1 z <= r^2 } with H positive semidefinite. The
+/// result is a little below the true distance.
 double distance_to_ellipsoid(const Eigen::MatrixXd& shape, double radius, const Eigen::VectorXd& point);
 
 }  // namespace fretwork::design::detail

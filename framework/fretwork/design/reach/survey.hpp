@@ -5,19 +5,20 @@
 
 namespace fretwork::design::detail {
 
-/// What solved uniform paintings say of the load: how far they are displaced beside what is wanted, and which
-/// curvatures they take. Fills the report's wanted_of_softest, wanted_of_stiffest and gamut.
+/// Compare the displacements of solved uniform paintings with the wanted displacements, and collect their
+/// curvatures. Fills wanted_of_softest, wanted_of_stiffest and gamut of the report.
 void survey(const Trials& trials, const std::vector<Solved>& uniform, DesignReport& report);
 
-/// Add the curvatures of uniform paintings to those that are reached.
+/// Add the curvatures of uniform paintings to Gamut::reached.
 void add_reached_curvatures(const Trials& trials, const std::vector<Solved>& uniform, Gamut& gamut);
 
-/// The displacement of the softest one under ten times its loads, as a share of what is wanted. None if the
-/// loads do not have to be so large, there are none, or there is no equilibrium. Throws Stopped.
+/// The largest displacement of the softest uniform painting under ten times its loads, as a share of the
+/// largest wanted displacement. None if such loads are not needed, if there are no loads, or if there is no
+/// equilibrium. Throws Stopped.
 std::optional<double> reach_of_ten_loads(Trials& trials, const std::vector<Solved>& uniform,
                                          const DesignReport& report, const base::Control& control);
 
-/// The curvatures that the goals want of whole tiles, and those of the painting there.
+/// Fill Gamut::wanted and Gamut::designed from the shapes of a painting.
 void add_wanted_curvatures(const tiling::Tessellation& tessellation, const std::vector<CaseShape>& shapes,
                            Gamut& gamut);
 

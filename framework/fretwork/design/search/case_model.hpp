@@ -14,28 +14,30 @@
 namespace fretwork::design::detail {
 
 /// The goals of one load case, linearized at an equilibrium. Swaps of patterns reach only a subspace of the
-/// observations. Its orthonormal basis comes from the responses to random swaps, and k coefficients describe
-/// a vector in it.
+/// observations. The orthonormal basis of this subspace comes from the responses to random swaps, and k
+/// coefficients describe a vector in the subspace.
 struct CaseModel {
-    Eigen::VectorXd
-        residual;  ///< k coefficients, dimensionless: the sum of their squares is a mean of squared shares
-    double unreached = 0.0;  ///< squared norm of the residual outside the subspace
-    /// One tile, in the strains of TileStrains.
+    Eigen::VectorXd residual;  ///< k coefficients of the residual, dimensionless; the sum of their squares is
+                               ///< a mean of squared shares
+    double unreached = 0.0;    ///< squared norm of the residual outside the subspace
+    /// The model of one tile, in the strains of TileStrains.
     struct Tile {
         Eigen::VectorXd strains;
         Eigen::MatrixXd flexibility;
-        Eigen::MatrixXd reach;      ///< from stresses on the tile to residuals, k rows
+        Eigen::MatrixXd reach;      ///< map from stresses on the tile to residuals, k rows
         Eigen::VectorXd of_weight;  ///< derivative of the residuals with respect to the tile's mass, 1/kg
     };
     base::IndexVector<tiling::TileIndex, Tile> tiles;
-    Eigen::MatrixXd by_loads;       ///< derivative of the residuals with respect to the factor on the loads,
-                                    ///< k x 1
-    Eigen::MatrixXd by_prescribed;  ///< derivative with respect to the value of each prescribed entry, k rows
-    double energy = 0.0;            ///< J, elastic
+    Eigen::MatrixXd by_loads;  ///< derivative of the residuals with respect to the factor on the loads,
+                               ///< k x 1
+    /// Derivative of the residuals with respect to the value of each prescribed entry, k rows.
+    Eigen::MatrixXd by_prescribed;
+    double energy = 0.0;  ///< elastic energy, J
 };
 
-/// The stress on a tile after a change dk of its stiffness, f = -(1 + dk G)^-1 dk e, where e are its strains
-/// and G its flexibility; and the energy f . G f. Exact for one tile of the linearized surface.
+/// The effect of a swap in one tile: the stress f = -(1 + dk G)^-1 dk e on the tile after a change dk of its
+/// stiffness, where e are the tile's strains and G its flexibility, and the energy f . G f. The effect is
+/// exact for a swap in one tile of the linearized surface.
 struct SwapAnswer {
     Eigen::VectorXd stress;
     double energy = 0.0;
@@ -43,26 +45,27 @@ struct SwapAnswer {
 SwapAnswer swap_answer(const CaseModel::Tile& tile, const TileStrains::Blocks& from,
                        const TileStrains::Blocks& to);
 
-/// The input of a case's model.
+/// The input of linearize_case().
 struct CaseState {
     simulation::Session& session;
     const CaseGoals& goals;
     const mechanics::NodeValues& displacements;
-    const mechanics::NodeValues& aim;  ///< the argument of CaseGoals::observe()
-    double scale = 1.0;                ///< 1/m, from distances to shares
-    mechanics::NodeValues unit_loads;  ///< at the factor 1, without the surface's weight; a row for each node
+    const mechanics::NodeValues& aim;  ///< argument of CaseGoals::observe()
+    double scale = 1.0;                ///< factor from distances to shares, 1/m
+    /// Loads at the factor 1, without the surface's weight, one row for each node.
+    mechanics::NodeValues unit_loads;
 };
-/// The swaps that span the basis.
+/// The random swaps whose responses span the subspace of a CaseModel.
 struct SwapSample {
     const simulation::CandidateTiles& candidates;
     const TileStrains& strains;
-    std::span<const std::size_t> painting;  ///< the pattern of each tile
-    std::span<const std::size_t> patterns;  ///< the patterns that are swapped in
-    Eigen::Index directions = 96;           ///< the largest k
+    std::span<const std::size_t> painting;  ///< pattern of each tile
+    std::span<const std::size_t> patterns;  ///< patterns that are swapped in
+    Eigen::Index directions = 96;           ///< largest k
     std::uint64_t seed = 1;
     int threads = 0;
 };
-/// Linearize the goals of a case. The session has to be at an equilibrium. Throws Stopped.
+/// Linearize the goals of a load case. Pre: the session is at an equilibrium. Throws Stopped.
 CaseModel linearize_case(const CaseState& state, const SwapSample& sample, const base::Control& control);
 
 }  // namespace fretwork::design::detail

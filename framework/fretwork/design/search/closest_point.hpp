@@ -8,10 +8,10 @@
 
 namespace fretwork::design::detail {
 
-/// A surface of triangles in space, with a search for its point nearest to a given point.
+/// A surface of triangles in space, which finds its point nearest to a given point.
 class SpaceMesh {
   public:
-    /// Throws InputError if the file is not a mesh.
+    /// Read the surface from a mesh file. Throws InputError if the file is not a mesh.
     explicit SpaceMesh(const std::filesystem::path& path);
     ~SpaceMesh();
     SpaceMesh(const SpaceMesh&) = delete;
@@ -19,7 +19,7 @@ class SpaceMesh {
 
     struct Nearest {
         Eigen::Vector3d point;
-        Eigen::Vector3d normal;  ///< of the triangle there, of unit length
+        Eigen::Vector3d normal;  ///< normal of the triangle at the point, of unit length
     };
     [[nodiscard]] Nearest nearest(const Eigen::Vector3d& point) const;
 

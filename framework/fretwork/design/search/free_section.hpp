@@ -7,18 +7,19 @@
 
 namespace fretwork::design::detail {
 
-/// The bars stay between a third and three times their width and thickness.
+/// The largest factor by which the width and the thickness of the bars may change, up or down.
 inline constexpr double kLargestSectionChange = 3.0;
 
-/// Throws InputError that names the section unless it is that of a rectangle, from which width and thickness
-/// can be taken.
+/// Check that a section is the section of a rectangle, which has a width and a thickness. Throws InputError
+/// that names the section.
 void require_rectangle(const mechanics::Section& section);
 
-/// The setting with rectangular bars of this width in the plane and this thickness (m); shear areas follow.
+/// The setting with rectangular bars of a given width in the plane and a given thickness, m; shear areas are
+/// computed from these.
 reduction::Setting with_section(reduction::Setting setting, double width, double thickness);
 
-/// The change of a case's residuals by a change of all tiles' stiffness and mass.
-/// @param rates  of the painting
+/// The derivative of a load case's residuals along a change of the stiffness and mass of all tiles.
+/// @param rates  the rates of stiffness and mass of each tile, for the present painting
 Eigen::VectorXd residuals_by(
     const CaseModel& model, const TileStrains& strains, const simulation::CandidateTiles& candidates,
     const base::IndexVector<tiling::TileIndex, std::shared_ptr<const simulation::TileRate>>& rates);

@@ -9,7 +9,7 @@
 
 namespace fretwork::design::detail {
 
-/// The solution of the full model at a point, on the stable path from flat.
+/// The solution of the full model at a point of the search space, on the stable path from flat.
 struct FullCheck {
     bool is_found = false;
     TargetError error;
@@ -22,7 +22,7 @@ struct FullCheck {
 /// The choice whether to compute the largest utilization of the beams.
 enum class BeamDemand { None, Utilization };
 
-/// The shapes of a check, and where the goals want their nodes to be.
+/// The shapes of the surface in a check, with the places at which the goals want their nodes.
 std::vector<CaseShape> shapes_of(const Trials& trials, const FullCheck& check);
 
 /// Solve all load cases with all beams. Throws Stopped.

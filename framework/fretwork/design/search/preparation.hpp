@@ -12,13 +12,15 @@ namespace fretwork::design::detail {
 /// The input of a search.
 struct Preparation {
     TrialParts parts;
-    std::vector<std::string> load_cases;  ///< their names
-    std::vector<std::size_t> palette;     ///< candidates for groups, the most different ones first
-    Eigen::MatrixXd coordinates;          ///< of the palette's first members (leading_coordinates)
-    std::vector<std::string> warnings{};  ///< goals for nodes that are held, one line each
+    std::vector<std::string> load_cases;  ///< names of the load cases
+    std::vector<std::size_t> palette;     ///< candidates for groups; the most different candidates come first
+    /// Coordinates of the palette's first members, from leading_coordinates().
+    Eigen::MatrixXd coordinates;
+    std::vector<std::string> warnings{};  ///< warnings, one line each, about goals for nodes that are held
 };
 
-/// Condense as many candidates as the time allows. Throws InputError that names an unsuitable value; Stopped.
+/// Prepare a search, and condense as many candidates as the time allows. Throws InputError that names an
+/// unsuitable value; Stopped.
 Preparation prepare(const simulation::Project& project, const library::Library* library, const Target& target,
                     const DesignOptions& options);
 

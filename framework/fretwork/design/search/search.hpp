@@ -28,13 +28,14 @@ class Stopwatch {
     double limit_;
 };
 
-/// A point and its solution.
+/// A point of the search space, and its solution.
 struct Solved {
     Point point;
     Trial trial;
 };
 
-/// The most nonlinear solutions of a search over so many groups: DesignOptions::most_solutions.
+/// The largest number of nonlinear solutions of a search over `groups` groups; see
+/// DesignOptions::most_solutions.
 int solution_limit(const DesignOptions& options, std::size_t groups);
 
 /// The search for a painting with the reduced model.
@@ -42,38 +43,39 @@ class Search {
   public:
     Search(Trials& trials, const DesignOptions& options, const Stopwatch& watch, DesignReport& report);
 
-    /// Solve uniform paintings, at most DesignOptions::uniform_paintings: first of the first, most different
-    /// members of the palette, then of those that these predict to be the best. Returns them with the best
-    /// first; those without a stable equilibrium are left out.
-    /// @param coordinates  of the palette's first members (Preparation)
+    /// Solve up to DesignOptions::uniform_paintings uniform paintings. The first of them have the first
+    /// members of the palette, which are the most different; from their solutions, the members are predicted
+    /// that are tried next. Returns the solved paintings, the best first; paintings without a stable
+    /// equilibrium are left out.
+    /// @param coordinates  Preparation::coordinates
     std::vector<Solved> try_uniform(const std::vector<std::size_t>& palette,
                                     const Eigen::MatrixXd& coordinates);
     /// Improve a painting until no swap is predicted to improve its mean square distance by a share of
-    /// kLeastGain, or only `reserve` s are left. Returns the best point found.
+    /// kLeastGain, or until only `reserve` (s) of the time is left. Returns the best point found.
     Solved improve(Solved start, double reserve);
-    /// Improve other starts, and the best painting with a random part of it painted at random, until but
-    /// `left` solutions are spent or only `reserve` s are left.
+    /// Improve other starts, and the best painting with some of its tiles painted at random, until only
+    /// `left` solutions are left, or only `reserve` (s) of the time. Returns the best point found.
     Solved improve_from_others(Solved best, const std::vector<Solved>& starts, double reserve, int left);
-    /// The solutions that are left for the defect correction.
+    /// The number of solutions that are left for the defect correction.
     [[nodiscard]] int left_for_defect() const;
-    /// The patterns that steps choose from.
+    /// Set the patterns from which steps choose.
     void set_columns(std::vector<std::size_t> shortlist, std::vector<std::size_t> all);
 
     [[nodiscard]] DesignEnd end() const { return end_; }
-    /// The best point that was solved since the search began or forget_best() was called.
+    /// The best point among all points solved since the search began, or since forget_best() was called.
     [[nodiscard]] const std::optional<Point>& best_point() const { return best_point_; }
-    /// Forget the best point: after a change of the aims it need not be the best.
+    /// Forget the best point, which need not be the best after a change of the aims.
     void forget_best() {
         best_ = -1.0;
         best_point_.reset();
         seen_.clear();
     }
     [[nodiscard]] bool may_go_on(double reserve) const;
-    /// The most nonlinear solutions, with those granted.
+    /// The largest number of nonlinear solutions, granted solutions included.
     [[nodiscard]] int most_solutions() const { return most_solutions_; }
-    /// Allow this number of solutions more.
+    /// Increase the largest number of nonlinear solutions.
     void grant(int solutions) { most_solutions_ += solutions; }
-    /// Take a point that was solved into the history if it is the best one.
+    /// Add a solved point to the history if it is the best so far.
     void note(const Solved& solved);
 
   private:
@@ -84,20 +86,20 @@ class Search {
                                              const std::vector<bool>& is_tried) const;
     [[nodiscard]] std::vector<std::size_t> columns_for(const Point& point, int round) const;
     [[nodiscard]] Point kicked(const Point& point, double share, std::uint64_t number) const;
-    /// What a descent has to promise to go on.
+    /// The improvement that a descent must promise to continue.
     struct Demand {
-        double gain = 0.0;   ///< a share of the misfit
-        double rival = 0.0;  ///< the misfit that is to be beaten; 0: any
+        double gain = 0.0;   ///< smallest predicted gain, as a share of the misfit
+        double rival = 0.0;  ///< misfit that the descent must beat; 0: none
     };
     enum class Step { Better, NoBetter, Hopeless };
-    /// Take one step. Hopeless: what it promises is far from the rival.
+    /// Take one step. Hopeless means that the misfit which the step promises is far above Demand::rival.
     Step step(Solved& current, double& radius, int round, const Demand& demand);
     Solved descend(Solved start, double reserve, const Demand& demand);
     [[nodiscard]] bool is_seen(const Point& point) const;
     Trial solve(const Point& point);
     [[nodiscard]] bool is_small() const;
-    /// On small surfaces: solve changes of one group and of two, those that are predicted to be the best
-    /// first, and go on from each that is better.
+    /// Solve changes of one group and of two groups, on small surfaces only. The changes that are predicted
+    /// to be the best come first, and the search continues from each that is better.
     Solved try_neighbours(Solved best, double reserve, int last_solution);
     [[nodiscard]] double mass_for_groups(const Point& point, const SwapTable& table,
                                          const std::vector<std::size_t>& start) const;
@@ -110,14 +112,14 @@ class Search {
     DesignReport& report_;
     std::vector<std::size_t> shortlist_;
     std::vector<std::size_t> all_;
-    std::vector<std::size_t>
-        limited_;         ///< the few patterns that may be used; empty: not chosen yet, or no limit
-    double best_ = -1.0;  ///< objective; below zero: none
+    std::vector<std::size_t> limited_;  ///< patterns that may be used; empty: these are not chosen yet, or
+                                        ///< there is no limit on their number
+    double best_ = -1.0;                ///< objective of the best point; below zero: none
     std::optional<Point> best_point_;
     DesignEnd end_ = DesignEnd::NoSwapImproves;
-    std::map<std::vector<std::size_t>, double> seen_;  ///< the misfits of paintings, without further unknowns
+    std::map<std::vector<std::size_t>, double> seen_;  ///< misfits of paintings, without further unknowns
     int most_solutions_;
-    std::uint64_t kicks_ = 0;    ///< starts that were kicked so far
+    std::uint64_t kicks_ = 0;    ///< number of starts that were kicked so far
     double step_seconds_ = 0.0;  ///< time of the longest step so far; the next may take as long
 };
 

@@ -11,7 +11,8 @@
 
 namespace fretwork::design::detail {
 
-/// Tiles that are painted together, each with the pattern of the group or with its mirror image.
+/// A group of tiles that are painted together, each with the pattern of the group or with the mirror image of
+/// this pattern.
 struct TileGroup {
     struct Member {
         tiling::TileIndex tile;
@@ -20,12 +21,13 @@ struct TileGroup {
     std::vector<Member> members;
 };
 
-/// The groups of the tiles that are not kept: each tile by itself, or with its images. Throws InputError that
-/// names a tile that has no image, or one that is kept while its image is not.
+/// The groups of the tiles that are not kept: each tile by itself or, with a symmetry, together with its
+/// images. Throws InputError that names a tile without an image, or a tile that is kept while its image is
+/// not.
 std::vector<TileGroup> tile_groups(const tiling::Tessellation& tessellation,
                                    std::span<const tiling::TileIndex> kept, const Symmetry& symmetry);
 
-/// The candidates that kept tiles have.
+/// The indices of the candidates that are the patterns of kept tiles.
 std::set<std::size_t> kept_candidates(const simulation::CandidateTiles& candidates,
                                       const tiling::Tessellation& tessellation,
                                       const std::vector<tiling::TileIndex>& keep);

@@ -9,12 +9,14 @@
 
 namespace fretwork::design::detail {
 
-/// The stiffness k of candidate tiles in coordinates without rigid motions: K = U k U^T. The orthonormal
-/// columns of U are first strains in the plane (ux uy rz), then strains out of it. Beams of a flat tile do
-/// not couple the two, so k has two blocks.
+/// The stiffness k of candidate tiles in coordinates without rigid motions: K = U k U^T. The first columns of
+/// the orthonormal matrix U are strains in the plane (ux uy rz), and the other columns are strains out of the
+/// plane. The beams of a flat tile do not couple strains in the plane with strains out of the plane, so k has
+/// two blocks.
 class TileStrains {
   public:
-    /// Throws NumericalError if a stiffness couples the two; Stopped.
+    /// Compute k for all candidates. Throws NumericalError if a stiffness couples strains in the plane with
+    /// strains out of the plane; Stopped.
     TileStrains(const simulation::CandidateTiles& candidates, int threads, const base::Control& control = {});
 
     struct Blocks {
@@ -33,7 +35,7 @@ class TileStrains {
 
   private:
     struct Class {
-        Eigen::MatrixXd basis;          ///< U, 6n x (6n - 6)
+        Eigen::MatrixXd basis;          ///< basis U, 6n x (6n - 6)
         std::vector<Blocks> stiffness;  ///< stiffness of each pattern
     };
     std::vector<Class> classes_;
@@ -41,12 +43,12 @@ class TileStrains {
 
 /// The logarithms of the patterns' stiffnesses in one class of tiles, one column for each pattern. The
 /// distance of two columns measures how different two patterns are; stiffness in the plane has a smaller
-/// weight. A turn counts as the displacement that it makes at the distance `length` (m).
+/// weight. A rotation is measured by the displacement that it causes at the distance `length` (m).
 Eigen::MatrixXd stiffness_logarithms(const TileStrains& strains, std::size_t tile_class, double length,
                                      const base::Control& control);
 
-/// Choose `count` columns that lie far from each other: first the one nearest to the mean, then each time the
-/// one farthest from those chosen. Chooses all if there are not more.
+/// Choose `count` columns that lie far from each other: first the column nearest to the mean, then each time
+/// the column farthest from the chosen columns. If there are no more than `count` columns, all are chosen.
 std::vector<std::size_t> spread_choice(const Eigen::MatrixXd& columns, std::size_t count,
                                        const base::Control& control);
 

@@ -19,9 +19,10 @@ struct DesignCase {
     CaseGoals goals;
 };
 
-/// A point of the search space: a pattern for each group of tiles (its place among the candidates), and the
-/// continuous unknowns. These are, for each load case, the factor on its loads and the values of its
-/// prescribed displacements, if they are free; then the width and the thickness of all bars, if they are.
+/// A point of the search space: for each group of tiles, the index of its pattern among the candidates; and
+/// the continuous unknowns. The continuous unknowns are, as far as they are free: for each load case, the
+/// factor on its loads and the values of its prescribed displacements; then the width and the thickness of
+/// all bars.
 struct Point {
     std::vector<std::size_t> patterns;
     Eigen::VectorXd unknowns;
@@ -32,11 +33,11 @@ struct Point {
 struct Trial {
     bool is_found = false;  ///< true if all equilibria were found and are stable
     double objective =
-        0.0;  ///< the weighted mean of squared distances, in shares of the largest displacement wanted
-    std::vector<mechanics::NodeValues> displacements{};  ///< rows of the interface nodes, for each load case
+        0.0;  ///< weighted mean of the squared distances, as shares of the largest wanted displacement
+    std::vector<mechanics::NodeValues> displacements{};  ///< rows of the interface nodes for each load case
 };
 
-/// The unknowns besides the painting that are free.
+/// The choice which unknowns besides the painting are free.
 struct FreeUnknowns {
     bool factor = false;
     bool prescribed = false;
@@ -44,82 +45,85 @@ struct FreeUnknowns {
     bool thickness = false;
 };
 
-/// The input of Trials. `surface` has to be painted.
+/// The input of Trials. Pre: `surface` is painted.
 struct TrialParts {
     simulation::Surface surface;
     std::vector<DesignCase> cases;
     simulation::CandidateTiles candidates;
     std::vector<TileGroup> groups;
-    std::vector<std::size_t> mirrored;  ///< the place of each candidate's mirror image; empty: none is needed
+    /// Index of each candidate's mirror image among the candidates; empty: no mirror images are needed.
+    std::vector<std::size_t> mirrored;
     FreeUnknowns free;
     int threads = 0;
 };
 
-/// The lightest painting.
+/// The mass of the lightest painting, and a pattern in it.
 struct Lightest {
-    double mass = 0.0;        ///< kg
-    std::size_t pattern = 0;  ///< the candidate that its first group has
+    double mass = 0.0;        ///< mass, kg
+    std::size_t pattern = 0;  ///< index of the pattern of the first group among the candidates
 };
 
-/// Solves points one after the other, each from the last equilibrium, and predicts the effects of swaps
-/// there.
+/// A solver of points, one after the other, each from the last equilibrium. Trials also predicts the effects
+/// of swaps at the last equilibrium.
 class Trials {
   public:
-    /// Throws Stopped.
+    /// Begin with the painting of the given surface. Throws Stopped.
     explicit Trials(TrialParts parts, const base::Control& control = {});
 
     [[nodiscard]] const TrialParts& parts() const { return parts_; }
     [[nodiscard]] Eigen::VectorXd initial_unknowns() const;
     [[nodiscard]] Point uniform(std::size_t pattern) const;
-    /// Unknowns within their bounds: bars keep some width and thickness.
+    /// The unknowns, moved into their bounds, which keep width and thickness of the bars above zero.
     [[nodiscard]] Eigen::VectorXd bounded(Eigen::VectorXd unknowns) const;
-    /// Set the positions that are added to the wanted ones, for each load case (CaseGoals::observe).
+    /// Set the displacements that are added to the wanted positions, for each load case; see
+    /// CaseGoals::observe().
     void set_aims(std::vector<mechanics::NodeValues> aims) { aims_ = std::move(aims); }
 
-    /// Throws Stopped.
+    /// Solve a point. Throws Stopped.
     Trial solve(const Point& point, const base::Control& control);
-    /// Whether the last solution was that of this point, and was found.
+    /// True if the last solution was the solution of this point, and was found.
     [[nodiscard]] bool is_at(const Point& point) const { return at_ == point; }
-    /// The table of swaps at the point of the last trial, whose equilibria were found. Columns are
-    /// candidates.
+    /// The table of swaps at the point of the last trial. Pre: the equilibria of this trial were found.
+    /// @param columns  the candidates that are the columns of the table
     SwapTable table(const Point& point, const Trial& trial, const std::vector<std::size_t>& columns,
                     std::uint64_t seed, const base::Control& control);
-    /// The misfit of displacements (Trial::objective) with the goals as they are wanted, or with the moved
-    /// aims.
+    /// The objective of displacements, as in Trial::objective, with the aims of set_aims().
     [[nodiscard]] double misfit(const std::vector<mechanics::NodeValues>& displacements) const {
         return objective(displacements, aims_);
     }
     [[nodiscard]] int solutions() const { return solutions_; }
-    /// Count solutions that were made elsewhere.
+    /// Add the number of solutions that were made elsewhere to solutions().
     void count_solutions(int more) { solutions_ += more; }
 
-    /// The surface with a point's painting, and the load cases with its unknowns.
+    /// The surface with the painting of a point. load_case_at() and setting_at() give a load case and the
+    /// setting with the unknowns of a point.
     [[nodiscard]] simulation::Surface surface_at(const Point& point) const;
     [[nodiscard]] simulation::LoadCase load_case_at(const Point& point, std::size_t which) const;
     [[nodiscard]] reduction::Setting setting_at(const Point& point) const;
     /// The mass of all beams, kg.
     [[nodiscard]] double mass_of(const Point& point) const;
-    /// The mass of the lightest painting.
+    /// The lightest painting with patterns of the palette.
     [[nodiscard]] Lightest lightest(const std::vector<std::size_t>& palette) const;
     /// The factor on the loads of a load case. Pre: the factor is free.
     [[nodiscard]] double factor_at(const Point& point, std::size_t which) const;
-    /// The mean and largest distance of the goals' nodes, in shares of the largest displacement wanted.
+    /// The mean and the largest distance of the goals' nodes, as shares of the largest wanted displacement.
     struct Distances {
         double mean = 0.0;
         double largest = 0.0;
     };
     [[nodiscard]] Distances distances(const std::vector<mechanics::NodeValues>& displacements) const;
     [[nodiscard]] double largest_wanted() const { return largest_; }
-    /// The place of the first unknown of a load case; of the section for the number of load cases.
+    /// The index of the first unknown of load case `which`. If `which` is the number of load cases, the index
+    /// of the first unknown of the bars' section.
     [[nodiscard]] Eigen::Index first_unknown(std::size_t which) const;
-    /// 1/m: from weighted distances to the misfit.
+    /// The factor from the root of the sum of weighted squared distances to the misfit, 1/m.
     [[nodiscard]] double scale() const { return scale_; }
     [[nodiscard]] const TileStrains& strains() const { return strains_; }
-    /// The candidates that a tile may have when groups have those of a palette.
+    /// The indices of the candidates that a tile may have if groups have candidates of the palette.
     [[nodiscard]] std::set<std::size_t> possible(tiling::TileIndex tile,
                                                  const std::vector<std::size_t>& palette) const;
-    /// The objective that a trial's displacements would have as a multiple of what they are, each load case
-    /// by its own multiple.
+    /// The smallest objective if the displacements of a trial under each load case are multiplied by their
+    /// own factor, at least zero.
     [[nodiscard]] double scaled_objective(const Trial& trial) const;
 
   private:
@@ -127,7 +131,7 @@ class Trials {
     [[nodiscard]] std::size_t member_pattern(const TileGroup::Member& member, std::size_t pattern) const {
         return member.is_mirrored ? parts_.mirrored[pattern] : pattern;
     }
-    /// The place of the first unknown of the bars' section.
+    /// The index of the first unknown of the bars' section.
     [[nodiscard]] Eigen::Index first_of_section() const { return first_unknown(parts_.cases.size()); }
     void paint(const std::vector<std::size_t>& painting);
     void take_setting(const reduction::Setting& setting);
@@ -142,16 +146,16 @@ class Trials {
 
     TrialParts parts_;
     TileStrains strains_;
-    reduction::Setting setting_;            ///< of the sessions
-    reduction::Setting candidate_setting_;  ///< of the candidates
-    std::vector<std::size_t> kept_;         ///< the candidate of each tile that belongs to no group
+    reduction::Setting setting_;            ///< setting of the sessions
+    reduction::Setting candidate_setting_;  ///< setting of the candidates
+    std::vector<std::size_t> kept_;         ///< candidate of each tile that belongs to no group
     std::vector<simulation::Session> sessions_;
-    std::vector<std::size_t> painted_;  ///< the candidate of each tile in the sessions
+    std::vector<std::size_t> painted_;  ///< candidate of each tile in the sessions
     std::vector<mechanics::NodeValues> unit_loads_;
     std::vector<mechanics::NodeValues> aims_;
     double largest_ = 0.0;
     double scale_ = 0.0;
-    std::optional<Point> at_;  ///< of the last solution; none if it was not found
+    std::optional<Point> at_;  ///< point of the last solution; none if the solution was not found
     int solutions_ = 0;
 };
 

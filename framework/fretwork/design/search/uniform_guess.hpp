@@ -5,13 +5,14 @@
 
 namespace fretwork::design::detail {
 
-/// Coordinates in which patterns that act alike lie near to each other: the leading principal components of
-/// the columns of stiffness_logarithms(), at most three rows, one column for each pattern.
+/// Coordinates in which patterns of similar stiffness lie near each other: the leading principal components
+/// of the columns of stiffness_logarithms(), at most three rows, one column for each pattern.
 Eigen::MatrixXd leading_coordinates(const Eigen::MatrixXd& logarithms);
 
-/// The weights with which values at known places predict the value at another place; they sum up to one, and
-/// affine functions of the first coordinate are predicted exactly (universal kriging with the variogram |d|).
-/// @param known  a column for each known place, at least two of them
+/// The weights with which values at known places predict the value at another place, by universal kriging
+/// with the variogram |d|. The sum of the weights is one, and affine functions of the first coordinate are
+/// predicted exactly.
+/// @param known  the known places, one column for each, at least two columns
 Eigen::VectorXd prediction_weights(const Eigen::MatrixXd& known, const Eigen::VectorXd& place);
 
 }  // namespace fretwork::design::detail

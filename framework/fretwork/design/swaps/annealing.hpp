@@ -12,21 +12,22 @@ namespace fretwork::design::detail {
 
 struct AnnealingOptions {
     const Choice& start;
-    const std::vector<bool>& allowed;  ///< for each column, whether it may be chosen
-    double most_energy = 0.0;          ///< J, of the change; that of the start is not more
-    int proposals = 0;                 ///< for each group
+    const std::vector<bool>& allowed;  ///< for each column, true if it may be chosen
+    double most_energy = 0.0;          ///< largest energy of the change, J, at least the energy of the start
+    int proposals = 0;                 ///< number of proposals for each group
     std::uint64_t seed = 1;
     const base::Control& control;
 };
 struct Annealed {
-    std::vector<std::size_t> columns;  ///< the best that was seen
-    long scored = 0;                   ///< proposals that were scored
+    std::vector<std::size_t> columns;  ///< column of each group in the best choice found
+    long scored = 0;                   ///< number of proposals that were scored
 };
 
-/// Random changes of one group, accepted by Metropolis' rule at a falling temperature as long as the energy
-/// of the change stays below a limit. The continuous unknowns follow at once: only the part of the residuals
-/// that no step of theirs takes away counts. Throws Stopped.
-/// @param unknowns  an orthonormal basis of SwapTable::by_factors; without columns if there are none
+/// Anneal a choice by random changes of one group, accepted by Metropolis' rule at a falling temperature as
+/// long as the energy of the change stays below a limit. The continuous unknowns take their best values after
+/// every change: only the part of the residuals that they cannot remove is counted. Throws Stopped.
+/// @param unknowns  an orthonormal basis of the columns of SwapTable::by_factors; a matrix without columns if
+/// there are no continuous unknowns
 Annealed anneal_choice(const SwapTable& table, const Eigen::MatrixXd& unknowns,
                        const AnnealingOptions& options);
 

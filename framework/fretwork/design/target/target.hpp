@@ -12,60 +12,65 @@
 
 namespace fretwork::design {
 
-/// Three components in the surface's axes; one without a value is free.
+/// Three components in the surface's axes; a component without a value is free.
 using FreeVector = std::array<std::optional<double>, 3>;
 
-/// A wanted displacement or position for each of these interface nodes.
+/// A wanted displacement or position for each of some interface nodes.
 struct NodesGoal {
-    /// What is given of the nodes.
+    /// The quantity that is wanted.
     enum class Quantity { Displacements, Positions };
     std::vector<int> nodes;                       ///< numbers of interface nodes
-    Quantity quantity = Quantity::Displacements;  ///< what is given
-    std::vector<FreeVector> values;               ///< m
+    Quantity quantity = Quantity::Displacements;  ///< the wanted quantity
+    std::vector<FreeVector> values;               ///< wanted values, one for each node, m
     friend bool operator==(const NodesGoal&, const NodesGoal&) = default;
 };
 
 /// Wanted displacements of selected nodes, as expressions of their coordinates x and y at rest (m).
 struct FormulaGoal {
-    simulation::Selection where;  ///< which nodes
+    simulation::Selection where;  ///< the nodes
     std::array<std::optional<std::string>, 3>
-        displacement;  ///< m; a component without an expression is free; a number is an expression, too
+        displacement;  ///< expressions of the displacement, m; a number is an expression, too; a component
+                       ///< without an expression is free
     friend bool operator==(const FormulaGoal&, const FormulaGoal&) = default;
 };
 
-/// Selected nodes shall lie on a surface in space. They may slide along it: only distances count.
+/// A surface in space on which selected nodes are wanted. Nodes may slide along the surface: only their
+/// distances from it count.
 struct MeshGoal {
-    simulation::Selection where;  ///< which nodes
-    std::filesystem::path mesh;   ///< OBJ, PLY or OFF, metres, in the axes of the project
+    simulation::Selection where;  ///< the nodes
+    /// OBJ, PLY or OFF file with coordinates in metres, in the axes of the project.
+    std::filesystem::path mesh;
     friend bool operator==(const MeshGoal&, const MeshGoal&) = default;
 };
 
-/// Selected nodes shall turn by this rotation vector (rad).
+/// A wanted rotation vector of selected nodes.
 struct RotationGoal {
-    simulation::Selection where;  ///< which nodes
-    FreeVector rotation;          ///< rad
+    simulation::Selection where;  ///< the nodes
+    FreeVector rotation;          ///< wanted rotation vector, rad
     friend bool operator==(const RotationGoal&, const RotationGoal&) = default;
 };
 
-/// The range of the weights of goals: a goal with a thousandth of another one's weight hardly counts.
+/// The smallest weight of a goal. A goal with a thousandth of another goal's weight has hardly any effect.
 inline constexpr double kLeastWeight = 1e-6;
-inline constexpr double kMostWeight = 1e6;  ///< the upper end of the range
+inline constexpr double kMostWeight = 1e6;  ///< largest weight of a goal
 
-/// Where some nodes shall go.
+/// A goal: where some nodes are wanted.
 struct Goal {
-    std::variant<NodesGoal, FormulaGoal, MeshGoal, RotationGoal> what;  ///< one of four kinds
-    double weight = 1.0;      ///< weight of the squared distance of each of its nodes, in the range above
-    std::string load_case{};  ///< the load case under which the goal applies; "": the design's load case
-    /// Throws InputError for a weight out of its range, and a rotation vector longer than pi.
+    /// The wanted displacements, positions, surface or rotation.
+    std::variant<NodesGoal, FormulaGoal, MeshGoal, RotationGoal> what;
+    double weight = 1.0;  ///< weight of the squared distance of each node, from kLeastWeight to kMostWeight
+    /// Name of the load case under which the goal applies; "": the design's load case.
+    std::string load_case{};
+    /// Throws InputError if the weight is out of its range, or if a rotation vector is longer than pi.
     void validate() const;
     friend bool operator==(const Goal&, const Goal&) = default;
 };
 
 /// The shape that a designed surface shall take, under one load case or several.
 struct Target {
-    std::string name;         ///< for reports
-    std::string description;  ///< a sentence
-    std::vector<Goal> goals;  ///< at least one
+    std::string name;         ///< name in reports
+    std::string description;  ///< description in one sentence
+    std::vector<Goal> goals;  ///< goals, at least one
     friend bool operator==(const Target&, const Target&) = default;
 };
 

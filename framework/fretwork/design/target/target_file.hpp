@@ -7,13 +7,14 @@
 
 namespace fretwork::design {
 
-/// Read a target ("fretwork/target/1", README.md). Throws InputError with source and JSON pointer.
+/// Parse a target in the format "fretwork/target/1", which README.md describes. Throws InputError with source
+/// and JSON pointer.
 Target parse_target(std::string_view text, const std::string& source);
 /// The text of a target. Paths of meshes are written unchanged.
 std::string target_text(const Target& target);
-/// Read a target file. Relative paths of meshes start at its folder.
+/// Read a target file. Relative paths of meshes start at the folder of the file. Throws as parse_target().
 Target read_target(const std::filesystem::path& path);
-/// Write a target file atomically. Throws IoError and then leaves the file as it was.
+/// Write a target file atomically. Throws IoError and leaves the file as it was.
 void write_target(const Target& target, const std::filesystem::path& path);
 
 }  // namespace fretwork::design

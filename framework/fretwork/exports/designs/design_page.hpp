@@ -8,13 +8,14 @@
 
 namespace fretwork::exports {
 
-/// One HTML file that shows a design in any browser, and needs nothing besides: the bent surface over the
-/// wanted one, its errors beside those of the best single pattern, the painting, the course of the search,
-/// the curvatures that the load gives and the target asks for, and what limits the result. The page is
-/// design.html, which is part of the library.
+/// A self-contained HTML page that shows a design in any browser: the bent surface over the wanted surface,
+/// its errors beside the errors of the best single pattern, the painting, the course of the search, the
+/// reached and the wanted curvatures, and the limits of the result. The page is made from design.html, which
+/// is built into the library.
 std::string design_html(const design::DesignReport& report, const design::Target& target);
 
-/// What keeps a design from coming nearer, as far as the report knows it, one sentence each.
+/// The reasons, one sentence each, why a design does not come nearer to the target, as far as the report
+/// shows them.
 std::vector<std::string> design_limits(const design::DesignReport& report);
 
 }  // namespace fretwork::exports

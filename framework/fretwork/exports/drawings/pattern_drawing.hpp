@@ -14,39 +14,40 @@ namespace fretwork::exports {
 
 /// Options of drawings of patterns.
 struct PatternDrawingOptions {
-    double tile_side = 0.025980762113533160;  ///< m, the paper's
-    double beam_width = 0.002;                ///< m
-    int sides = 6;                            ///< of the polygon
+    double tile_side = 0.025980762113533160;  ///< side of the polygon, m, as in the paper
+    double beam_width = 0.002;                ///< width of the beams, m
+    int sides = 6;                            ///< number of sides of the polygon
 };
 
-/// The layout with its candidate edges, and many patterns as a sheet of fans with their ids, as in the
+/// A sheet with the layout and its candidate edges, and with patterns as fans with their ids, as in the
 /// paper's Fig. 3b and Fig. 2.
 std::string pattern_sheet_svg(const pattern::NodeLayout& layout, std::span<const pattern::Pattern> patterns,
                               const PatternDrawingOptions& options = {});
 
-/// Rejected graphs as a sheet of fans, as in the paper's Fig. 7: one row for each filter, the guilty beams in
-/// red, and the reason below.
+/// A sheet with rejected graphs as fans, as in the paper's Fig. 7: one row for each filter, the guilty beams
+/// in red, and the reason below each fan.
 std::string rejection_sheet_svg(const pattern::NodeLayout& layout,
                                 std::span<const pattern::Rejection> rejections,
                                 const PatternDrawingOptions& options = {});
 
-/// A pattern and, if there is one, the reduced model of beams fitted to it.
+/// A pattern and, if there is one, the calibration of a reduced model of beams to it.
 struct ReducedPattern {
-    pattern::Pattern pattern;                             ///< what is drawn
-    std::optional<reduction::Calibration> calibration{};  ///< of the model beside it
+    pattern::Pattern pattern;  ///< the pattern
+    /// Calibration of the reduced model; none: only the pattern is drawn.
+    std::optional<reduction::Calibration> calibration{};
 };
 
-/// Patterns with their reduced models beside them, as in the paper's Fig. 8: in the setting's polygon, at
-/// true scale, with ids, the twist theta and the objective.
+/// A sheet with patterns and their reduced models side by side, as in the paper's Fig. 8: in the setting's
+/// polygon, at true scale, with ids, the twist theta and the objective.
 std::string reduced_sheet_svg(const pattern::NodeLayout& layout, std::span<const ReducedPattern> patterns,
                               const reduction::Setting& setting,
                               std::span<const reduction::TileModel> models = reduction::tile_models());
 
-/// The setting's scenarios on one tile, side by side as in the paper's Fig. 10, in parallel projection at
-/// true scale: the tile at rest with its supports and loads (symbols as in surface_svg), the pattern's full
-/// model under the largest magnitude (grey), and the reduced model, if there is one (blue). If the full model
-/// has no equilibrium at the largest magnitude, its last equilibrium before is drawn, and the caption states
-/// the magnitude.
+/// A sheet with the setting's scenarios on one tile, side by side as in the paper's Fig. 10, in parallel
+/// projection at true scale. Each drawing shows the tile at rest with its supports and loads (symbols as in
+/// surface_svg()), the pattern's full model under the largest magnitude (grey), and the reduced model, if
+/// there is one (blue). If the full model has no equilibrium at the largest magnitude, the last equilibrium
+/// before it is drawn, and the caption states the magnitude of this equilibrium.
 std::string scenario_sheet_svg(const pattern::NodeLayout& layout, const ReducedPattern& pattern,
                                const reduction::Setting& setting,
                                std::span<const reduction::TileModel> models = reduction::tile_models());

@@ -12,23 +12,23 @@
 
 namespace fretwork::exports {
 
-/// A pattern and its effective properties by name: reduction::property_values.
+/// A pattern with its effective properties, as reduction::property_values() names them.
 struct PatternProperties {
-    pattern::Pattern pattern;                ///< a dot of the chart
-    std::map<std::string, double> values{};  ///< SI, by name
+    pattern::Pattern pattern;                ///< the pattern
+    std::map<std::string, double> values{};  ///< value of each property by its name, SI
 };
 
-/// The layout and setting of a chart's patterns, for its axes and its drawings.
+/// The layout and setting of a chart's patterns, for the axes and drawings of the chart.
 struct ChartSubject {
-    base::Borrowed<pattern::NodeLayout> layout;  ///< of the patterns
-    base::Borrowed<reduction::Setting> setting;  ///< for which the properties are
+    base::Borrowed<pattern::NodeLayout> layout;  ///< node layout of the patterns
+    base::Borrowed<reduction::Setting> setting;  ///< setting of the properties
 };
 
 /// A property chart as SVG, after [Ashby2011]: in-plane stiffness over mass per area, and bending stiffness
-/// over in-plane stiffness, all on logarithmic axes. Each point is a pattern, and its colour is the in-plane
-/// Poisson's ratio. A point shows its pattern and properties when the mouse pointer rests on it. The extreme
-/// patterns have letters and are drawn below. Throws InputError if there are no patterns or a pattern lacks a
-/// property, NumericalError if a stiffness or mass is not above zero.
+/// over in-plane stiffness, all on logarithmic axes. Each point is a pattern, with the in-plane Poisson's
+/// ratio as its colour. A point shows its pattern and properties when the mouse pointer rests on it. The
+/// extreme patterns are marked by letters and drawn below the chart. Throws InputError if there are no
+/// patterns, or if a pattern lacks a property; NumericalError if a stiffness or mass is not above zero.
 std::string property_chart_svg(const ChartSubject& subject, std::span<const PatternProperties> patterns);
 
 }  // namespace fretwork::exports

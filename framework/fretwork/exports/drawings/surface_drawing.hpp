@@ -12,55 +12,55 @@ namespace fretwork::exports {
 
 /// The direction of the viewer in a parallel projection.
 struct ViewOptions {
-    double azimuth = -0.6;   ///< rad, about z
-    double elevation = 0.6;  ///< rad above the plane
+    double azimuth = -0.6;   ///< angle about z, rad
+    double elevation = 0.6;  ///< angle above the plane, rad
 };
 
 /// The numbers shown on a drawing.
 struct DrawnLabels {
-    /// Whether numbers are drawn.
+    /// The choice whether numbers are drawn.
     enum class Shown { No, Yes };
     Shown tiles = Shown::No;            ///< numbers of tiles
     Shown interface_nodes = Shown::No;  ///< numbers of interface nodes
 };
 
 /// A surface seen from above at true scale, as in the paper's Figs. 12 to 14: tiles coloured by pattern,
-/// beams of true width, a legend and a scale bar. Tiles without a pattern are empty. Given `conditions`, it
-/// also shows supports (red: all dofs, green: translations only, orange: others) and loads (arrows; forces
-/// out of the plane as rings).
+/// beams of true width, a legend and a scale bar. Tiles without a pattern are empty. If `conditions` is not
+/// null, the drawing also shows supports (red: all dofs are held; green: only translations; orange: other
+/// dofs) and loads (arrows; forces out of the plane are rings).
 std::string surface_svg(const simulation::Surface& surface,
                         const simulation::Conditions* conditions = nullptr, const DrawnLabels& labels = {});
 
-/// One of several deformed states drawn over each other.
+/// A deformed state, which may be drawn over other deformed states.
 struct DeformedLayer {
-    std::string label;   ///< for the legend
-    std::string colour;  ///< "#rrggbb"
-    LineSet lines;       ///< displaced
+    std::string label;   ///< text in the legend
+    std::string colour;  ///< colour of the lines, "#rrggbb"
+    LineSet lines;       ///< lines of the deformed state
 };
 
 /// Options of drawings of deformed states.
 struct DeformedViewOptions {
-    double scale = 1.0;                                        ///< factor on the displacements; the drawing
-                                                               ///< states it
-    reduction::Joints joints = reduction::Joints::Centreline;  ///< joints of the surface; the drawing states
-                                                               ///< them
-    ViewOptions view{};                                        ///< from where
+    /// Factor on the displacements, which the drawing states.
+    double scale = 1.0;
+    /// Joints of the surface, which the drawing states.
+    reduction::Joints joints = reduction::Joints::Centreline;
+    ViewOptions view{};    ///< direction of the viewer
     LineSet rest{};        ///< lines drawn dashed below everything, such as rim_lines()
-    DrawnLabels labels{};  ///< numbers on the surface from above
+    DrawnLabels labels{};  ///< numbers on the drawing of the surface from above
 };
 
 /// The rim of a surface at rest.
 LineSet rim_lines(const simulation::Surface& surface);
 
-/// Deformed states in parallel projection, over each other, with a legend and a scale bar.
+/// A drawing of deformed states over each other, in parallel projection, with a legend and a scale bar.
 std::string deformed_svg(std::span<const DeformedLayer> layers, const DeformedViewOptions& options = {});
 
-/// One deformed state, with the size of the displacements as colours and a legend. Lines nearer to the viewer
-/// are drawn over lines behind them, with white edges.
+/// A drawing of one deformed state, coloured by the size of the displacements, with a legend. Lines nearer to
+/// the viewer are drawn over the lines behind, with white edges.
 std::string displacement_svg(const DeformedLayer& layer, const DeformedViewOptions& options = {});
 
 /// A sheet with three drawings below each other, as in the paper's Figs. 12 to 14: the surface from above,
-/// the setup, and the deformed states.
+/// the surface with supports and loads, and the deformed states.
 std::string figure_svg(const simulation::Surface& surface, const simulation::Conditions& conditions,
                        std::span<const DeformedLayer> layers, const DeformedViewOptions& options = {});
 

@@ -15,33 +15,34 @@ namespace fretwork::exports {
 ///
 /// Each contour is a closed LWPOLYLINE with bulges in model space; $INSUNITS is millimetres.
 std::string cut_dxf(const fabrication::CutSheet& sheet);
-/// The same sheet as SVG: each piece is a path with true arcs, and layers are marked for Inkscape. y points
-/// up as in the DXF.
+/// A sheet for a laser, a mill or a plotter as SVG: each piece is a path with true arcs, and the layers of
+/// cut_dxf() are marked for Inkscape. y points up as in the DXF.
 std::string cut_svg(const fabrication::CutSheet& sheet);
 
-/// Binary STL in millimetres, the unit that slicers assume; the header names it.
+/// A solid as binary STL in millimetres, the unit that slicers assume; the header names the unit.
 std::string solid_stl(const fabrication::Solid& solid);
-/// Wavefront OBJ in millimetres; the first line names the unit.
+/// A solid as Wavefront OBJ in millimetres; the first line names the unit.
 std::string solid_obj(const fabrication::Solid& solid);
-/// PLY (ASCII) in millimetres; the header names the unit.
+/// A solid as PLY (ASCII) in millimetres; the header names the unit.
 std::string solid_ply(const fabrication::Solid& solid);
 
-/// 3MF (core specification 1.3) in millimetres: one object.
+/// A solid as 3MF (core specification 1.3) in millimetres, as one object.
 std::string solid_3mf(const fabrication::Solid& solid);
-/// 3MF with a beam lattice (extension 1.1): each bar is round and has the section's area.
+/// Bars as 3MF with a beam lattice (extension 1.1): each bar is round and has the section's area.
 std::string lattice_3mf(const fabrication::BarPlan& plan);
 
-/// The facts as a table for people, in millimetres, grams and megapascals, followed by one line for each
-/// warning.
+/// The facts of a surface as a table for people, in millimetres, grams and megapascals, followed by one line
+/// for each warning.
 std::string facts_text(const fabrication::Facts& facts);
-/// The facts as JSON, "fretwork/facts/2", SI.
+/// The facts of a surface as JSON, "fretwork/facts/2", SI.
 std::string facts_json(const fabrication::Facts& facts);
-/// The facts of a surface, and the outline for the picture.
+/// The facts of a surface, and a sheet with its outline.
 struct FactsOfScene {
-    fabrication::Facts facts;     ///< what a maker asks
-    fabrication::CutSheet sheet;  ///< a drawing of where the warnings are
+    fabrication::Facts facts;     ///< facts for the maker
+    fabrication::CutSheet sheet;  ///< outline on which the warnings are marked
 };
-/// The facts as a page that needs no other file, with the table and a picture that marks the warnings.
+/// The facts of a surface as an HTML page that needs no other file, with the table and a picture on which the
+/// warnings are marked.
 std::string facts_html(const FactsOfScene& scene);
 
 }  // namespace fretwork::exports

@@ -21,18 +21,18 @@ enum class MeshKind { Obj, Ply };
 
 /// Options of export_meshes().
 struct MeshOptions {
-    MeshKind kind = MeshKind::Obj;                                            ///< of the files
+    MeshKind kind = MeshKind::Obj;                                            ///< kind of the files
     std::span<const reduction::TileModel> models = reduction::tile_models();  ///< tile models of the
                                                                               ///< calibrations
-    base::Control control{};  ///< how the caller follows and stops the work
+    base::Control control{};                                                  ///< progress and stop
 };
 
-/// Write each of these patterns of a library as an edge mesh in the setting's polygon (`<id>.obj`). For a
-/// calibrated pattern, also write the geometry of its best reduced model of the paper (`<id>.paper6.obj`). A
-/// missing folder is created. Returns the number of files. Throws IoError.
+/// Write each of `patterns` as an edge mesh in the polygon of the library's setting (`<id>.obj`). For a
+/// calibrated pattern, also write the geometry of the best calibration of the paper's reduced model
+/// (`<id>.paper6.obj`). A missing folder is created. Returns the number of files. Throws IoError.
 std::size_t export_meshes(const library::Library& library, std::span<const pattern::NamedPattern> patterns,
                           const std::filesystem::path& folder, const MeshOptions& options = {});
-/// Add the same files to a batch, which the caller commits.
+/// Add the files of export_meshes() to a batch, which the caller commits.
 std::size_t add_meshes(const library::Library& library, std::span<const pattern::NamedPattern> patterns,
                        const MeshOptions& options, base::FolderBatch& batch);
 

@@ -7,14 +7,15 @@
 
 namespace fretwork::exports {
 
-/// VTK's XML format for ParaView, in ASCII with all digits: rest positions, point data `displacement` and
-/// `rotation`, and cell data `tile` and `pattern`. ParaView's filter Warp By Vector shows the deformed state.
+/// Lines in VTK's XML format for ParaView, in ASCII with all digits: rest positions, point data
+/// `displacement` and `rotation`, and cell data `tile` and `pattern`. ParaView's filter Warp By Vector shows
+/// the deformed state.
 std::string vtu_text(const LineSet& lines);
 
-/// Wavefront OBJ with line elements, at the displaced positions.
+/// Lines as Wavefront OBJ with line elements, at the displaced positions.
 std::string obj_text(const LineSet& lines);
 
-/// PLY (ASCII) with vertices and edges, at the displaced positions.
+/// Lines as PLY (ASCII) with vertices and edges, at the displaced positions.
 std::string ply_text(const LineSet& lines);
 
 /// A table of the nodes: number, rest position, displacement and rotation vector, SI.

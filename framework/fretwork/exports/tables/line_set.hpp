@@ -17,53 +17,55 @@ namespace fretwork::exports {
 
 /// A named vector at each node.
 struct NodeField {
-    std::string name;          ///< in files
-    Eigen::MatrixX3d vectors;  ///< a row for each node
+    std::string name;          ///< name in files
+    Eigen::MatrixX3d vectors;  ///< vectors, one row for each node
 };
 
 /// A named number for each line.
 struct LineField {
-    std::string name;            ///< in files
-    std::vector<double> values;  ///< one for each line
+    std::string name;            ///< name in files
+    std::vector<double> values;  ///< values, one for each line
 };
 
 /// Lines in space with fields at their nodes and on the lines. Every writer of 3D files takes a LineSet.
 struct LineSet {
     std::vector<Eigen::Vector3d> nodes;     ///< rest positions, metres
-    std::vector<std::array<int, 2>> lines;  ///< pairs of nodes
-    std::vector<int> tiles;                 ///< the tile of each line; empty: unknown
-    std::vector<int> patterns;              ///< the index of the pattern of each line; empty: unknown
-    std::optional<mechanics::NodeValues> displacements{};  ///< one row for each node
+    std::vector<std::array<int, 2>> lines;  ///< the two nodes of each line
+    std::vector<int> tiles;                 ///< tile of each line; empty: not known
+    std::vector<int> patterns;              ///< index of the pattern of each line; empty: not known
+    std::optional<mechanics::NodeValues> displacements{};  ///< displacements, one row for each node
     std::vector<NodeField> fields{};                       ///< further fields at the nodes
     std::vector<LineField> line_fields{};                  ///< fields on the lines
-    std::vector<std::string> pattern_names{};              ///< ids of patterns, by index
-    std::string joints{};                                  ///< name of those of the setting; empty: none
+    std::vector<std::string> pattern_names{};              ///< id of the pattern with each index
+    /// Name of the joints of the setting; empty: not known.
+    std::string joints{};
 };
 
-/// All beams of a surface, undeformed. Unpainted tiles have no beams.
+/// All beams of a surface at rest. Unpainted tiles have no beams.
 LineSet surface_lines(const simulation::Surface& surface);
 
-/// Throws InputError unless the first nodes of the result are the surface's interface nodes.
+/// Check that the first nodes of a result are the surface's interface nodes. Throws InputError.
 void require_same_surface(const simulation::Surface& surface, const simulation::SurfaceResult& result);
 
-/// A result as lines. If the result has a row for each of the surface's nodes (the full model), the lines are
-/// all beams. Otherwise (any reduced model) each tile is the closed line through its interface nodes. Throws
-/// InputError if the result does not belong to the surface.
+/// A result as lines. For a result of the full model, which has a row for each node of the beams, the lines
+/// are all beams. For any other result, the lines of a tile are the closed line through its interface nodes.
+/// Throws InputError if the result does not belong to the surface.
 LineSet result_lines(const simulation::Surface& surface, const simulation::SurfaceResult& result);
 
-/// The beams of a surface with fields of a result, condensed tiles included. The fields are the radius (of a
-/// round bar with the section's area), section forces (each at the end where it is larger), stress, modes
-/// and, given a strength (Pa), utilization. A tile whose model does not give the motions of its beams has the
-/// line of result_lines, without forces. Throws as result_lines.
+/// The beams of a surface with fields of a result, also in condensed tiles. The fields are the radius (of a
+/// round bar with the section's area), the section forces (each at the end where it is larger), the stress,
+/// the modes and, if `strength` (Pa) is given, the utilization. A tile whose model does not give the motions
+/// of its beams has the line of result_lines(), without forces. Throws as result_lines().
 LineSet beam_lines(const simulation::Surface& surface, const simulation::SurfaceResult* result,
                    std::optional<double> strength = {},
                    std::span<const reduction::TileModel> models = reduction::tile_models());
 
-/// The beams of any frame, straight and undeformed.
+/// The beams of a frame, at rest.
 LineSet frame_lines(const mechanics::Frame& frame);
 
-/// A frame's result as lines, one for each division of its beams. Its modes are fields named `vibration 1,
-/// 12.3 Hz` and `buckling 1, 4.56 times the load`. The frame's nodes come first, in their order.
+/// A frame's result as lines, one for each division of its beams. The modes of the result are fields named
+/// `vibration 1, 12.3 Hz` and `buckling 1, 4.56 times the load`. The frame's nodes come first, in their
+/// order.
 LineSet solution_lines(const mechanics::Assembly& assembly, const mechanics::Result& result);
 
 /// The positions of the nodes, displaced by `scale` times their displacements.

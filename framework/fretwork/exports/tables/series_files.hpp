@@ -11,17 +11,17 @@
 
 namespace fretwork::exports {
 
-/// One of several files for one folder.
+/// A file for a folder.
 struct NamedFile {
-    std::string name;  ///< beside the others
-    std::string text;  ///< its content
+    std::string name;  ///< name of the file in the folder
+    std::string text;  ///< content of the file
 };
 
 /// A result's load steps as a series in time for ParaView: `stem`.pvd lists the steps, and `stem`-1.vtu,
-/// `stem`-2.vtu, .. hold the fields of each step (beam_lines). The time is the load factor, or the step's
-/// number if load factors do not ascend (stages). A result without load steps is a series of one step. Each
-/// step is its own file, because VTK's reader of .vtu files repeats all cells at every change of time within
-/// one file. Throws as beam_lines.
+/// `stem`-2.vtu, .. hold the fields of each step (beam_lines). The time of a step is its load factor, or its
+/// number if load factors do not ascend, as in load stages. A result without load steps gives a series of one
+/// step. Each step has its own file, because VTK's reader of .vtu files repeats all cells at every change of
+/// time within one file. Throws as beam_lines.
 std::vector<NamedFile> series_files(const simulation::Surface& surface,
                                     const simulation::SurfaceResult& result, const std::string& stem,
                                     std::optional<double> strength = {},

@@ -13,32 +13,33 @@ namespace fretwork::mechanics {
 /// nodes), B32 or B32R (the middle node becomes a node of the frame); *NSET and *ELSET, also with GENERATE;
 /// *MATERIAL with *ELASTIC and *DENSITY; *BEAM SECTION with RECT, CIRC or PIPE, *BEAM GENERAL SECTION with
 /// GENERAL; *BOUNDARY; *CLOAD; *DLOAD with GRAV. Keywords that only control a solver or its output are
-/// skipped. Any other keyword is an error, and so is an unknown parameter of a keyword that is read.
+/// skipped. Any other keyword is an error. An unknown parameter of a keyword that is read is an error, too.
 ///
-/// The frame has the supports and loads at the end of the last step. The rules are those of the CalculiX
-/// CrunchiX User's Manual (Dhondt; *CLOAD, *BOUNDARY, *DLOAD). By default (OP=MOD), values of earlier steps
-/// stay until a later step replaces them for the same node and direction. OP=NEW on the first such card of a
-/// step removes them. Within one step, forces on one node and direction add up. The length of gravity's
-/// direction vector does not matter.
+/// The frame has the supports and loads at the end of the last step. The rules are from the CalculiX CrunchiX
+/// User's Manual (Dhondt; *CLOAD, *BOUNDARY, *DLOAD). By default (OP=MOD), values of earlier steps stay until
+/// a later step replaces them for the same node and direction. OP=NEW on the first card of a kind in a step
+/// removes the values of earlier steps. Within one step, forces on one node and direction add up. The length
+/// of gravity's direction vector does not matter.
 ///
-/// All numbers are read in SI units. A single number for CIRC is a radius (Abaqus); two equal numbers are
+/// All numbers are read in SI units. One number for CIRC is a radius (Abaqus); two equal numbers for CIRC are
 /// diameters (CalculiX). Sections are shear-rigid with Saint-Venant's torsion constant, whereas CalculiX
-/// itself treats thick beams as solids. The direction n1 of a section is its axis 3. The frame returned is
-/// valid. Throws InputError that names the source and a line, node or element.
+/// itself treats thick beams as solids. The direction n1 of a section is the beam's local axis 3. The frame
+/// returned is valid. Throws InputError that names the source and a line, node or element.
 LabelledFrame parse_calculix(std::string_view text, const std::string& source);
 
 /// The program that is to read a deck.
 enum class DeckReader {
-    Abaqus,   ///< one B31 for each beam, *BEAM GENERAL SECTION
-    Calculix  ///< one B32R for each beam and *BEAM SECTION; the middle nodes follow the frame's nodes. ccx
-              ///< expands such beams to solids: it includes shear and thick joints, and takes torsion by the
-              ///< polar second moment
+    Abaqus,  ///< the deck has one B31 for each beam, and *BEAM GENERAL SECTION
+    /// The deck has one B32R for each beam, and *BEAM SECTION; the middle nodes follow the frame's nodes. ccx
+    /// expands these beams to solids, includes shear and thick joints, and takes torsion by the polar second
+    /// moment.
+    Calculix
 };
 
-/// The text of a deck for a frame, which `reader` and parse_calculix can read. Nodes are labelled from 1.
-/// Numbers are rounded to the twenty characters of an entry, which are 14 digits or more. Throws InputError
-/// that names a feature which the deck cannot express: releases, divisions, shear areas, a given shear
-/// modulus, and for CalculiX also sections that are neither rectangles nor circles.
+/// The text of a deck for a frame, which `reader` and parse_calculix can read. Nodes are labelled from 1. A
+/// number is rounded to the twenty characters of an entry, which hold 14 digits or more. Throws InputError
+/// that names a feature of the frame which the deck cannot express: releases, divisions, shear areas, a given
+/// shear modulus, and, for CalculiX, sections that are neither rectangles nor circles.
 std::string calculix_text(const Frame& frame, DeckReader reader = DeckReader::Abaqus);
 
 /// Read a deck file. Throws as parse_calculix.

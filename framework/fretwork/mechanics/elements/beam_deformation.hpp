@@ -6,7 +6,8 @@
 
 namespace fretwork::mechanics::elements {
 
-/// The positions of the arguments of the deformations: the chord's vector, and the spins of the two ends.
+/// The indices in a MotionVector, the argument of the deformations, of the chord's vector and of the spins of
+/// the two ends.
 inline constexpr int kChord = 0;
 inline constexpr int kSpin1 = 3;
 inline constexpr int kSpin2 = 6;
@@ -15,8 +16,9 @@ using MotionVector = Eigen::Matrix<double, kMotions, 1>;
 using MotionMatrix = Eigen::Matrix<double, kMotions, kMotions>;
 using DeformationSlopes = Eigen::Matrix<double, kBeamDeformations, kMotions>;
 
-/// F(c) = a / sin a with c = cos a: maps the sine components of a direction to the components of its rotation
-/// vector, equally about all axes. F' and F'' follow from the differential equation (1 - c^2) F' = c F - 1.
+/// The function F(c) = a / sin a, with c = cos a, and its derivatives. F times the sine components of a
+/// direction gives the components of its rotation vector, equally about all axes. F' and F'' follow from the
+/// differential equation (1 - c^2) F' = c F - 1.
 struct AngleRatio {
     double value;
     double slope;

@@ -12,9 +12,10 @@ BeamEnergy::Stiffness beam_stiffness(const Section& section, const Material& mat
 
 /// A straight beam between two nodes that may move and turn by any amount.
 ///
-/// Its energy is a function of deformations that no rigid motion changes (BeamEnergy). They are measured
-/// relative to the chord, in the end sections' own axes, so the choice of axes of a round section does not
-/// matter. The linearization at rest is the linear Euler-Bernoulli element, or Timoshenko's with shear areas.
+/// The energy is a function of deformations that no rigid motion changes (BeamEnergy). The deformations are
+/// measured relative to the chord, in the end sections' own axes, so the choice of axes of a round section
+/// does not matter. The linearization at rest is the linear Euler-Bernoulli element or, with shear areas,
+/// Timoshenko's element.
 class BeamElement final : public Element {
   public:
     struct Geometry {
@@ -40,8 +41,8 @@ class BeamElement final : public Element {
   private:
     Geometry geometry_;
     BeamEnergy energy_;
-    double line_mass_;     ///< kg/m
-    double line_inertia_;  ///< kg m, about the axis
+    double line_mass_;     ///< mass per length, kg/m
+    double line_inertia_;  ///< moment of inertia about the axis per length, kg m
 };
 
 }  // namespace fretwork::mechanics::elements

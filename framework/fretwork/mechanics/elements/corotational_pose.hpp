@@ -12,33 +12,35 @@ namespace fretwork::mechanics::elements {
 
 /// The positions and rotations of a corotational element's nodes relative to its corotating axes.
 ///
-/// The rotation F of these axes is the one at which g = sum of P_i x u_i + weight theta_i vanishes. P_i are
-/// the arms at rest, u_i the displacements, and theta_i the rotation vectors that remain after F. All vectors
-/// are in the corotating axes, until turn_into_structure() expresses them in the structure's axes.
+/// The rotation F of these axes is such that g = sum of P_i x u_i + weight theta_i vanishes. P_i is the arm
+/// of node i at rest, u_i its displacement relative to the axes, and theta_i the rotation vector that remains
+/// after F. All vectors are in the corotating axes, until turn_into_structure() expresses them in the
+/// structure's axes.
 class CorotationalPose {
   public:
     /// The pose at rest.
     explicit CorotationalPose(const CorotationalBody& body);
 
-    /// @param turn  rotation at rest from the body's axes to the structure's, a unit quaternion
+    /// The pose in given states of the nodes.
+    /// @param turn  the rotation at rest from the body's axes to the structure's axes, a unit quaternion
     CorotationalPose(const CorotationalBody& body, const Eigen::Quaterniond& turn,
                      std::span<const NodeState> states);
 
-    /// Express all vectors in the structure's axes. @param turn rotation at rest from the body's axes to the
-    /// structure's
+    /// Express all vectors in the structure's axes.
+    /// @param turn  the rotation at rest from the body's axes to the structure's axes
     void turn_into_structure(const Eigen::Quaterniond& turn);
 
-    /// False if no corotating axes were found, because the nodes are too far from every rigid motion of their
+    /// False if no corotating axes were found: the nodes are then too far from every rigid motion of their
     /// rest positions.
     [[nodiscard]] bool has_frame() const { return has_frame_; }
     [[nodiscard]] std::size_t count() const { return nodes_.size(); }
     /// The rotation from the corotating axes to the structure's axes.
     [[nodiscard]] const Eigen::Matrix3d& axes() const { return axes_; }
-    /// P_i, m.
+    /// The arm P_i of a node at rest, m.
     [[nodiscard]] const Eigen::Vector3d& rest_arm(std::size_t i) const { return nodes_[i].rest_arm; }
-    /// P_i + u_i, m.
+    /// The arm P_i + u_i of a node, m.
     [[nodiscard]] const Eigen::Vector3d& arm(std::size_t i) const { return nodes_[i].arm; }
-    /// theta_i, rad.
+    /// The rotation vector theta_i of a node, rad.
     [[nodiscard]] const Eigen::Vector3d& rotation(std::size_t i) const { return nodes_[i].rotation; }
     /// The map from spins of a node to changes of theta_i.
     [[nodiscard]] const Eigen::Matrix3d& inverse_map(std::size_t i) const { return nodes_[i].inverse_map; }

@@ -8,12 +8,12 @@
 
 namespace fretwork::mechanics::elements {
 
-/// A beam with hinges. A hinged end has an extra node. Its displacement and rotation are those of the beam's
-/// end relative to the frame's node, in the beam's rest axes rotated with that node. Supports fix the
-/// components that are not released.
+/// A beam with hinges. A hinged end has an extra node. The displacement and rotation of the extra node are
+/// the displacement and rotation of the beam's end relative to the frame's node, in the beam's rest axes
+/// rotated with the frame's node. Supports fix the components of the extra node that are not released.
 class HingedElement final : public Element {
   public:
-    /// @param hinges  the extra node of each end; an invalid index if the end has no hinge
+    /// @param hinges  the extra node of each end; an invalid index for an end without a hinge
     HingedElement(std::unique_ptr<const BeamElement> beam, const std::array<NodeIndex, 2>& hinges);
 
     [[nodiscard]] std::span<const NodeIndex> nodes() const override { return nodes_; }
@@ -37,12 +37,12 @@ class HingedElement final : public Element {
     /// The state of a hinged end of the beam, and the quantities that its derivatives need.
     struct HingedEnd {
         Eigen::Matrix3d turned_axes;  ///< the beam's axes, turned with the frame's node
-        Eigen::Vector3d arm;          ///< from the frame's node to the beam's end
+        Eigen::Vector3d arm;          ///< vector from the frame's node to the beam's end
         NodeState state;
     };
     static HingedEnd compose(const Eigen::Matrix3d& axes, const NodeState& node, const NodeState& hinge);
     /// The states of the beam's ends for given states of the nodes, and the map from small motions of the
-    /// nodes to those of the ends.
+    /// nodes to small motions of the ends.
     struct Hung {
         std::array<NodeState, 2> ends;
         std::array<HingedEnd, 2> hinged;
@@ -50,8 +50,8 @@ class HingedElement final : public Element {
     };
     [[nodiscard]] Hung hang(std::span<const NodeState> states) const;
     [[nodiscard]] Eigen::MatrixXd rest_map() const;
-    /// Add the contribution of the forces on the beam's ends to the tangent. It exists because the ends
-    /// depend on the nodes to second order.
+    /// Add the contribution of the forces on the beam's ends to the tangent, which exists because the states
+    /// of the ends depend on the states of the nodes to second order.
     void add_hinge_curvature(const Eigen::VectorXd& force, const std::array<HingedEnd, 2>& hinged,
                              Eigen::MatrixXd& tangent) const;
     [[nodiscard]] Eigen::Index size() const {

@@ -7,8 +7,8 @@
 
 namespace fretwork::mechanics::elements {
 
-/// A linear element: its energy is d . K d / 2 in the displacements and total rotation vectors d of its
-/// nodes.
+/// A linear element, with the energy d . K d / 2, where d has the displacements and total rotation vectors of
+/// its nodes.
 class LinearElement final : public Element {
   public:
     LinearElement(std::vector<NodeIndex> nodes, LinearMatrices matrices)
@@ -17,14 +17,14 @@ class LinearElement final : public Element {
     [[nodiscard]] std::span<const NodeIndex> nodes() const override { return nodes_; }
     void rest_stiffness(Eigen::MatrixXd& stiffness) const override { stiffness = matrices_.stiffness; }
     void evaluate(std::span<const NodeState> states, Demand demand, ElementResponse& response) const override;
-    /// Zero, because the element is made for small rotations, and there its strains are linear.
+    /// Zero, because the element is made for small rotations, for which its strains are linear.
     [[nodiscard]] Eigen::Index stress_count() const override { return 0; }
     void evaluate_mixed(std::span<const NodeState> states, Demand demand, const ElementStresses& stresses,
                         MixedResponse& response) const override;
     void stresses_of(std::span<const double>, std::span<double>) const override {}
     /// Zero, because the element is made for small rotations.
     [[nodiscard]] double relative_turn(std::span<const NodeState>) const override { return 0.0; }
-    /// Zero, because its energy has no terms above the second order.
+    /// Zero, because the element's energy has no terms above the second order.
     void geometric_stiffness(const Eigen::VectorXd& displacements, Eigen::MatrixXd& stiffness) const override;
     void mass(Eigen::MatrixXd& mass) const override;
 

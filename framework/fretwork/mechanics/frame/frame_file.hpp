@@ -9,11 +9,11 @@
 
 namespace fretwork::mechanics {
 
-/// Parse the text of a frame file. The frame returned is valid. Throws InputError that names `source` and the
-/// place in it.
+/// Parse the text of a frame file. The frame returned is valid. Throws InputError that names `source` and a
+/// place in the text.
 Frame parse_frame(std::string_view text, const std::string& source);
-/// The text of a frame file, from which parse_frame makes an equal frame. Equal materials and sections are
-/// written once.
+/// The text of a frame file, from which parse_frame makes an equal frame. A material or section that several
+/// beams have is written once.
 std::string frame_text(const Frame& frame);
 
 /// Read a frame file. Throws as parse_frame.

@@ -6,10 +6,11 @@
 
 namespace fretwork::mechanics {
 
-/// Shapes of cross-sections; lengths in metres. Widths lie along local axis 2, heights along axis 3.
+/// A rectangular bar. In this and the following shapes, widths lie along local axis 2 and heights along local
+/// axis 3.
 struct RectangleShape {
-    double width = 0.0;   ///< m, in the pattern's plane
-    double height = 0.0;  ///< m, across it
+    double width = 0.0;   ///< width, in the pattern's plane, m
+    double height = 0.0;  ///< height, across the pattern's plane, m
     friend bool operator==(const RectangleShape&, const RectangleShape&) = default;
 };
 /// A round bar.
@@ -23,10 +24,10 @@ struct TubeShape {
     double inner_diameter = 0.0;  ///< m
     friend bool operator==(const TubeShape&, const TubeShape&) = default;
 };
-/// Two flanges, joined by a web in the middle that stands along axis 3.
+/// A bar of two flanges and a web, which stands along axis 3 in the middle of the flanges.
 struct IShape {
-    double width = 0.0;             ///< width of the flanges
-    double height = 0.0;            ///< overall height, flanges included
+    double width = 0.0;             ///< width of the flanges, m
+    double height = 0.0;            ///< overall height, flanges included, m
     double flange_thickness = 0.0;  ///< m
     double web_thickness = 0.0;     ///< m
     friend bool operator==(const IShape&, const IShape&) = default;
@@ -35,43 +36,44 @@ struct IShape {
 using SectionShape = std::variant<RectangleShape, CircleShape, TubeShape, IShape>;
 
 /// The cross-section of a beam. Local axis 1 runs along the beam, axis 3 is the beam's normal, axis 2 = axis
-/// 3 x axis 1. The deformation of a beam depends on the numbers alone; its stress depends on the shape, too.
+/// 3 x axis 1. The deformation of a beam depends only on the areas and moments of its section; the stress
+/// depends on the shape, too.
 struct Section {
     double area = 0.0;  ///< m^2
-    double I2 = 0.0;    ///< m^4; bending about axis 2: out of plane, for a beam in a flat pattern
-    double I3 = 0.0;    ///< m^4; bending about axis 3: in the plane
-    double J = 0.0;     ///< m^4; torsion constant
-    std::optional<double>
-        shear_area2{};  ///< m^2, for shear along axis 2; none: shear-rigid (Euler-Bernoulli)
-    std::optional<double> shear_area3{};  ///< m^2, for shear along axis 3; none: shear-rigid
-    /// The shape of the section. None means the rectangle of the same area and second moments. Files store
-    /// the shape unless it is a rectangle.
+    /// Second moment for bending about axis 2, m^4: out of the plane, for a beam in a flat pattern.
+    double I2 = 0.0;
+    double I3 = 0.0;                      ///< second moment for bending about axis 3, m^4: in the plane
+    double J = 0.0;                       ///< torsion constant, m^4
+    std::optional<double> shear_area2{};  ///< shear area along axis 2, m^2; none: shear-rigid
+    std::optional<double> shear_area3{};  ///< shear area along axis 3, m^2; none: shear-rigid
+    /// The shape of the section. None: the rectangle with the same area and second moments. Files store the
+    /// shape unless it is a rectangle.
     std::optional<SectionShape> shape{};
     friend bool operator==(const Section&, const Section&) = default;
 };
 
-/// The shape of a section; without one, the rectangle with the section's area and second moments.
+/// The shape of a section; for a section without a shape, the rectangle with its area and second moments.
 SectionShape shape_of(const Section& section);
 /// The name of a shape: "rectangle", "circle", "tube" or "I".
 const char* shape_name(const SectionShape& shape);
 
-/// The sides of the box around a section's shape, metres.
+/// The size of the box around a section's shape, m.
 double section_width(const Section& section);   ///< along local axis 2
 double section_height(const Section& section);  ///< along local axis 3
 
-/// The sides of the rectangle with a section's area and second moments, metres.
+/// The size of the rectangle with a section's area and second moments, m.
 double rectangle_width(const Section& section);   ///< along local axis 2
 double rectangle_height(const Section& section);  ///< along local axis 3
 
-/// A rectangle of `width` along local axis 2 and `height` along local axis 3 (metres); J is Saint-Venant's
-/// series. Its `shape` stays empty, because the numbers define the rectangle.
+/// The section of a rectangle with `width` along local axis 2 and `height` along local axis 3, m. J is
+/// Saint-Venant's series. Section::shape stays empty, because area and second moments define the rectangle.
 Section rectangle_section(double width, double height);
 /// The section of a round bar.
 Section circle_section(double diameter);
 /// The section of a round tube.
 Section tube_section(double outer_diameter, double inner_diameter);
-/// The section of an I shape. J is that of three thin plates without fillets, a third of the sum of length
-/// times thickness cubed; warping is free.
+/// The section of an I shape. J is the torsion constant of three thin plates without fillets, a third of the
+/// sum of length times thickness cubed; warping is free.
 Section i_section(const IShape& shape);
 /// The section of a shape. Throws InputError if a length is not positive, or if lengths contradict each
 /// other.

@@ -9,24 +9,24 @@
 
 namespace fretwork::mechanics::nonlinear {
 
-/// The progress of following a path by its arc length: the last states, the length of the next step, and a
-/// change of stability ahead, if one is known. Lengths are measured with the system's weights.
+/// The progress of following a path by its arc length: the last two states, the length of the next step, and
+/// the place of a change of stability ahead, if one is known. Lengths are measured with the system's weights.
 struct Arc {
     PathState state;
     std::optional<PathState> previous;
-    double length = 0.0;                                        ///< length of the next step
-    double crossing = std::numeric_limits<double>::infinity();  ///< distance to a place beyond a change of
-                                                                ///< stability; infinity: none is known
-    double beyond = 0.0;                                        ///< length of the step that first crossed the
-                                                                ///< change
-    double shortest = 0.0;                                      ///< length of the shortest step to be tried
+    double length = 0.0;  ///< length of the next step
+    /// Distance along the path to a place beyond a change of stability; infinity: no change is known.
+    double crossing = std::numeric_limits<double>::infinity();
+    double beyond = 0.0;    ///< length of the step that first crossed the
+                            ///< change
+    double shortest = 0.0;  ///< length of the shortest step that is tried
 
     [[nodiscard]] const PathState* last() const { return previous ? &*previous : nullptr; }
-    /// True if a step of this length changes the load so little that a change of stability within it lies on
-    /// this path.
+    /// True if a step of this length changes the load so little that a change of stability within the step
+    /// belongs to this path.
     [[nodiscard]] bool is_narrow(double step) const;
     /// Shorten the next step, after a step of length `step` that crossed a change of stability. Returns false
-    /// if the path is already near the change.
+    /// if the path is already near this change.
     bool come_nearer(double step);
     /// Set the length of the next step after a step that continues the path.
     void plan_next(const PathStep& step);

@@ -5,30 +5,31 @@
 
 namespace fretwork::mechanics::nonlinear {
 
-/// The direction in which a structure is least stable in a configuration.
+/// The mode in which a structure is least stable in a configuration.
 struct LowestMode {
-    double eigenvalue = 0.0;  ///< lowest eigenvalue of the tangent's symmetric part relative to the system's
-                              ///< weights; below zero: unstable
-    Eigen::VectorXd shape;    ///< change of the unknowns; the largest component is +1 (displacements count in
-                              ///< characteristic lengths)
+    /// Lowest eigenvalue of the tangent's symmetric part, relative to the system's weights; below zero:
+    /// unstable.
+    double eigenvalue = 0.0;
+    Eigen::VectorXd shape;  ///< change of the unknowns; the largest component is +1 (displacements count in
+                            ///< characteristic lengths)
 };
 
-/// A shift of the tangent of the size of its rounding error. A tangent that this shift makes definite is
-/// stable or neutral.
+/// A shift of the tangent that has the size of the tangent's rounding error. If this shift makes the tangent
+/// positive definite, the equilibrium is stable or neutral.
 double rounding_shift(const NonlinearSystem& system);
 
 /// The lowest mode of the tangent of the last evaluation, by inverse iteration with the tangent shifted until
-/// it is positive definite. Leaves the shifted tangent factorized.
+/// it is positive definite. After the call, `newton` has the factors of the shifted tangent.
 LowestMode lowest_mode(const NonlinearSystem& system, Newton& newton);
 
-/// Describe a loss of stability by the largest component of its mode, if possible at a reported node. Changes
-/// the sign of the mode so that this component is positive. The load factor is left unset.
+/// Describe a loss of stability by the largest component of its mode, if possible at a reported node. The
+/// sign of the mode is changed so that this component is positive. StabilityLoss::load_factor is left unset.
 StabilityLoss describe_loss(const NonlinearSystem& system, LowestMode& mode);
 
 /// Descend in energy from a configuration to an equilibrium under this load factor. The equilibrium is stable
-/// or neutral; a round column that buckles in any direction has neutral ones. The steps are Newton's where
-/// the tangent is positive definite; elsewhere the tangent is first shifted until it is. On Converged the
-/// system is evaluated there.
+/// or neutral; a round column, which may buckle in any direction, has neutral equilibria. The steps are
+/// Newton's where the tangent is positive definite; elsewhere, the tangent is first shifted until it is
+/// positive definite. On Converged, the system is evaluated at the equilibrium.
 Termination descend(double load_factor, NonlinearSystem& system, Newton& newton,
                     Configuration& configuration);
 
@@ -38,9 +39,9 @@ struct LowestEigenvalue {
     double eigenvalue;
 };
 
-/// The load factor at which the lowest eigenvalue vanishes between a stable equilibrium and an unstable one
-/// at a distance `move` from it, by the method of false position (the Illinois rule halves the weight of an
-/// end that stays).
+/// The load factor at which the lowest eigenvalue vanishes between a stable equilibrium `from` and an
+/// unstable equilibrium, which is reached by the step `move`. The method is false position; by the Illinois
+/// rule, the weight of an end that does not change is halved.
 double critical_load_factor(NonlinearSystem& system, Newton& newton, const PathPoint& from,
                             LowestEigenvalue unstable, const Eigen::VectorXd& move);
 

@@ -14,8 +14,9 @@ namespace fretwork::mechanics::nonlinear {
 /// unknowns and the sparsity unchanged. The next step then need not undo the membrane forces of a long step,
 /// so a step may turn nodes by half a radian and more.
 ///
-/// Old factors are kept while the steps shrink fast enough. Let B0 be the slopes at the configuration of the
-/// factors. The equations of an old tangent are then B(x)^T s + B0^T (K e(x) - s), and s <- K (e(x) + B0 dx).
+/// Old factors are kept as long as the steps shrink fast enough. Let B0 be the slopes of the strains at the
+/// configuration of the factors. With an old tangent, the internal force is B(x)^T s + B0^T (K e(x) - s), and
+/// the stresses become s <- K (e(x) + B0 dx).
 class MixedNewton {
   public:
     MixedNewton(NonlinearSystem& system, Newton& newton, const EquilibriumOptions& options)
@@ -25,50 +26,50 @@ class MixedNewton {
           options_(options),
           stresses_(unknowns_.assembly()) {}
 
-    /// Begin at rest: take the stresses there and factorize the tangent. Throws as Newton::factorize_at_rest.
+    /// Begin at rest: take the stresses at rest and factorize the tangent. Throws as
+    /// Newton::factorize_at_rest.
     void begin_at_rest(const Configuration& rest);
-    /// Begin at an equilibrium: take the stresses there and factorize the tangent. False if the tangent is
-    /// singular.
+    /// Begin at an equilibrium: take the stresses at the equilibrium and factorize the tangent. False if the
+    /// tangent is singular.
     bool begin(const Configuration& equilibrium, double load_factor);
 
-    /// The accuracy to which equations are to be solved.
+    /// The accuracy to which the equations are solved.
     enum class Goal {
-        Approach,    ///< between two increments of the load: until a step is short
-        Equilibrium  ///< to the tolerances of EquilibriumOptions
+        Approach,    ///< iterate until a step is short, between two increments of the load
+        Equilibrium  ///< iterate to the tolerances of EquilibriumOptions
     };
-    /// Iterate, starting with a step that the factors of this object gave; moves the configuration. On
-    /// Converged the factors belong to the configuration. With Goal::Equilibrium they may belong to a
-    /// configuration a small move away; such a move changes no sign of a pivot unless the tangent is nearly
-    /// singular.
+    /// Iterate, and move the configuration. The first step is `step`, which the factors of this object gave.
+    /// On Converged, the factors belong to the configuration. With Goal::Equilibrium, the factors may belong
+    /// to a configuration that is a small move away; such a move changes no sign of a pivot unless the
+    /// tangent is nearly singular.
     Termination solve(double load_factor, Goal goal, const Eigen::VectorXd& step,
                       Configuration& configuration);
 
     /// Move the unknowns by a step, and the prescribed components by the share `prescribed` of their values.
     void move(const Eigen::VectorXd& step, double prescribed, Configuration& configuration);
 
-    /// Leave an equilibrium of other loads, prescribed values or supports, with the factors there: move the
-    /// held components to their values, and make a first step to the equilibrium at the full load.
+    /// The first step of a departure from an equilibrium.
     struct FirstStep {
-        Eigen::VectorXd unbalanced;  ///< right side of the equations for `step`
+        Eigen::VectorXd unbalanced;  ///< right side of the equations whose solution is `step`
         Eigen::VectorXd step;
     };
     FirstStep depart(Configuration& configuration);
     /// Return to the equilibrium from which the last departure started, because the departure failed. False
-    /// if the factors no longer belong there.
+    /// if the factors no longer belong to that equilibrium.
     bool come_back(const Configuration& equilibrium);
 
     /// The pivots of the last factorization.
     [[nodiscard]] const sparse::Ldlt::Outcome& outcome() const { return outcome_; }
 
     [[nodiscard]] const std::vector<double>& stresses() const { return stresses_.given(); }
-    /// An equilibrium of the path.
+    /// An equilibrium of a path.
     struct Place {
         const Configuration& configuration;
         double load_factor;
         const sparse::Ldlt::Outcome& outcome;
     };
-    /// Go back to where an attempt that failed had begun, with the stresses there. The factors are those of
-    /// the attempt: solve() begins with new ones.
+    /// Go back to the equilibrium `place`, where a failed attempt had begun, with the stresses at that
+    /// equilibrium. The factors are left from the attempt, so solve() begins with new factors.
     void go_back(const Place& place, const std::vector<double>& stresses);
 
   private:
@@ -76,7 +77,7 @@ class MixedNewton {
     struct Iteration {
         Goal goal;
         double load_factor;
-        int negative_pivots;  ///< their number on the path
+        int negative_pivots;  ///< number of negative pivots on the path
         Eigen::VectorXd step;
         double travelled;  ///< sum of the sizes of all steps
         double turn;       ///< largest rotation of a node in the step, rad
@@ -99,15 +100,15 @@ class MixedNewton {
     const EquilibriumOptions& options_;
     StressWorkspace stresses_;
     sparse::Ldlt::Outcome outcome_;
-    bool has_foreign_factors_ = false;  ///< of an attempt that failed
-    /// The distance of the configuration from that of the factors.
+    bool has_foreign_factors_ = false;  ///< true if the factors are left from a failed attempt
+    /// The distance of the configuration from the configuration of the factors.
     struct Way {
         double turned = 0.0;  ///< upper bound on the rotation of a node, rad
         double moved = 0.0;   ///< sum of the lengths of the steps, measured with the system's weights
     };
     Way way_{};
-    std::optional<Way> way_at_departure_{};  ///< the distance at the last departure; none: the factors are
-                                             ///< newer
+    /// Distance at the last departure; none: the factors are newer than the departure.
+    std::optional<Way> way_at_departure_{};
 };
 
 }  // namespace fretwork::mechanics::nonlinear

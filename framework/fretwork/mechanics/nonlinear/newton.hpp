@@ -20,14 +20,15 @@ class Newton {
           options_(options),
           factors_(unknowns_.layout(), options.threads, options.control) {}
 
-    /// Bring a configuration to equilibrium under this load factor. On Converged the system is evaluated
-    /// there.
+    /// Bring a configuration to equilibrium under this load factor. On Converged, the system is evaluated at
+    /// the equilibrium.
     Termination solve(double load_factor, Configuration& configuration);
 
-    /// The same, with factors at the end that are those of the configuration up to a negligible part of the
-    /// way to it; only forces need to be evaluated there. Returns what they are; nothing if there is no
-    /// equilibrium, or its tangent is singular.
-    /// @param way  from the last equilibrium to the configuration that is given
+    /// Bring a configuration to equilibrium under this load factor, and factorize the tangent at the
+    /// equilibrium or at a configuration a negligible part of `way` from it. On success, only forces need to
+    /// be evaluated at the equilibrium. Returns the outcome of the factorization; nothing if no equilibrium
+    /// was found, or if the tangent is singular.
+    /// @param way  the step from the last equilibrium to the given configuration
     std::optional<sparse::Ldlt::Outcome> solve_and_factorize(double load_factor, const Eigen::VectorXd& way,
                                                              Configuration& configuration);
 
@@ -36,17 +37,17 @@ class Newton {
     [[nodiscard]] bool is_converged(const Configuration& configuration,
                                     const Eigen::VectorXd& last_step) const;
 
-    /// Factorize the tangent of the last evaluation. Pre: that evaluation was at rest. Throws NumericalError
-    /// that names a node if the structure can move without strain.
+    /// Factorize the tangent of the last evaluation. Pre: the last evaluation was at rest. Throws
+    /// NumericalError that names a node if the structure can move without strain.
     void factorize_at_rest();
     /// Factorize the tangent of the last evaluation. Returns the definiteness of its symmetric part.
     sparse::Ldlt::Outcome factorize();
     /// Factorize the tangent of the last evaluation with `shift` times the system's weights added to its
     /// diagonal.
     sparse::Ldlt::Outcome factorize(double shift);
-    /// Declare that from now on the tangent is singular along this direction because of a symmetry.
-    /// factorize() then makes it regular by `shift`, and solve_tangent() does not move along the direction.
-    /// An empty direction ends this.
+    /// Declare that the tangent is singular along a direction because of a symmetry. After this call,
+    /// factorize() makes the tangent regular by `shift`, and solve_tangent() does not move along the
+    /// direction. An empty direction revokes the declaration.
     void set_neutral(Eigen::VectorXd direction, double shift);
     [[nodiscard]] bool has_neutral() const { return neutral_.size() > 0; }
     [[nodiscard]] const Eigen::VectorXd& neutral() const { return neutral_; }
@@ -59,11 +60,12 @@ class Newton {
     /// The matrix of a linear system: the tangent, or its transpose for adjoint solutions.
     enum class Side { Tangent, Transposed };
     /// Solve with the tangent of the last *evaluation* up to rounding, by refinement with the current
-    /// factors; one column for each right side. Nothing if the factors are too far from that tangent. Throws
-    /// Stopped.
+    /// factors, which may be of another tangent; one column for each right side. Nothing if the two tangents
+    /// differ too much. Throws Stopped.
     [[nodiscard]] std::optional<Eigen::MatrixXd> solve_refined(const Eigen::MatrixXd& right_sides, Side side,
                                                                const base::Control& control);
-    /// Solve without refinement. Pre: the factors are those of the tangent, and the tangent has no skew part.
+    /// Solve without refinement. Pre: the factors are the factors of the tangent of the last evaluation,
+    /// which has no skew part.
     [[nodiscard]] Eigen::MatrixXd solve_plainly(Eigen::MatrixXd right_sides,
                                                 const base::Control& control) const;
     /// Blocks of the inverse of the symmetric part of the last factorization (sparse::Ldlt::inverse_blocks).
@@ -72,7 +74,7 @@ class Newton {
         return factors_.inverse_blocks(cliques, control);
     }
 
-    /// The number of linear solves since the last call; resets the count.
+    /// The number of linear solves since the last call. The call resets the count.
     int take_iterations() { return std::exchange(iterations_, 0); }
 
   private:
@@ -87,7 +89,7 @@ class Newton {
     const EquilibriumOptions& options_;
     sparse::Ldlt factors_;
     std::vector<double> shifted_;
-    Eigen::VectorXd neutral_;  ///< of unit length in the system's weights, or empty
+    Eigen::VectorXd neutral_;  ///< neutral direction, of unit length in the system's weights; empty: none
     double neutral_shift_ = 0.0;
     int iterations_ = 0;
 };

@@ -14,44 +14,44 @@ namespace fretwork::mechanics::nonlinear {
 
 /// The equations of nonlinear equilibrium, internal = load factor * loads, and their derivative.
 ///
-/// If unknowns are components of rotation vectors, moments and tangent are transformed to them. The tangent
-/// is a symmetric matrix, plus small skew blocks at freely turning nodes with applied moments of fixed
-/// direction.
+/// If unknowns are components of rotation vectors, moments and tangent are transformed to these unknowns. The
+/// tangent is a symmetric matrix, plus small skew blocks at freely turning nodes with applied moments of
+/// fixed direction.
 class NonlinearSystem {
   public:
     /// @param threads  number of threads that evaluate the elements of a large structure; 0: one for each
     /// processor
-    /// @param control  stops evaluations
+    /// @param control  stop of the evaluations
     explicit NonlinearSystem(const Assembly& assembly, int threads = 1, const base::Control& control = {});
 
     [[nodiscard]] const Unknowns& unknowns() const { return unknowns_; }
 
     /// Take over the present state of the assembly, after elements were replaced by others of the same nodes,
-    /// or loads or prescribed values changed. Also replaces the control.
+    /// or after loads or prescribed values changed. The control is replaced, too.
     void refresh(const base::Control& control);
 
-    /// Compute the quantities that the functions below return. The tangent, and what depends on it, is
-    /// computed only on demand.
+    /// Compute the quantities that the functions below return. The tangent, and all that depends on the
+    /// tangent, is computed only with Demand::Tangent.
     void evaluate(const Configuration& configuration, double load_factor, Demand demand = Demand::Tangent);
 
-    /// Evaluate in a mixed iteration, with the given stresses in the tangent's geometric terms. Writes the
-    /// elements' own stresses, and with the tangent the slopes of their strains, to the workspace.
+    /// Evaluate in a mixed iteration, with the given stresses in the tangent's geometric terms. The elements'
+    /// own stresses are written to the workspace, and with Demand::Tangent also the slopes of their strains.
     void evaluate_mixed(const Configuration& configuration, double load_factor, Demand demand,
                         StressWorkspace& stresses);
-    /// Extrapolate the given stresses along small motions of the nodes, which include the prescribed ones.
+    /// Extrapolate the given stresses along small motions of all nodes, prescribed motions included.
     void extrapolate(const NodeValues& motions, StressWorkspace& stresses) const;
-    /// The right side for a solution with an old tangent and the slopes of its evaluation. Valid after a
-    /// mixed evaluation with Demand::Force. It is zero if the unbalanced forces are zero and the given
-    /// stresses are the elements' own.
+    /// The right side for a solution with an old tangent and the slopes from the evaluation of the old
+    /// tangent. The right side is valid after a mixed evaluation with Demand::Force. The right side is zero
+    /// if the unbalanced forces are zero and the given stresses are the elements' own stresses.
     [[nodiscard]] const Eigen::VectorXd& mixed_unbalanced() const { return mixed_unbalanced_; }
-    /// The force B0^T (s - given), which the old tangent adds if the given stresses are not the elements'
-    /// own. Valid after the same evaluation.
+    /// The force B0^T (s - given), which the old tangent adds if the given stresses are not the elements' own
+    /// stresses s. The force is valid after a mixed evaluation with Demand::Force.
     [[nodiscard]] Eigen::VectorXd lag() const;
 
     /// The solution at the configuration of the last evaluation, without its history and its stability.
     [[nodiscard]] Solution describe(const Configuration& configuration, double load_factor) const;
 
-    /// Load less internal force, for each equation.
+    /// The unbalanced force of each equation: load minus internal force.
     [[nodiscard]] const Eigen::VectorXd& unbalanced() const { return unbalanced_; }
     /// The norm of the unbalanced forces over the norm of loads and reactions.
     [[nodiscard]] double relative_residual() const { return relative_residual_; }
@@ -59,16 +59,17 @@ class NonlinearSystem {
     [[nodiscard]] bool is_rounding() const {
         return (unbalanced_.cwiseAbs().array() <= rounding_.array()).all();
     }
-    /// The derivative of the unbalanced forces with respect to the load factor at fixed unknowns. It includes
-    /// the effect of prescribed displacements if the last evaluation computed the tangent.
+    /// The derivative of the unbalanced forces with respect to the load factor at fixed unknowns. The
+    /// derivative includes the effect of prescribed displacements if the last evaluation computed the
+    /// tangent.
     [[nodiscard]] const Eigen::VectorXd& load_rate() const { return load_rate_; }
     [[nodiscard]] std::span<const double> tangent() const { return values_; }
-    /// True if moments make the last tangent unsymmetric.
+    /// True if applied moments make the tangent of the last evaluation unsymmetric.
     [[nodiscard]] bool has_skew_part() const { return !skew_.empty(); }
     /// The product of the tangent's skew part and x.
     [[nodiscard]] Eigen::VectorXd skew_product(const Eigen::VectorXd& x) const;
-    /// False if external moments act: their direction stays fixed in space, so they have no potential.
-    /// Moments of gravity come from forces, which have a potential.
+    /// False if applied moments act, whose direction stays fixed in space, so that they have no potential.
+    /// Moments of gravity do not count, because they come from forces, which have a potential.
     [[nodiscard]] bool is_conservative() const { return skew_.empty() || !unknowns_.assembly().has_moments; }
     /// The kind of stability test that the tangent's pivots amount to.
     [[nodiscard]] StabilityTest stability_test() const {
@@ -82,7 +83,7 @@ class NonlinearSystem {
     };
     [[nodiscard]] RelativeTurn relative_turn(const Configuration& configuration,
                                              const Configuration& last) const;
-    /// True forces and moments of the supports.
+    /// The true forces and moments of the supports.
     [[nodiscard]] NodeValues reactions() const;
 
   private:
@@ -96,8 +97,8 @@ class NonlinearSystem {
     struct Pass {
         Demand demand;
         StressWorkspace* stresses = nullptr;
-        /// The stresses whose lag behind the elements' own is wanted, in an evaluation of forces alone; else
-        /// null.
+        /// The given stresses, in an evaluation of forces alone, which also computes the lag of these
+        /// stresses behind the elements' own stresses. Null in any other evaluation.
         [[nodiscard]] StressWorkspace* lagging_stresses() const {
             return demand == Demand::Force ? stresses : nullptr;
         }
@@ -127,17 +128,17 @@ class NonlinearSystem {
     Unknowns unknowns_;
     bool is_loaded_ = false;
     Eigen::VectorXd rounding_;                ///< rounding of the force of each equation at rest
-    Elements rounded_elements_;               ///< of which it is
+    Elements rounded_elements_;               ///< elements to which `rounding_` belongs
     std::vector<int> moment_nodes_;           ///< nodes with applied moments and at least two free rotations
     std::vector<Eigen::Matrix3d> spin_maps_;  ///< spin maps of the vector nodes
     base::Control control_;
     int threads_ = 1;
-    std::size_t batch_ = 1;  ///< elements that are evaluated before they are added
-    std::size_t piece_ = 1;  ///< elements that one thread takes at a time
+    std::size_t batch_ = 1;  ///< number of elements that are evaluated before their responses are added
+    std::size_t piece_ = 1;  ///< number of elements that one thread takes at a time
     std::vector<Answer> answers_;
 
     NodeValues internal_;
-    NodeValues forces_;          ///< loads less internal forces, with true moments
+    NodeValues forces_;          ///< loads minus internal forces, with true moments
     NodeValues given_internal_;  ///< internal forces of the given stresses
     NodeValues lag_;             ///< lag(), mapped to the unknowns
     NodeValues prescribed_rate_;

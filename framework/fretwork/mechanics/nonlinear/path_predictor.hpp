@@ -7,9 +7,9 @@
 
 namespace fretwork::mechanics::nonlinear {
 
-/// Predicts the next equilibrium of a path by extrapolating the Hermite polynomial through up to three last
-/// equilibria and their rates. The polynomial is in steps of the unknowns from the last equilibrium, so
-/// rotations may have any size.
+/// A predictor of the next equilibrium of a path, which extrapolates the Hermite polynomial through up to
+/// three last equilibria and their rates. The values of the polynomial are steps of the unknowns from the
+/// last equilibrium, so rotations may have any size.
 class PathPredictor {
   public:
     explicit PathPredictor(const Unknowns& unknowns) : unknowns_(unknowns) {}
@@ -20,7 +20,8 @@ class PathPredictor {
     /// Forget all equilibria, because the path continues elsewhere.
     void restart() { points_.clear(); }
 
-    /// The predicted step of the unknowns from the last equilibrium to the one at another load factor.
+    /// The predicted step of the unknowns from the last equilibrium to the equilibrium at another load
+    /// factor.
     [[nodiscard]] Eigen::VectorXd step_to(double load_factor) const;
 
   private:
@@ -30,7 +31,7 @@ class PathPredictor {
         Eigen::VectorXd rate;
     };
     const Unknowns& unknowns_;
-    std::deque<Point> points_;  ///< the last one first
+    std::deque<Point> points_;  ///< added equilibria, the last equilibrium first
 };
 
 }  // namespace fretwork::mechanics::nonlinear

@@ -7,7 +7,7 @@
 
 namespace fretwork::mechanics::nonlinear {
 
-/// An equilibrium of a path, and the path's direction there.
+/// An equilibrium of a path, and the direction of the path at this equilibrium.
 struct PathState {
     PathPoint point;
     Eigen::VectorXd direction;  ///< change of the unknowns along the path; of unit length in the system's
@@ -21,19 +21,19 @@ struct PathStep {
     PathState state;
     Eigen::VectorXd move;
     double length = 0.0;  ///< length of the move in the system's weights
-    /// The distance between the move and its prediction from the directions at both ends, as a share of the
+    /// The distance between the move and its explanation by the directions at both ends, as a share of the
     /// largest distance that is accepted.
     double deviation = 0.0;
 };
 
 /// Correct a trial, load factor and unknowns together, to an equilibrium in the plane normal to a step
-/// [Riks1979]. On success the system is evaluated there.
-/// @return  the number of iterations, or -1
+/// [Riks1979]. On success, the system is evaluated at the equilibrium.
+/// @return  the number of iterations; -1 if no equilibrium was found
 int correct_across(NonlinearSystem& system, Newton& newton, const Eigen::VectorXd& step, double& load_factor,
                    Configuration& trial);
 
-/// Makes steps along an equilibrium path. Each step continues the path: the mean of the path's directions at
-/// its two ends accounts for every component of the move between them. A step that passes over a sharp bend
+/// A maker of steps along an equilibrium path. A step continues the path if the mean of the path's directions
+/// at the two ends of the step accounts for every component of the move. A step that passes over a sharp bend
 /// of the path, or lands on another path, fails this test.
 class PathStepper {
   public:
@@ -43,18 +43,18 @@ class PathStepper {
     /// The state at an equilibrium with a known rate, in the direction in which the load rises.
     [[nodiscard]] PathState rising(PathPoint point) const;
 
-    /// A step of the given length. Nothing if no such step continues the path.
+    /// A step of a given length. Nothing if no step of this length continues the path.
     /// @param previous  the previous state; null: not known
     std::optional<PathStep> step(const PathState& from, const PathState* previous, double length);
 
     /// A step to a larger load factor, starting from a guess of the move. Nothing if the rates of the
-    /// unknowns at both ends do not account for the move.
+    /// unknowns at both ends of the step do not account for the move.
     std::optional<PathStep> step_to_load(const PathState& from, double load_factor,
                                          const Eigen::VectorXd& guess);
-    /// A step to a load factor within `known`, a step that continues the path.
+    /// A step to a load factor that the step `known` passes, where `known` continues the path.
     std::optional<PathStep> step_within(const PathState& from, const PathStep& known, double load_factor);
 
-    /// The length of a first step: no node turns far in it, and the load does not rise above `load_factor`.
+    /// The length of a first step in which no node turns far and the load does not rise above `load_factor`.
     [[nodiscard]] double first_length(const PathState& from, double load_factor) const;
     /// The length of a step whose largest component has this size (rad, or element lengths).
     [[nodiscard]] double length_of(const PathState& from, double largest_component) const;

@@ -9,8 +9,8 @@
 namespace fretwork::mechanics::nonlinear {
 
 /// The state of all elements in a mixed iteration: the given stresses, and, from the last evaluation, the
-/// elements' own stresses and the slopes of their strains. The state is kept here because elements are shared
-/// and immutable.
+/// elements' own stresses and the slopes of their strains. The elements cannot keep this state, because they
+/// are shared and immutable.
 class StressWorkspace {
   public:
     explicit StressWorkspace(const Assembly& assembly);
@@ -19,15 +19,16 @@ class StressWorkspace {
     [[nodiscard]] ElementStresses of(std::size_t element);
     [[nodiscard]] Eigen::Map<Eigen::MatrixXd> slopes(std::size_t element);
 
-    /// Set the given stresses of every element to its own.
+    /// Set the given stresses of every element to its own stresses.
     void give_own() { given_ = own_; }
-    /// Set the given stresses of an element to s + K B dx, where dx are small motions of its nodes (6n).
+    /// Set the given stresses of an element to s + K B dx, where s are its own stresses, B its slopes, and dx
+    /// small motions of its nodes (6n).
     void extrapolate(std::size_t element, const Eigen::VectorXd& motion);
     /// Add the lag B^T (s - given) to an element's forces (6n), where s and B are its own stresses and slopes
-    /// of the last evaluation. It is the force by which the given stresses lag behind the own stresses.
+    /// of the last evaluation. The lag is the force by which the given stresses lag behind the own stresses.
     void add_lag(std::size_t element, Eigen::VectorXd& force) const;
 
-    /// The given stresses of all elements. Keep a copy to return to this state by give().
+    /// The given stresses of all elements. A caller may keep a copy and restore the given stresses by give().
     [[nodiscard]] const std::vector<double>& given() const { return given_; }
     void give(const std::vector<double>& stresses) { given_ = stresses; }
 

@@ -14,25 +14,26 @@ class EquilibriumTangent::Impl {
         nonlinear::Newton& newton;
         nonlinear::MixedNewton& mixed;
         const nonlinear::Configuration& configuration;
-        bool& has_factors;  ///< the factors are near those of the configuration, so solutions can be refined
-                            ///< with them
+        /// True if the factors belong to a tangent near the tangent at the configuration, so that they can
+        /// refine solutions.
+        bool& has_factors;
     };
-    /// Evaluates the tangent. Throws NumericalError if it is singular, and Stopped.
+    /// Evaluate the tangent. Throws NumericalError if the tangent is singular, and Stopped.
     Impl(const Parts& parts, const base::Control& control);
 
     [[nodiscard]] std::span<const NodeState> states() const { return parts_.configuration.states; }
-    /// The steps of the unknowns that belong to forces of the equations.
+    /// The steps of the unknowns under given forces, one column each.
     [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& right_sides, nonlinear::Newton::Side side,
                                         const base::Control& control);
     [[nodiscard]] Eigen::MatrixXd equations_of(const Eigen::MatrixXd& rows) const;
     [[nodiscard]] Eigen::MatrixXd rows_of(const Eigen::MatrixXd& steps) const;
-    /// Transform moments to the quantities conjugate to rotation vectors, v = T^T v. In place, and only at
-    /// nodes some of whose rotation vector's components are unknown or prescribed.
+    /// Transform moments v, in place, to the quantities conjugate to rotation vectors, v <- T^T v. Only the
+    /// rows of vector nodes are transformed (see Unknowns::vector_nodes()).
     void moments_to_vectors(Eigen::MatrixXd& rows) const;
-    /// Transform rates of rotation vectors to spins at the same nodes, w = T v.
+    /// Transform rates v of the rotation vectors of vector nodes to spins, w = T v.
     void vectors_to_spins(Eigen::MatrixXd& rows) const;
-    /// Transform, at the other nodes, gradients with respect to rotation vectors to gradients along spins.
-    /// spins_to_vectors() transforms spins to rates of rotation vectors there.
+    /// Transform gradients with respect to the rotation vectors of all nodes but vector nodes to gradients
+    /// along spins. For the same nodes, spins_to_vectors() transforms spins to rates of rotation vectors.
     void gradients_to_spins(Eigen::MatrixXd& rows) const;
     void spins_to_vectors(Eigen::MatrixXd& rows) const;
 
@@ -59,7 +60,7 @@ class EquilibriumTangent::Impl {
     [[nodiscard]] Eigen::Index nodes() const;
 
     Parts parts_;
-    bool is_exact_ = false;                   ///< the factors are those of the tangent
+    bool is_exact_ = false;                   ///< true if the factors are the factors of the tangent
     std::vector<Eigen::Matrix3d> spin_maps_;  ///< spin map of every node's rotation vector
 };
 

@@ -18,11 +18,11 @@ struct Configuration {
 
 /// The unknown components of a structure's nodes, and the effect of steps of the unknowns on a configuration.
 ///
-/// The rotational unknowns of a node that turns freely are spins. If supports hold some components of the
-/// total rotation vector, the unknowns are its other components.
+/// The rotational unknowns of a node that turns freely are spins. If supports hold some components of a
+/// node's total rotation vector, the rotational unknowns are the other components of this vector.
 class Unknowns {
   public:
-    /// Throws Stopped.
+    /// Find the unknowns of an assembly. Throws Stopped.
     explicit Unknowns(const Assembly& assembly, const base::Control& control = {});
 
     [[nodiscard]] const sparse::SystemLayout& layout() const { return *layout_; }
@@ -35,16 +35,18 @@ class Unknowns {
     [[nodiscard]] Configuration rest() const;
     /// Move the prescribed components to this share of their values.
     void prescribe(double load_factor, Configuration& configuration) const;
-    /// Move all held components to their values at the full load. Returns the motions.
+    /// Move all held components to their values at the full load. Returns the motions of the nodes.
     NodeValues hold(Configuration& configuration) const;
-    /// Add a step of the unknowns.
+    /// Add a step of the unknowns to a configuration.
     void move(const Eigen::VectorXd& step, Configuration& configuration) const;
-    /// Add whole turns to the rotation vectors, so that they are next to those of the last equilibrium. They
-    /// are then continuous along a path, whatever the iterations passed through.
+    /// Add whole turns to the rotation vectors, so that each is nearest to the rotation vector at the last
+    /// equilibrium. In this way, rotation vectors are continuous along a path, whatever the iterations passed
+    /// through.
     void unwind(const Configuration& last, Configuration& configuration) const;
     /// The step of the unknowns from one configuration to another near it.
     [[nodiscard]] Eigen::VectorXd step_between(const Configuration& from, const Configuration& to) const;
-    /// The rate at which a step from step_between() changes if the unknowns at its end change at `rate`.
+    /// The rate at which a step from step_between() changes if the unknowns at the end of the step change at
+    /// `rate`.
     [[nodiscard]] Eigen::VectorXd rate_of_steps(const Eigen::VectorXd& step,
                                                 const Eigen::VectorXd& rate) const;
     /// The largest rotation of a node in a step, rad.

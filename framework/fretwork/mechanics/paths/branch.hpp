@@ -9,13 +9,15 @@ namespace fretwork::mechanics {
 
 /// The equilibria to follow when a path becomes unstable.
 enum class Branch {
-    Primary,  ///< those of the path itself, stable or not: a flat structure stays flat
-    Stable,   ///< the stable branch, reached by a push along the critical mode
-    Snapping  ///< as Stable, and at a limit load the structure snaps to a stable equilibrium of lower energy
+    Primary,  ///< equilibria of the path itself, stable or not: a flat structure stays flat
+    Stable,   ///< equilibria of the stable branch, which a push along the critical mode reaches
+    /// Equilibria as for Stable; at a limit load, the structure snaps to a stable equilibrium of lower
+    /// energy.
+    Snapping
 };
 /// The name of a branch: "primary", "stable" or "snapping".
 std::string_view branch_name(Branch branch);
-/// The names of the branches, as people type them.
+/// The names of all branches.
 std::vector<std::string> branch_names();
 /// The branch with this name. Throws InputError that lists the names.
 Branch find_branch(std::string_view name);

@@ -13,18 +13,21 @@ namespace fretwork::mechanics {
 
 /// Options of the geometrically nonlinear solve.
 struct EquilibriumOptions {
-    /// A solution has converged below this residual. If rounding keeps the residual above it, a residual
-    /// below 1e-4 is enough, once steps are below 1e-13 (rad and element lengths). This happens with very
-    /// short beams beside long ones, and with a hundred thousand beams.
+    /// The residual below which a solution has converged. If rounding keeps the residual above this limit, a
+    /// residual below 1e-4 is enough once steps are below 1e-13 (rad and element lengths). Rounding has this
+    /// effect with very short beams beside long beams, and with a hundred thousand beams.
     double relative_residual = 1e-9;
-    double largest_rotation_step = 0.6;  ///< rad; longer Newton steps are shortened. There is no line search:
-                                         ///< the residual may grow while membrane forces build up
-    int iterations_per_step = 60;        ///< at most, of one increment
-    bool classify_stability = true;      ///< count negative pivots at each equilibrium
-    Branch branch = Branch::Primary;     ///< which way to go where the path is unstable
-    bool locate_critical_loads = false;  ///< fill Solution::stability_losses; Stable and Snapping always do
-    int threads = 1;  ///< 0: one for each processor. The number does not change a bit of a result; small
-                      ///< structures use one thread.
+    /// Largest rotation of a node in a Newton step, rad; longer steps are shortened. There is no line search,
+    /// because the residual may grow while membrane forces build up.
+    double largest_rotation_step = 0.6;
+    int iterations_per_step = 60;     ///< largest number of iterations of one increment
+    bool classify_stability = true;   ///< true: count negative pivots at each equilibrium
+    Branch branch = Branch::Primary;  ///< equilibria to follow where the path is unstable
+    /// True: fill Solution::stability_losses; with Stable and Snapping, they are always filled.
+    bool locate_critical_loads = false;
+    /// Number of threads; 0: one for each processor. The number does not change a bit of a result. Small
+    /// structures use one thread.
+    int threads = 1;
     base::Control control{};  ///< progress counts the share of the load that is reached
     /// Throws InputError if a value is invalid.
     void validate() const;
@@ -35,33 +38,34 @@ std::vector<double> even_load_factors(int steps);
 
 /// Follow the load path from rest through the given load factors (ascending, > 0; 1 = the full load):
 /// Newton's method with a consistent tangent and a predictor from the path so far. If critical loads need not
-/// be located and the next load is far, a mixed Newton method goes there in few long increments. If the path
-/// might branch on the way, it is followed by its arc length [Riks1979] instead, in steps so short that the
-/// tangents at both ends account for the move between them. Returns one solution for each factor. If a factor
-/// is not reached, its solution and all later ones have not converged; they hold the last equilibrium found
-/// and its load factor.
+/// be located and the next load factor is far, a mixed Newton method reaches it in few long increments. If
+/// the path might branch before the next load factor, the path is followed by its arc length [Riks1979]
+/// instead, in steps so short that the tangents at both ends account for the move between them. Returns one
+/// solution for each load factor. If a load factor is not reached, its solution and all later solutions have
+/// not converged; they hold the last equilibrium found and the load factor of that equilibrium.
 ///
-/// Termination::LimitLoad: the load falls along the path beyond the last equilibrium; the last of
+/// Termination::LimitLoad: the load falls along the path beyond the last equilibrium; the last entry of
 /// Solution::stability_losses is this limit load. Termination::Diverged: no step, however short, continues
 /// the path. Termination::IterationsSpent: the load was not reached in 3,000 steps along the path.
 ///
 /// With Branch::Stable, a structure in an unstable equilibrium is pushed along its lowest mode and descends
-/// in energy to a stable one. The path continues from there. Solution::stability_losses lists each such
-/// place.
+/// in energy to a stable equilibrium, from which the path continues. Solution::stability_losses lists each
+/// push.
 ///
 /// With Branch::Snapping, the path also continues beyond limit loads: the load factor is raised by a
-/// thousandth, and the structure descends in energy from its last equilibrium to a stable one. Such a place
-/// is a stability loss at the limit load. It names the node and the component that move farthest, and is
-/// marked `pushed`. If several stable equilibria exist, a real motion with inertia may end in another one.
+/// thousandth, and the structure descends in energy from its last equilibrium to a stable equilibrium.
+/// Solution::stability_losses lists each snap as a stability loss at the limit load, with the node and the
+/// component that move farthest, marked `pushed`. If several stable equilibria exist, a real motion with
+/// inertia may end in another equilibrium.
 ///
 /// The relative rotation of the ends of an element must stay below pi, because an element cannot distinguish
-/// a larger one from a rotation in the opposite sense. A path that reaches pi ends there as diverged; finer
-/// divisions avoid it.
+/// a larger rotation from a rotation in the opposite sense. A path ends as diverged where a relative rotation
+/// reaches pi. Finer divisions reduce the relative rotations.
 ///
-/// Rotation vectors are continuous along the path: they keep growing beyond half a turn. The moment of a
-/// reaction is the true moment in space, even if only some rotation components are held. Throws InputError if
-/// the factors are not ascending, NumericalError that names a node if the structure can move without strain
-/// at rest, and Stopped.
+/// Rotation vectors are continuous along the path and may grow beyond half a turn. The moment of a reaction
+/// is the true moment in space, even if only some rotation components are held. Throws InputError if the
+/// factors are not ascending, NumericalError that names a node if the structure can move without strain at
+/// rest, and Stopped.
 std::vector<Solution> follow_load_path(const Assembly& assembly, std::span<const double> load_factors,
                                        const EquilibriumOptions& options = {});
 

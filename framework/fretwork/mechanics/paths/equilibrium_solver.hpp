@@ -15,47 +15,52 @@ enum class StartingPoint {
     LastEquilibrium  ///< the equilibrium before the edit, by continuation
 };
 
-/// The choice whether to check the stability of an equilibrium. The check takes a factorization, which a
-/// small change of the loads would otherwise not need.
+/// The choice whether to check the stability of an equilibrium. The check needs a factorization, which a
+/// solution after a small change of the loads does not need otherwise.
 enum class StabilityCheck {
-    Made,  ///< with a factorization
-    Left  ///< no check, and Solution::stability is None: for loads that a user drags. If the next check finds
-          ///< the equilibrium unstable, it is solved from rest
+    Made,  ///< the stability is checked
+    /// The stability is not checked, and Solution::stability is None, for loads that a user drags. If the
+    /// next check finds an unstable equilibrium, the equilibrium is computed again from rest.
+    Left
 };
 
-/// Receives the first iterate on the way to an equilibrium: the prediction by the tangent at the last
-/// equilibrium. After small edits it is close to the new equilibrium, but it is not an equilibrium:
-/// Solution::converged is false, and there are no reactions. It is not called if there is no last equilibrium
-/// to continue from.
+/// A function that receives the first iterate on the way to an equilibrium, which is the prediction by the
+/// tangent at the last equilibrium. After small edits, this iterate is close to the new equilibrium, but is
+/// not an equilibrium: Solution::converged() is false, and there are no reactions. The function is not called
+/// if the solution starts from rest.
 using FirstIterate = std::function<void(const Solution&)>;
 
-/// Solves for the nonlinear equilibrium of a structure under its full load after each of many edits. It is
-/// the counterpart of LinearSolver for large displacements.
+/// A solver for the nonlinear equilibrium of a structure under its full load after each of many edits: the
+/// counterpart of LinearSolver for large displacements.
 ///
 /// A solution from the last equilibrium is accepted only if the structure keeps its stability while the edit
 /// is made: both equilibria are stable, and the tangents at both ends account for the move between them.
-/// Otherwise the path is followed from rest. Both ways agree if the loads have only one stable equilibrium.
-/// If they have several (a buckled surface, a snapped dome), a solution from the last equilibrium stays on
-/// the branch to which the edits led, and the path from rest may lead to another.
+/// Otherwise the path is followed from rest. Both ways give the same equilibrium if the structure has only
+/// one stable equilibrium under its loads. If the structure has several (a buckled surface, a snapped dome),
+/// a solution from the last equilibrium stays on the branch to which the edits led, and the path from rest
+/// may lead to another branch.
 class EquilibriumSolver {
   public:
-    /// Branch::Stable and located critical loads need the whole path, so they are always solved from rest.
-    /// Throws InputError as EquilibriumOptions::validate.
+    /// Make a solver. Every solution starts from rest if the options ask for Branch::Stable or for located
+    /// critical loads, which need the whole path. Throws InputError as EquilibriumOptions::validate.
     explicit EquilibriumSolver(const EquilibriumOptions& options = {});
     EquilibriumSolver(EquilibriumSolver&&) noexcept;
     EquilibriumSolver& operator=(EquilibriumSolver&&) noexcept;
     ~EquilibriumSolver();
 
-    /// The equilibrium of an assembly under its full load. The work depends on how the assembly differs from
-    /// the last one (elements are compared by address):
-    /// - loads and prescribed values: iterations with the last factors, and new ones once or twice;
-    /// - elements replaced by others of the same nodes: the same after new factors in the last equilibrium;
-    /// - supports: a new order and new factors there; from rest where they are far from what they hold;
-    /// - other nodes, or a last solution that had not converged or was not stable: everything, from rest.
-    /// Throws as follow_load_path; then the next call starts from rest. After a stop on the way from the
-    /// last equilibrium, the next call starts from that one.
+    /// The equilibrium of an assembly under its full load. The work depends on the difference from the last
+    /// assembly (elements are compared by address):
+    /// - if loads or prescribed values differ: iterations with the last factors, and new factors once or
+    ///   twice;
+    /// - if elements are replaced by others of the same nodes: the same work after new factors at the last
+    ///   equilibrium;
+    /// - if supports differ: a new order and new factors at the last equilibrium; a start from rest if new
+    ///   supports hold components far from their values;
+    /// - if nodes differ, or if the last solution had not converged or was not stable: everything, from rest.
+    /// Throws as follow_load_path(); after an error, the next call starts from rest. After a stop on the way
+    /// from the last equilibrium, the next call starts from that last equilibrium.
     ///
-    /// @param first_iterate  may be empty
+    /// @param first_iterate  receiver of the first iterate; may be empty
     Solution solve(const Assembly& assembly, const base::Control& control = {},
                    StabilityCheck check = StabilityCheck::Made, const FirstIterate& first_iterate = {});
 
@@ -63,7 +68,7 @@ class EquilibriumSolver {
     [[nodiscard]] StartingPoint starting_point() const;
 
     /// The derivatives at the last equilibrium; valid until the next solve(). Throws InputError if the last
-    /// solution has not converged, NumericalError if the tangent is singular there, and Stopped.
+    /// solution has not converged, NumericalError if the tangent is singular, and Stopped.
     [[nodiscard]] EquilibriumTangent tangent(const base::Control& control = {});
 
   private:

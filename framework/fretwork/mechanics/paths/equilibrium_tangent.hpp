@@ -13,8 +13,8 @@
 
 namespace fretwork::mechanics {
 
-/// The response of a structure to small changes at an equilibrium. It gives the derivatives of any function
-/// of the nodes' displacements, without solving for another equilibrium.
+/// The response of a structure to small changes at an equilibrium. From this response follow the derivatives
+/// of any function of the nodes' displacements, without another equilibrium.
 ///
 /// Matrices have six rows for each node of the assembly, in the order of the nodes. *Motions* are
 /// displacements (m) and spins (rad; R <- exp(w) R), *forces* are true forces and moments (N, N m).
@@ -25,12 +25,12 @@ namespace fretwork::mechanics {
 ///
 /// T is not symmetric if moments of fixed direction act. Held components do not move.
 ///
-/// EquilibriumSolver creates this object at the equilibrium that it has found, and lends its factors. The
-/// object is valid until the next call of that solver.
+/// EquilibriumSolver creates an EquilibriumTangent at the equilibrium that it has found, and lends it the
+/// factors. The EquilibriumTangent is valid until the next call of that solver.
 class EquilibriumTangent {
   public:
     class Impl;
-    /// Of the solver; callers get one from EquilibriumSolver.
+    /// Make the object from the solver's data; callers use EquilibriumSolver::tangent().
     explicit EquilibriumTangent(std::unique_ptr<Impl> impl);
     EquilibriumTangent(EquilibriumTangent&&) noexcept;
     EquilibriumTangent& operator=(EquilibriumTangent&&) noexcept;
@@ -42,7 +42,7 @@ class EquilibriumTangent {
     /// The motions under small forces, one column each. Throws Stopped.
     [[nodiscard]] Eigen::MatrixXd motions(const Eigen::MatrixXd& forces,
                                           const base::Control& control = {}) const;
-    /// The motions if held components move by these values, one column each; rows of free components are
+    /// The motions if held components move by given values, one column each; rows of free components are
     /// ignored. Held rotation components are components of the rotation vector. Throws Stopped.
     [[nodiscard]] Eigen::MatrixXd motions_of_held(const Eigen::MatrixXd& values,
                                                   const base::Control& control = {}) const;
@@ -57,13 +57,14 @@ class EquilibriumTangent {
     /// Convert small motions to changes of displacements and rotation vectors.
     [[nodiscard]] Eigen::MatrixXd as_rotation_vectors(const Eigen::MatrixXd& motions) const;
 
-    /// B = de/dx along motions of an element's nodes: stress_count() x 6n. Empty if the element has no
-    /// stresses.
+    /// The slopes B = de/dx of an element's strains along motions of its nodes, stress_count() x 6n. Empty if
+    /// the element has no stresses.
     [[nodiscard]] Eigen::MatrixXd strain_slopes(std::size_t element) const;
-    /// The internal forces of an element on its nodes: 6n.
+    /// The internal forces of an element on its nodes, 6n.
     [[nodiscard]] Eigen::VectorXd internal_forces(std::size_t element) const;
-    /// For each of these elements, the motions of its nodes under unit forces on these nodes, 6n x 6n, with
-    /// the symmetric part of T. One selected inversion computes all of them. Throws Stopped.
+    /// The flexibility of the structure at the nodes of each of some elements, 6n x 6n: the motions of the
+    /// element's nodes under unit forces on these nodes, by the symmetric part of T. One selected inversion
+    /// computes all of them. Throws Stopped.
     [[nodiscard]] std::vector<Eigen::MatrixXd> flexibilities(std::span<const std::size_t> elements,
                                                              const base::Control& control = {}) const;
 

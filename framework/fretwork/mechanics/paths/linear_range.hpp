@@ -10,8 +10,9 @@ struct Assembly;
 
 /// An estimate of the distance between a linear solution and the solution for large displacements.
 struct LinearRange {
-    /// The estimated largest error of a translation, as a share of the largest displacement. Below one, it is
-    /// right within a factor of about two; if the true error is large, so is the estimate.
+    /// The estimated largest error of a translation, as a share of the largest displacement. An estimate
+    /// below 1 is within a factor of about two of the true error. If the true error is large, the estimate is
+    /// large, too.
     double error = 0.0;
     /// True if the load exceeds the first load of linearized buckling: the structure may then buckle.
     bool loses_stability = false;
@@ -20,25 +21,27 @@ struct LinearRange {
 
 /// Options of linear_range().
 struct LinearRangeOptions {
-    int threads = 1;          ///< 0: one for each processor
-    base::Control control{};  ///< how the caller follows and stops the work
+    int threads = 1;          ///< number of threads; 0: one for each processor
+    base::Control control{};  ///< progress and stop
 };
 
-/// Estimate the error of a linear solution. The linear solution u1 is the first term of the path
-/// u = p u1 + p^2 u2 + p^3 u3 + .. in the load p. The next two terms take two more solutions with the same
-/// stiffness. The forces of u2 are quadratic in u1: the end of a beam that turns also moves back along the
-/// beam. The forces of u3 are cubic in u1 and u2. Both are differences of the elements' forces. If u3 points
-/// against u1, held ends stiffen the structure, and the remaining share x of u1 solves p x + p^3 q x^3 = p.
+/// Estimate the error of a linear solution. The linear solution u1 is the first term of the path u = p u1 +
+/// p^2 u2 + p^3 u3 + .. in the load p. The next two terms take two more solutions with the same stiffness.
+/// The forces of u2 are quadratic in u1: the end of a beam that turns also moves back along the beam. The
+/// forces of u3 are cubic in u1 and u2. The forces of u2 and of u3 are computed as differences of the
+/// elements' forces. If u3 points against u1, held ends stiffen the structure, and the remaining share x of
+/// u1 solves p x + p^3 q x^3 = p.
 ///
 /// The elements must be made for large displacements. Throws as LinearSolver.
 LinearRange linear_range(const Assembly& assembly, const LinearRangeOptions& options = {});
 
-/// The estimate together with the linear solution, which the estimate needs anyway.
+/// The estimate of linear_range() together with the linear solution, which the estimate needs anyway.
 struct LinearPath {
-    LinearRange range;         ///< how far off the linear solution is
-    NodeValues displacements;  ///< u1; the assembly's reported nodes first
+    LinearRange range;  ///< estimated error of the linear solution
+    /// Displacements u1 of the linear solution; the assembly's reported nodes come first.
+    NodeValues displacements;
 };
-/// Estimate the error as linear_range() does, and keep the solution.
+/// Estimate the error as linear_range() does, and return the linear solution, too.
 LinearPath linear_path(const Assembly& assembly, const LinearRangeOptions& options = {});
 
 }  // namespace fretwork::mechanics

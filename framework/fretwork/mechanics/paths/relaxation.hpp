@@ -9,16 +9,17 @@ namespace fretwork::mechanics {
 
 /// The growth of the fictitious masses of rotations as elements get shorter.
 enum class RotationalMass {
-    Natural,   ///< like their stiffness, E I / l and G J / l: the fair baseline
-    Published  ///< like E I / l^3 and G J / l^3 with l in metres, as in public implementations of [Sakai2020]
+    Natural,  ///< proportional to the rotational stiffness, E I / l and G J / l: the fair baseline
+    /// Proportional to E I / l^3 and G J / l^3 with l in metres, as in public implementations of [Sakai2020].
+    Published
 };
 
 /// Options of dynamic relaxation.
 struct RelaxationOptions {
-    double relative_residual = 1e-9;  ///< converged below this
-    int iterations = 200000;          ///< the most iterations; a structure of the size of a pattern takes
-                                      ///< thousands
-    RotationalMass rotational_mass = RotationalMass::Natural;  ///< which fictitious masses
+    double relative_residual = 1e-9;  ///< residual below which the solution has converged
+    /// Largest number of iterations; a structure of the size of a pattern takes thousands.
+    int iterations = 200000;
+    RotationalMass rotational_mass = RotationalMass::Natural;  ///< fictitious masses of rotations
     base::Control control{};                                   ///< progress counts iterations
     /// Throws InputError if a value is invalid.
     void validate() const;
@@ -26,16 +27,17 @@ struct RelaxationOptions {
 
 /// Find the equilibrium under the full load by dynamic relaxation with kinetic damping: the structure is
 /// released from rest, and its velocities are set to zero whenever its kinetic energy peaks. The paper
-/// computes its ground truth in this way [Sakai2020]. The forces here are those of follow_load_path(), so
-/// both functions find the same equilibria; relaxation costs some hundred times as much. The equilibria are
-/// stable, unless an exact symmetry keeps the structure at an unstable one (a perfect column). Fictitious
-/// masses bound the stiffness of each equation from above, so that unit time steps are stable. With
-/// RotationalMass::Published, those of rotations are larger by 1 / l^2 (l: the mean length of an element,
-/// below one metre).
+/// computes its ground truth in this way [Sakai2020]. The elements' forces are the same as in
+/// follow_load_path(), so both functions find the same equilibria; relaxation costs some hundred times as
+/// much. The equilibrium is stable, unless an exact symmetry keeps the structure at an unstable equilibrium
+/// (a perfect column). Fictitious masses bound the stiffness of each equation from above, so that unit time
+/// steps are stable. With RotationalMass::Published, the masses of rotations are larger by the factor 1 /
+/// l^2, where l is the mean length of an element, below one metre.
 ///
-/// Prescribed displacements act from the start, in one jump. So no prescribed rotation may turn a node, or
-/// one end of an element relative to the other, by more than pi: it would be taken for a rotation in the
-/// opposite sense. Throws InputError that names such a node, or an invalid option; Stopped.
+/// Prescribed displacements act from the start, in one jump. Therefore no prescribed rotation may turn a
+/// node, or one end of an element relative to the other, by more than pi, because the rotation would be taken
+/// for a rotation in the opposite sense. Throws InputError that names a node which turns by more, or an
+/// invalid option; Stopped.
 Solution relax(const Assembly& assembly, const RelaxationOptions& options = {});
 
 }  // namespace fretwork::mechanics

@@ -9,33 +9,34 @@ namespace fretwork::mechanics {
 
 /// The supports and loads of a structure at the end of a load stage.
 struct StageTarget {
-    std::vector<Support> supports;                   ///< components that stay where they are
-    std::vector<PrescribedDisplacement> prescribed;  ///< components that are given, at the stage's end
-    NodeValues loads;                                ///< one row for each node of the assembly
+    std::vector<Support> supports;  ///< components that stay where they are
+    /// Components with given values at the end of the load stage.
+    std::vector<PrescribedDisplacement> prescribed;
+    NodeValues loads;  ///< loads, one row for each node of the assembly
 };
 
-/// Follows load stages one after the other. Each begins at the equilibrium in which the previous one ended.
-/// During a load stage, loads and prescribed values change linearly to those of the target. A newly
-/// prescribed component starts from its present value; the reaction on a released component is reduced to
-/// zero.
+/// A path of load stages, one after the other. Each load stage begins at the equilibrium in which the
+/// previous load stage ended. During a load stage, loads and prescribed values change linearly to the values
+/// of the target. A newly prescribed component starts from its present value; the reaction on a released
+/// component is reduced to zero.
 ///
 /// Newton's method solves each step; a step that fails is halved. The structure leaves an unstable
-/// equilibrium along a descent direction. If no step is short enough, the load stage ends at this limit load;
+/// equilibrium along a descent direction. If no step is short enough, the load stage ends at a limit load;
 /// with Branch::Snapping, the structure instead descends in energy from its last equilibrium.
-/// Solution::stability_losses lists each such place: its load factor is the share of the load stage, and its
-/// node is the one that moves farthest.
+/// Solution::stability_losses lists each unstable equilibrium and each limit load. The load factor of an
+/// entry is the share of the load stage, and its node is the node that moves farthest.
 class StagedPath {
   public:
-    /// Ignores the supports, prescribed values and loads of the assembly, and
+    /// Begin a path at rest. The supports, prescribed values and loads of the assembly are ignored, and so is
     /// EquilibriumOptions::locate_critical_loads. Throws InputError as EquilibriumOptions::validate.
     explicit StagedPath(Assembly assembly, const EquilibriumOptions& options = {});
     StagedPath(StagedPath&&) noexcept;
     StagedPath& operator=(StagedPath&&) noexcept;
     ~StagedPath();
 
-    /// Follow one load stage. Solution::load_factor is the share of it that was reached. If the solution has
-    /// not converged, the next call continues from its last equilibrium. Throws NumericalError if the
-    /// structure can move without strain at rest in spite of its supports; Stopped.
+    /// Follow one load stage. Solution::load_factor is the share of the load stage that was reached. If the
+    /// solution has not converged, the next call continues from its last equilibrium. Throws NumericalError
+    /// if the structure can move without strain at rest in spite of its supports; Stopped.
     Solution advance(const StageTarget& target);
 
   private:

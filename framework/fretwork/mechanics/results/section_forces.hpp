@@ -11,29 +11,30 @@
 
 namespace fretwork::mechanics {
 
-/// The forces and moments that the material on the far side of a cut exerts, along the beam's local axes,
-/// which turn with the beam. Positive N is tension; M2 and M3 act about axes 2 and 3 (V3 = dM2/ds, V2 =
-/// -dM3/ds).
+/// The section forces at a cut: the forces and moments that the material beyond the cut exerts, along the
+/// beam's local axes, which turn with the beam. Positive N is tension; M2 and M3 act about axes 2 and 3 (V3 =
+/// dM2/ds, V2 = -dM3/ds).
 struct SectionForces {
-    double N = 0.0;   ///< N, axial
-    double V2 = 0.0;  ///< N, shear along axis 2
-    double V3 = 0.0;  ///< N, shear along axis 3
-    double T = 0.0;   ///< N m, torsion
-    double M2 = 0.0;  ///< N m, bending about axis 2
-    double M3 = 0.0;  ///< N m, bending about axis 3
+    double N = 0.0;   ///< axial force, N
+    double V2 = 0.0;  ///< shear force along axis 2, N
+    double V3 = 0.0;  ///< shear force along axis 3, N
+    double T = 0.0;   ///< torsional moment, N m
+    double M2 = 0.0;  ///< bending moment about axis 2, N m
+    double M3 = 0.0;  ///< bending moment about axis 3, N m
 };
 
-/// Computes the section forces at both ends of a straight beam from the motions of its ends. One object
-/// serves many states of a beam.
+/// A straight beam whose section forces at both ends follow from the motions of its ends. One BeamSection
+/// serves many states of the beam.
 class BeamSection {
   public:
-    /// Those of both ends.
+    /// The section forces at both ends.
     using Ends = std::array<SectionForces, 2>;
 
-    /// Ignores the beam's divisions and hinges. Throws GeometryError if the beam's length is zero.
+    /// Prepare a beam. The beam's divisions and hinges are ignored. Throws GeometryError if the beam's length
+    /// is zero.
     BeamSection(const Beam& beam, const std::array<Eigen::Vector3d, 2>& ends);
 
-    /// The section forces for small displacements: ux uy uz rx ry rz of each end.
+    /// The section forces for small displacements ux uy uz rx ry rz of each end.
     [[nodiscard]] Ends linear(const Eigen::Vector<double, 6>& start,
                               const Eigen::Vector<double, 6>& end) const;
     /// The section forces for displacements and rotations of any size, as in the beam element for large

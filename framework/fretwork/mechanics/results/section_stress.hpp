@@ -10,22 +10,25 @@
 
 namespace fretwork::mechanics {
 
-/// The largest absolute stresses over a section, Pa. They may occur at different points.
+/// The largest absolute stresses over a section, Pa. The three stresses may occur at different points.
 struct SectionStress {
-    double normal = 0.0;     ///< along the beam
-    double shear = 0.0;      ///< in the plane of the section
-    double von_mises = 0.0;  ///< sqrt(normal^2 + 3 shear^2), with both at one point
+    double normal = 0.0;     ///< normal stress along the beam
+    double shear = 0.0;      ///< shear stress in the plane of the section
+    double von_mises = 0.0;  ///< largest sqrt(normal^2 + 3 shear^2) of the stresses at one point
 };
 
-/// The points of a section at which stresses can be largest, and the stresses there for unit section forces.
+/// The points of a section at which stresses can be largest, with the stresses at these points for unit
+/// section forces.
 ///
-/// Stresses are those of technical beam theory: bending is linear over the section; shear follows from
-/// equilibrium with bending (Jourawski); torsion is free of warping stresses (Saint-Venant), a series for
-/// rectangles [Timoshenko1951, 109], and linear across each plate of an I. Corners are sharp. Points lie 1/8
-/// of half a side apart on rectangles, 1/32 of a turn on circles and tubes.
+/// Stresses follow technical beam theory. The stress of bending is linear over the section. The stress of a
+/// shear force follows from equilibrium with bending (Jourawski). The stress of torsion is without warping
+/// stresses (Saint-Venant): a series for rectangles [Timoshenko1951, 109], and linear across each plate of an
+/// I. Corners are sharp. Points lie 1/8 of half a side apart on rectangles, 1/32 of a turn on circles and
+/// tubes.
 class SectionPoints {
   public:
-    /// A section without a shape counts as the rectangle of its area and second moments.
+    /// Find the points of a section. A section without a shape counts as the rectangle with its area and
+    /// second moments.
     explicit SectionPoints(const Section& section);
 
     /// The largest stresses over the points. The cost is linear in the number of points, some 70.
@@ -34,19 +37,20 @@ class SectionPoints {
     /// The sum over the points of (von Mises stress / reference)^exponent.
     struct PowerSum {
         double value = 0.0;
-        /// By N, V2, V3, T, M2, M3 (1/N and 1/(N m)).
+        /// The derivatives of the sum with respect to N, V2, V3, T, M2, M3 (1/N and 1/(N m)).
         Eigen::Vector<double, 6> gradient = Eigen::Vector<double, 6>::Zero();
     };
     struct Power {
-        double reference = 1.0;  ///< Pa, positive
-        double exponent = 2.0;   ///< 2 or more, so that the sum is smooth where there is no stress
+        double reference = 1.0;  ///< reference stress, Pa, positive
+        double exponent = 2.0;   ///< exponent, at least 2, so that the sum is smooth where the stress is zero
     };
     [[nodiscard]] PowerSum power_sum(const SectionForces& forces, const Power& power) const;
 
   private:
     struct Point {
-        Eigen::RowVector3d normal;          ///< Pa, for N, M2 and M3 equal to 1
-        Eigen::Matrix<double, 2, 3> shear;  ///< along axes 2 and 3, Pa, for V2, V3 and T equal to 1
+        Eigen::RowVector3d normal;  ///< normal stress for N, M2 and M3 equal to 1, Pa
+        /// Shear stresses along axes 2 and 3 for V2, V3 and T equal to 1, Pa.
+        Eigen::Matrix<double, 2, 3> shear;
     };
     class Builder;
     std::vector<Point> points_;

@@ -10,46 +10,52 @@
 
 namespace fretwork::mechanics {
 
-/// The way in which a solution ended. "Not converged" is an outcome, not an error.
+/// The way in which the search for a solution ended. A solution that has not converged is an outcome, not an
+/// error.
 enum class Termination { Converged, LimitLoad, Diverged, IterationsSpent };
-/// The word for it in files and messages.
+/// The word for a termination in files and messages.
 std::string_view termination_name(Termination termination);
 
-/// The test that decided about the stability of an equilibrium.
+/// The test that decided whether an equilibrium is stable.
 enum class StabilityTest {
-    None,           ///< not asked for, or not applicable (a linear solution)
-    Tangent,        ///< the inertia of the symmetric tangent: necessary and sufficient
-    SymmetricPart,  ///< the inertia of the tangent's symmetric part, with moments of fixed direction on
-                    ///< freely turning nodes: only sufficient
+    None,     ///< no test was requested, or none applies (a linear solution)
+    Tangent,  ///< the signs of the pivots of the symmetric tangent, a necessary and sufficient test
+    /// The signs of the pivots of the tangent's symmetric part, where moments of fixed direction act on
+    /// freely turning nodes; the test is only sufficient.
+    SymmetricPart,
 };
-/// The word for it in files.
+/// The word for a test in files.
 std::string_view stability_test_name(StabilityTest test);
 
-/// A place where a path became unstable, and whether the solution continued on a stable branch.
+/// A loss of stability: the place where a path became unstable.
 struct StabilityLoss {
     double load_factor = 0.0;  ///< critical load factor, at which the tangent is singular
-    NodeIndex node;            ///< the reported node at which the critical mode is largest; if no reported
-                               ///< node moves, the one nearest to the largest motion inside a beam
-    Dof dof = Dof::ux;    ///< the component in which the mode is largest; the push is in its positive sense
-    bool pushed = false;  ///< true if the path continues on a stable branch after a push along that mode
+    /// Reported node at which the critical mode is largest; if no reported node moves, the reported node
+    /// nearest to the largest motion inside a beam.
+    NodeIndex node;
+    /// Component in which the mode is largest; the push is in the positive sense of this component.
+    Dof dof = Dof::ux;
+    /// True if the path continues on a stable branch after a push along the critical mode.
+    bool pushed = false;
 };
 
 /// One equilibrium of a structure.
 struct Solution {
-    double load_factor = 1.0;                          ///< factor on the loads and prescribed displacements
-    Termination termination = Termination::Converged;  ///< how it ended
+    double load_factor = 1.0;                          ///< factor on loads and prescribed displacements
+    Termination termination = Termination::Converged;  ///< the way in which the search ended
     /// True if the wanted load was reached.
     [[nodiscard]] bool converged() const { return termination == Termination::Converged; }
-    bool stable = true;                             ///< no negative pivot
-    StabilityTest stability = StabilityTest::None;  ///< how stability was tested
-    NodeValues displacements;          ///< one row for each reported node; rotations as rotation vectors
-    NodeValues inner_displacements{};  ///< rows of the assembly's other nodes: those inside divided beams and
-                                       ///< of hinges
-    NodeValues reactions;              ///< forces and moments of the supports; zero in free components
-    double energy = 0.0;               ///< elastic energy, J
-    double residual = 0.0;  ///< norm of the out-of-balance forces relative to that of the loads and reactions
-    int iterations = 0;     ///< linear solves since the last solution of the path
-    std::vector<StabilityLoss> stability_losses{};  ///< since the last solution of the path
+    bool stable = true;                             ///< true if the tangent has no negative pivot
+    StabilityTest stability = StabilityTest::None;  ///< the test of stability
+    NodeValues displacements;  ///< one row for each reported node; rotations as rotation vectors
+    /// Rows of the assembly's other nodes, which lie inside divided beams or belong to hinges.
+    NodeValues inner_displacements{};
+    NodeValues reactions;   ///< forces and moments of the supports; zero in free components
+    double energy = 0.0;    ///< elastic energy, J
+    double residual = 0.0;  ///< norm of the unbalanced forces over the norm of loads and reactions
+    int iterations = 0;     ///< number of linear solves since the last solution of the path
+    /// Losses of stability since the last solution of the path.
+    std::vector<StabilityLoss> stability_losses{};
 };
 
 /// The last solution of a path, with the iterations and stability losses of the whole path. Pre: the path is

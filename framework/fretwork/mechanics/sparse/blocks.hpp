@@ -11,10 +11,10 @@ namespace fretwork::mechanics::sparse {
 /// node.
 inline constexpr int kBlockSize = 6;
 
-/// The components of a node that are unknowns.
+/// For each component of a node, true if it is an unknown.
 using Components = std::array<bool, kBlockSize>;
 
-/// One row of components for each node.
+/// A table with one row of components for each node.
 using NodeTable = Eigen::Matrix<double, Eigen::Dynamic, kBlockSize, Eigen::RowMajor>;
 
 }  // namespace fretwork::mechanics::sparse

@@ -9,48 +9,52 @@
 
 namespace fretwork::mechanics::sparse {
 
-/// The dense matrix in which the columns of one supernode are eliminated (lower triangle, by columns). It has
-/// a panel of `width` columns with width + rows entries each, and a square rest that the panel's elimination
-/// leaves to later columns.
+/// The dense matrix in which the columns of one supernode are eliminated (lower triangle, by columns). A
+/// front consists of a panel of `width` columns with width + rows entries each, and a square rest that the
+/// elimination of the panel leaves to later columns.
 struct Front {
     int width = 0;
     int rows = 0;
-    double* panel = nullptr;  ///< (width + rows) x width; afterwards D on the diagonal, unit L below it
-    double* rest = nullptr;   ///< rows x rows; only the lower triangle is used
+    /// (width + rows) x width; after the elimination, D is on the diagonal and unit L below the diagonal.
+    double* panel = nullptr;
+    double* rest = nullptr;  ///< rows x rows; only the lower triangle is used
 };
 
-/// Rows that are neighbours in one front, and also in the next.
+/// A run of rows that are neighbours in a front, and also in the next front, which takes its rest.
 struct RowRun {
-    int from = 0;    ///< the first of them below the columns of the first front
-    int to = 0;      ///< its row in the next front
-    int length = 0;  ///< all are columns of the next front's panel, or none
+    int from = 0;    ///< first row of the run, counted below the columns of the first front
+    int to = 0;      ///< place of this row in the next front
+    int length = 0;  ///< number of rows; either all or none belong to columns of the next front's panel
 };
 
-/// What an eliminated front leaves to the next, and where its rows come there: ascending.
+/// The rest that an eliminated front leaves to the next front, and the places of its rows in the next front,
+/// ascending.
 struct Remainder {
     const double* rest;  ///< rows x rows, lower triangle
     int rows;
     std::span<const RowRun> runs;
 };
 
-/// Add the columns that the next front eliminates: to its panel, before.
+/// Add the part of a remainder that belongs to columns of the next front's panel, before the elimination of
+/// that front.
 void add_to_panel(const Remainder& remainder, const Front& front);
-/// Add the others: to its rest, afterwards.
+/// Add all other columns of a remainder to the next front's rest, after the elimination of that front.
 void add_to_rest(const Remainder& remainder, const Front& front);
 
-/// A pivot below this share of its diagonal entry counts as zero, because only rounding is left of it.
+/// The size of a pivot, as a share of its diagonal entry, below which it counts as zero, because only
+/// rounding is left of it.
 constexpr double kZeroPivot = 64.0 * std::numeric_limits<double>::epsilon();
 
 constexpr double kWeakPivot = 1e4;
 
-/// Throws NumericalError if an entry of a stiffness' diagonal is not finite.
+/// Throw NumericalError if an entry of a stiffness' diagonal is not finite.
 void require_finite(std::span<const double> diagonal);
 
 /// The signs and sizes of the pivots of an elimination.
 struct Pivots {
     int negative = 0;
-    int zero = -1;      ///< the column that stopped the elimination; -1: none
-    bool weak = false;  ///< a pivot was less than kWeakPivot times the size that counts as zero
+    int zero = -1;      ///< column that stopped the elimination; -1: none
+    bool weak = false;  ///< true if a pivot was less than kWeakPivot times the size that counts as zero
 };
 
 /// The rule for zero pivots: a pivot is zero if it is not above `share` times the column's entry in
@@ -62,20 +66,23 @@ struct ZeroPivot {
 
 /// The threads that eliminate a front.
 struct Crew {
-    int threads = 1;  ///< number on large fronts; 0: one for each processor. It does not change a bit of a
-                      ///< result.
+    /// Number of threads for large fronts; 0: one for each processor. The number does not change a bit of a
+    /// result.
+    int threads = 1;
     base::Control control{};
 };
 
-/// Eliminate the front's columns: F = L D L^T in the panel, and rest = -L D L^T of the rows below. Pivots are
-/// not exchanged, so a pivot that counts as zero ends the elimination. `scratch` grows as needed. The kernels
-/// are compiled for several instruction sets, and the machine picks one at run time. Throws Stopped.
+/// Eliminate the front's columns: F = L D L^T in the panel, and rest = -L D L^T with the rows of L below the
+/// panel's own columns. Pivots are not exchanged, so a pivot that counts as zero ends the elimination.
+/// `scratch` grows as needed. The kernels are compiled for several instruction sets, and the machine picks
+/// one at run time. Throws Stopped.
 Pivots eliminate(const Front& front, const ZeroPivot& zero, std::vector<double>& scratch,
                  const Crew& crew = {});
 
-/// x = L^-1 x for the panel's own columns, and below += L x for the rows below them.
+/// Compute x = L^-1 x for the panel's own columns, and below += L x for the rows below these columns.
 void substitute_forward(const Front& front, double* x, double* below);
-/// x = D^-1 x, then x = L^-T (x - L^T below) with the solution at the rows below.
+/// Compute x = D^-1 x, then x = L^-T (x - L^T below), where `below` is the solution at the rows below the
+/// panel's own columns.
 void substitute_back(const Front& front, double* x, const double* below);
 
 }  // namespace fretwork::mechanics::sparse

@@ -14,43 +14,45 @@ namespace fretwork::mechanics::sparse {
 /// The factorization A = L D L^T of a symmetric sparse matrix in the order of its layout. The number of
 /// negative pivots is the number of negative eigenvalues (Sylvester). The method is multifrontal: the columns
 /// of each supernode are eliminated in one small dense matrix, whose rest is added to the parent's matrix.
-/// Pivots are not exchanged. Among tangents of structures, this harms only those that are nearly singular,
-/// and a vanishing pivot reveals them.
+/// Pivots are not exchanged. For a tangent of a structure, the fixed order of pivots does harm only if the
+/// tangent is nearly singular, which a vanishing pivot reveals.
 class Ldlt {
   public:
-    /// @param threads  number that factorize() uses for large matrices; 0: one for each processor. It does
-    /// not change a bit of a result.
+    /// Analyse a layout.
+    /// @param threads  number of threads that factorize() uses for large matrices; 0: one for each processor.
+    /// The number does not change a bit of a result.
     explicit Ldlt(const SystemLayout& layout, int threads = 1, const base::Control& control = {});
-    /// An empty factorization for another matrix of the same layout. Both share the analysis of the layout.
+    /// An empty factorization for another matrix of the same layout. Both factorizations share the analysis
+    /// of the layout.
     [[nodiscard]] Ldlt another() const;
 
     /// The outcome of a factorization.
     struct Outcome {
         int negative_pivots = 0;
-        int zero_pivot =
-            -1;  ///< an equation whose pivot vanishes relative to its diagonal; -1: none, and solve() works
-        bool has_weak_pivot = false;  ///< a pivot is so small relative to its diagonal that it may be
-                                      ///< rounding
+        int zero_pivot = -1;  ///< equation whose pivot vanishes relative to its diagonal entry; -1: none, so
+                              ///< that solve() works
+        /// True if a pivot is so small relative to its diagonal entry that it may be rounding.
+        bool has_weak_pivot = false;
         [[nodiscard]] bool positive_definite() const { return zero_pivot < 0 && negative_pivots == 0; }
     };
     /// Factorize the matrix with these values, in the order of the layout's rows. Throws NumericalError if a
-    /// diagonal entry is not finite, and Stopped. After either, no factors exist until the next
+    /// diagonal entry is not finite, and Stopped. After an error, no factors exist until the next
     /// factorization.
     Outcome factorize(std::span<const double> values, const base::Control& control = {});
 
-    /// Solve with the last factorization, in place, for one right side or several columns of them. Several
-    /// threads may do so at once. Throws Stopped.
+    /// Solve with the last factorization, in place, for one right side or for a matrix of right sides, one in
+    /// each column. Several threads may solve at once. Throws Stopped.
     void solve(Eigen::VectorXd& right_side, const base::Control& control = {}) const;
     void solve(Eigen::MatrixXd& right_sides, const base::Control& control = {}) const;
 
     /// The product U^T A^-1 U for a positive definite A and columns U that are zero except at `equations`.
-    /// Only the supernodes above these equations take part, so it is far cheaper than a solution. Throws
-    /// Stopped.
+    /// Only the supernodes from these equations up to the roots take part, so the product is far cheaper than
+    /// a solution. Throws Stopped.
     [[nodiscard]] Eigen::MatrixXd inverse_form(Eigen::MatrixXd columns, std::span<const int> equations,
                                                const base::Control& control = {}) const;
 
-    /// The blocks of A^-1 at cliques, each a list of equations that are coupled with each other in the
-    /// layout. Throws Stopped.
+    /// The blocks of A^-1 at some cliques. A clique is a list of equations that the layout couples with each
+    /// other. Throws Stopped.
     [[nodiscard]] std::vector<Eigen::MatrixXd> inverse_blocks(std::span<const std::vector<int>> cliques,
                                                               const base::Control& control = {}) const;
 
@@ -64,13 +66,13 @@ class Ldlt {
     [[nodiscard]] double inverse_form_work(std::span<const int> equations, Eigen::Index columns) const;
 
   private:
-    /// The part that depends only on the layout.
+    /// The data that depend only on the layout.
     struct Analysis {
         const SystemLayout* layout;
         int threads;
         SupernodeTree tree;
         EliminationPlan plan;
-        std::vector<int> entry_place;  ///< row in its front of each entry of the layout
+        std::vector<int> entry_place;  ///< for each entry of the layout, its row in its front
     };
     static std::shared_ptr<const Analysis> analyse(const SystemLayout& layout, int threads,
                                                    const base::Control& control);
@@ -79,13 +81,14 @@ class Ldlt {
     void eliminate_task(std::size_t task, std::span<const double> values, const base::Control& control);
     void assemble(const Supernode& supernode, std::span<const double> values, const Front& front) const;
     [[nodiscard]] Remainder remainder_of(std::size_t supernode) const;
-    /// Columns stored one after the other, each with a number for every equation.
+    /// Columns stored one after the other, each with one number for every equation.
     struct Columns {
         double* values;
         Eigen::Index count;
     };
     void solve_columns(Columns columns, const base::Control& control) const;
-    /// The columns of a substitution, and what its supernodes hand on: plan.updates for each column.
+    /// The columns of a substitution, and the numbers that supernodes leave for their parents, stored by
+    /// plan.updates for each column.
     struct Substitution {
         Columns columns;
         std::vector<double> updates;
@@ -104,13 +107,13 @@ class Ldlt {
     [[nodiscard]] Front front_of(std::size_t supernode) const;
 
     std::shared_ptr<const Analysis> analysis_;
-    LargeArray factor_;   ///< the panels, one after the other
-    LargeArray storage_;  ///< the rests that wait for their parents
+    LargeArray factor_;   ///< panels of all supernodes, one after the other
+    LargeArray storage_;  ///< rests that wait for the elimination of their parents
     std::vector<double> diagonal_;
     std::vector<Pivots> pivots_;  ///< pivots of each supernode
 };
 
-/// y += A x for the symmetric matrix of a layout.
+/// Compute y += A x, where A is the symmetric matrix with these values.
 void add_product(const SystemLayout& layout, std::span<const double> values, const Eigen::VectorXd& x,
                  Eigen::VectorXd& y);
 

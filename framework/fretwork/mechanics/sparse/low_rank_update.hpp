@@ -11,47 +11,49 @@
 
 namespace fretwork::mechanics::sparse {
 
-/// A symmetric matrix that is added to some rows and columns of another.
+/// A change of a matrix: a symmetric matrix that is added to the rows and columns of some equations.
 struct MatrixChange {
     std::vector<int> equations;
     Eigen::MatrixXd values;
 };
 
-/// The changed matrix A + sum of E C E^T, solved by the factors of A (Sherman, Morrison, Woodbury).
+/// The solution with the changed matrix A + sum of E C E^T by the factors of A (Sherman, Morrison, Woodbury).
+/// C is the matrix of a change, and E maps it to its equations.
 ///
-/// The eigenvectors of each change C, scaled by A's diagonal, give C = P P^T - M M^T. Eigenvalues of the size
-/// of rounding are dropped. With U = (E P, E M), S = diag(I, -I) and y = A^-1 b, the solution is x = y - A^-1
-/// U (S + U^T A^-1 U)^-1 U^T y. The inner matrix is eliminated by blocks. The eigenvalues of the block of P
-/// are the ratios by which A becomes stiffer. Those of the Schur complement that it leaves, negated, are the
-/// ratios by which A becomes softer.
+/// The eigenvectors of each C, scaled by A's diagonal, give C = P P^T - M M^T. Eigenvalues of the size of
+/// rounding are dropped. With U = (E P, E M), S = diag(I, -I) and y = A^-1 b, the solution is x = y - A^-1 U
+/// (S + U^T A^-1 U)^-1 U^T y. The inner matrix is eliminated by blocks. The eigenvalues of the block of P are
+/// the ratios by which A becomes stiffer. The elimination of this block leaves a Schur complement, whose
+/// eigenvalues, negated, are the ratios by which A becomes softer.
 class LowRankUpdate {
   public:
-    /// Make the update. None if the changed matrix is not positive definite, or 1e5 times softer or stiffer
-    /// than A somewhere, at which about a third of the digits would be lost. The pivots of the inner matrix
-    /// measure this ratio: they are cheaper than its eigenvalues, and no farther from one. Throws Stopped.
+    /// Make the update. None if the changed matrix is not positive definite, or if it is 1e5 times softer or
+    /// stiffer than A somewhere, because about a third of the digits would be lost. This ratio is measured by
+    /// the pivots of the inner matrix, which are cheaper than its eigenvalues and no farther from one. Throws
+    /// Stopped.
     static std::optional<LowRankUpdate> make(const Ldlt& factors, std::vector<MatrixChange> changes,
                                              const base::Control& control = {});
 
-    /// The number of multiplications of make() for changes of these equations, plus those that one solve()
-    /// needs beyond a solution with A. `equations` lists each equation once for each change.
+    /// The number of multiplications of make() for changes of these equations, plus the number that one
+    /// solve() needs beyond a solution with A. `equations` lists each equation once for each change.
     static double work(const Ldlt& factors, std::span<const int> equations);
 
-    /// Solve in place, by two solutions with A. Throws Stopped.
+    /// Solve with the changed matrix, in place, by two solutions with A. Throws Stopped.
     void solve(const Ldlt& factors, Eigen::VectorXd& right_side, const base::Control& control = {}) const;
     void solve(const Ldlt& factors, Eigen::MatrixXd& right_sides, const base::Control& control = {}) const;
 
-    /// y += (sum of E C E^T) x.
+    /// Compute y += (sum of E C E^T) x.
     void add_product(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
 
   private:
-    /// C = P P^T - M M^T.
+    /// The factors P and M of a change C = P P^T - M M^T.
     struct Modes {
         Eigen::MatrixXd plus, minus;
     };
     LowRankUpdate() = default;
     static Modes modes_of(const Ldlt& factors, const MatrixChange& change);
     [[nodiscard]] Eigen::Index rank() const { return plus_ + minus_; }
-    /// Call body(change, its columns of P or M, their position in U) for every P and M.
+    /// Call body(change, columns of P or M, position of the columns in U) for the P and M of every change.
     template <class Body>
     void for_each_block(const Body& body) const;
     [[nodiscard]] bool factorize_inner(const Eigen::MatrixXd& form);
@@ -59,9 +61,10 @@ class LowRankUpdate {
 
     std::vector<MatrixChange> changes_;
     std::vector<Modes> modes_;  ///< P and M of each change
-    Eigen::Index plus_ = 0;     ///< columns of all P, which come first in U
-    Eigen::Index minus_ = 0;    ///< columns of all M
-    /// Pivots of the blocks of stiffer and of softer modes; none for an empty block.
+    Eigen::Index plus_ = 0;     ///< number of columns of all P, which come first in U
+    Eigen::Index minus_ = 0;    ///< number of columns of all M
+    /// The factors of the inner matrix's blocks for stiffer modes and for softer modes; none for an empty
+    /// block.
     std::optional<Eigen::LLT<Eigen::MatrixXd>> stiffer_, softer_;
     Eigen::MatrixXd coupling_;  ///< M^T A^-1 P
 };

@@ -12,7 +12,7 @@
 
 namespace fretwork::mechanics::sparse {
 
-/// Sets of nodes. Each set, such as the nodes of an element, couples all of its nodes with one another.
+/// Cliques: sets of nodes that are all coupled with one another, such as the nodes of an element.
 class Cliques {
   public:
     void add(std::span<const int> nodes) {
@@ -33,20 +33,23 @@ class Cliques {
 struct NodeGraph {
     int nodes = 0;
     Cliques cliques;
-    std::vector<int> start;      ///< start of each node's neighbours, and the end: nodes + 1 entries
-    std::vector<int> neighbour;  ///< the neighbours of node i, at [start[i], start[i + 1]): ascending, in
-                                 ///< both directions, without i itself
-    std::vector<Eigen::Vector3d> places{};  ///< m, of the nodes; empty: not known
+    /// Start of each node's neighbours in `neighbour`, and the end: nodes + 1 entries.
+    std::vector<int> start;
+    /// Neighbours of node i at [start[i], start[i + 1]), ascending, without i itself; each pair appears in
+    /// both directions.
+    std::vector<int> neighbour;
+    std::vector<Eigen::Vector3d> places{};  ///< places of the nodes, m; empty: not known
 };
 
-/// @param nodes  number of nodes; every node of the cliques is below it
+/// Make the graph of some cliques.
+/// @param nodes  number of nodes, above every node of the cliques
 NodeGraph node_graph(int nodes, Cliques cliques);
 
-/// An order of elimination with little fill of the nodes that have unknowns; the others do not appear. The
-/// graph of nodes is ordered, not that of unknowns: it is up to six times smaller and gives better orders.
-/// Where places are known, an order by nested dissection is made as well, and the one with less fill is
-/// taken. Throws Stopped; a thread that still orders a large graph then ends by itself, within seconds, and
-/// the program not before it.
+/// An order of elimination, with little fill, of the nodes that have unknowns; all other nodes are left out.
+/// The order is found on the graph of nodes, which is up to six times smaller than the graph of unknowns and
+/// gives better orders. If places are known, nested dissection gives a second order, and the order with less
+/// fill is taken. Throws Stopped. After a stop, a thread may still order a large graph; it ends by itself
+/// within seconds, and the program cannot end before this thread.
 std::vector<int> elimination_order(const NodeGraph& graph, std::span<const Components> free,
                                    const base::Control& control = {});
 

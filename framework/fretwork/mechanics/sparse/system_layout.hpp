@@ -11,10 +11,10 @@ namespace fretwork::mechanics::sparse {
 
 /// The equations of coupled nodes in the order of their elimination, and the place of each clique's matrix in
 /// the lower triangle of the sparse matrix (compressed columns, rows ascending). The layout depends only on
-/// the couplings and the unknowns. The values of a matrix are a plain vector, to which this class adds.
+/// the couplings and the unknowns. The values of a matrix are a plain vector, which this class fills.
 class SystemLayout {
   public:
-    /// @param free   the components of each node that are unknowns; each gives an equation
+    /// @param free   the components of each node that are unknowns; each unknown gives an equation
     /// @param order  the nodes that have unknowns, in their order of elimination
     ///
     /// Throws Stopped.
@@ -37,8 +37,7 @@ class SystemLayout {
         add_diagonal(node, block, values);
     }
 
-    /// gather() reads the equations' components from a table of nodes into a vector; scatter() writes them
-    /// back.
+    /// Copy the equations' components from a table of nodes to a vector. scatter() copies them back.
     void gather(const NodeTable& table, Eigen::VectorXd& vector) const;
     void scatter(const Eigen::VectorXd& vector, NodeTable& table) const;
 
@@ -64,8 +63,9 @@ class SystemLayout {
     std::vector<int> node_of_;
     std::vector<int> column_start_;
     std::vector<int> row_;
-    std::vector<std::size_t> pair_start_;  ///< start of each clique's pairs in pair_offset_
-    std::vector<int> pair_offset_;         ///< rows above a coupling block in its columns; -1: none
+    std::vector<std::size_t> pair_start_;  ///< start of each clique's pairs of nodes in `pair_offset_`
+    /// Number of rows above a pair's coupling block in its columns; -1: no block.
+    std::vector<int> pair_offset_;
 };
 
 }  // namespace fretwork::mechanics::sparse

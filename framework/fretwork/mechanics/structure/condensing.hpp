@@ -13,7 +13,7 @@ struct CondensingTask {
     const Assembly& assembly;
     std::vector<int> slot;  ///< index of each node among the kept nodes; -1: eliminated
     std::vector<DofSet>
-        inner;  ///< the dofs of each node to eliminate; a dof that a hinge holds is not among them
+        inner;  ///< dofs of each node that are eliminated; dofs that a hinge holds are left out
     int kept_nodes = 0;
 };
 
@@ -28,11 +28,11 @@ Eigen::MatrixXd condense_sparse(const CondensingTask& task);
 /// are eliminated separately if the structure is flat and its elements decouple.
 Eigen::MatrixXd condense_dense(const CondensingTask& task);
 
-/// The condensed mass: the inner nodes follow the kept ones statically. Computed with dense matrices. Pre:
-/// the inner nodes cannot move without strain (condense_dense checks this).
+/// The condensed mass: the inner nodes follow the kept nodes statically. The matrices are dense. Pre: the
+/// inner nodes cannot move without strain (checked by condense_dense()).
 Eigen::MatrixXd condense_mass(const CondensingTask& task);
 
-/// The matrix by which the inner nodes follow the kept ones; see mechanics::following.
+/// The matrix by which the inner nodes follow the kept nodes; see mechanics::following().
 Eigen::MatrixXd following(const CondensingTask& task);
 
 /// Throw the NumericalError about inner nodes that can move without strain.

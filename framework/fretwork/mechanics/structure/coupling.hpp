@@ -13,17 +13,17 @@ namespace fretwork::mechanics::structure {
 
 static_assert(sparse::kBlockSize == kDofsPerNode);
 
-/// The graph of the assembly's nodes. Its cliques are the elements, in their order.
+/// The graph of an assembly's nodes. The cliques of the graph are the elements, in their order.
 sparse::NodeGraph coupling_graph(const Assembly& assembly);
 
 /// An element's stiffness (6n x 6n) with its nodes in the order `wanted`. The lower triangle of blocks is
-/// copied from the upper one, which a layout reads, so each sum has the same bits in any order.
+/// copied from the upper triangle, which a layout reads, so sums have the same bits whatever the order.
 Eigen::MatrixXd reordered(const Eigen::MatrixXd& stiffness, std::span<const NodeIndex> nodes,
                           std::span<const int> wanted);
 
-/// The dofs of each node as the components that are unknowns.
+/// The components of each node that are unknowns, if `dofs` are the unknowns.
 std::vector<sparse::Components> components(std::span<const DofSet> dofs);
-/// The dofs outside these sets as the components that are unknowns.
+/// The components of each node that are unknowns, if all but `dofs` are unknowns.
 std::vector<sparse::Components> other_components(std::span<const DofSet> dofs);
 
 }  // namespace fretwork::mechanics::structure

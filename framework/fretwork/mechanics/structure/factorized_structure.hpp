@@ -20,24 +20,28 @@ struct HeldEntry {
 
 /// The treatment of factors after an edit that replaces elements.
 enum class ElementEdit {
-    Cheaper,   ///< a correction of the factors if it saves time and keeps their accuracy, else new factors
+    /// A correction of the factors if the correction saves time and keeps their accuracy; otherwise new
+    /// factors.
+    Cheaper,
     Refactor,  ///< new factors
-    Correct,   ///< a correction if it keeps their accuracy, even if it is slower; else new factors
+    /// A correction of the factors if the correction keeps their accuracy, even if it is slower; otherwise
+    /// new factors.
+    Correct,
 };
 
-/// The factorized linear stiffness of a structure with its supports. It has one system of equations, or two
-/// if the structure is flat and its elements decouple. The class is a value: after an edit, the new value
-/// shares all that is still valid with the old value. It refers to nothing of the caller's assembly except
-/// the immutable elements.
+/// The factorized linear stiffness of a structure with its supports: one system of equations, or two if the
+/// structure is flat and its elements decouple. The class is a value: after an edit, the new value shares all
+/// that is still valid with the old value. A FactorizedStructure refers to nothing of the caller's assembly
+/// except the immutable elements.
 class FactorizedStructure {
   public:
-    /// Throws NumericalError that names a node if the structure can move without strain in spite of its
-    /// supports; Stopped.
+    /// Factorize a structure. Throws NumericalError that names a node if the structure can move without
+    /// strain in spite of its supports; Stopped.
     FactorizedStructure(const Assembly& assembly, const LinearOptions& options);
-    /// Factorize a structure that results from an edit of another. If only loads and prescribed values
-    /// differ, the factors are shared. If elements are replaced by others of the same nodes, in any order of
-    /// these nodes, `edit` decides. If supports differ, the elimination order is shared. After any other
-    /// edit, nothing is shared.
+    /// Factorize a structure that results from an edit of another structure. If only loads and prescribed
+    /// values differ, the factors are shared. If elements are replaced by others of the same nodes, listed in
+    /// any order, `edit` decides about the factors. If supports differ, the elimination order is shared.
+    /// After any other edit, nothing is shared.
     FactorizedStructure(const FactorizedStructure& before, const Assembly& assembly,
                         ElementEdit edit = ElementEdit::Cheaper, const base::Control& control = {});
 
@@ -47,7 +51,7 @@ class FactorizedStructure {
     [[nodiscard]] std::span<const HeldEntry> held_entries() const { return held_entries_; }
     /// The effect of the last edit on the factors.
     [[nodiscard]] FactorChange last_change() const { return last_change_; }
-    /// The number of elements that differ from those that were factorized.
+    /// The number of elements that differ from the factorized elements.
     [[nodiscard]] std::size_t corrected_elements() const { return corrected_elements_; }
     [[nodiscard]] int threads() const { return threads_; }
 
@@ -57,7 +61,7 @@ class FactorizedStructure {
         sparse::NodeGraph graph;
         std::vector<int> order;
     };
-    /// The choice whether to try the split into problems in and out of the plane.
+    /// The choice whether to try the split into two problems, in the plane and out of the plane.
     enum class Split { Tried, Refused };
 
     static std::shared_ptr<const Connections> connections_of(const Assembly& assembly,

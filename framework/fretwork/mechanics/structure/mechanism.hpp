@@ -9,16 +9,16 @@
 
 namespace fretwork::mechanics::structure {
 
-/// Throws NumericalError that names a node if a structure at rest can move without strain in spite of its
-/// supports.
+/// Refuse a structure at rest that can move without strain in spite of its supports. Throws NumericalError
+/// that names a node.
 ///
 /// A pivot of a mechanism is zero or, if beams are oblique, of the size of rounding. A small pivot alone
-/// could also belong to a structure that is only soft. So a solution under an arbitrary load decides: in a
-/// mechanism, no load is balanced.
+/// could also belong to a structure that is only soft. Therefore a solution under an arbitrary load decides:
+/// a mechanism cannot balance the load.
 ///
 /// @param values   the stiffness at rest
-/// @param factors  its factors
-/// @param outcome  the outcome of its factorization
+/// @param factors  the factors of the stiffness
+/// @param outcome  the outcome of the factorization
 void refuse_mechanisms(const Assembly& assembly, const sparse::SystemLayout& layout,
                        std::span<const double> values, const sparse::Ldlt& factors,
                        const sparse::Ldlt::Outcome& outcome);

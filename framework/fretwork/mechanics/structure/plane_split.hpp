@@ -5,15 +5,16 @@
 
 namespace fretwork::mechanics::structure {
 
-/// The dofs of the two problems of a flat structure whose elements decouple: membrane and bending, with three
-/// dofs at each node.
+/// The dofs of the membrane problem and of the bending problem, into which a flat structure splits whose
+/// elements decouple; each problem has three dofs at each node.
 inline constexpr DofSet kInPlane = {{true, true, false, false, false, true}};
 inline constexpr DofSet kOutOfPlane = {{false, false, true, true, true, false}};
 
 /// True if all nodes have the same z.
 bool is_flat(const Assembly& assembly);
 
-/// True if an element does not couple motions in and out of the plane, up to rounding.
+/// True if an element's stiffness does not couple motions in the plane with motions out of the plane, up to
+/// rounding.
 bool decouples(const Eigen::MatrixXd& stiffness);
 
 }  // namespace fretwork::mechanics::structure

@@ -12,8 +12,8 @@
 
 namespace fretwork::mechanics::structure {
 
-/// Finds eigenvalues mu and eigenvectors of A x = mu K x by subspace iteration with factors of K - shift A. K
-/// is a structure's stiffness at rest, and A is any symmetric matrix of the same layout.
+/// A search for eigenvalues mu and eigenvectors x of A x = mu K x by subspace iteration with factors of K -
+/// shift A. K is a structure's stiffness at rest, and A is any symmetric matrix of the same layout.
 class SubspaceIteration {
   public:
     struct Pairs {
@@ -31,12 +31,13 @@ class SubspaceIteration {
     SubspaceIteration(const sparse::SystemLayout& layout, Matrices matrices, sparse::Ldlt factors,
                       const base::Control& control = {});
 
-    /// The `count` eigenvalues of largest absolute value, largest first; fewer if A has a lower rank.
+    /// The `count` eigenvalues with the largest absolute values, largest first; fewer if A has a lower rank.
     Pairs largest(int count);
 
     /// The `count` largest positive eigenvalues, largest first. Eigenvalues below 1e-8 of the largest
-    /// absolute value are left out, so there may be fewer. Sylvester's law of inertia counts them, so none is
-    /// missed: K - A / lambda has as many negative pivots as there are mu > 1 / lambda.
+    /// absolute value are left out, so there may be fewer than `count`. No eigenvalue is missed, because
+    /// Sylvester's law of inertia counts them: the number of negative pivots of K - A / lambda is the number
+    /// of eigenvalues mu > 1 / lambda.
     Pairs largest_positive(int count);
 
   private:

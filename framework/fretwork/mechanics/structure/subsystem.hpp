@@ -10,16 +10,17 @@
 
 namespace fretwork::mechanics::structure {
 
-/// Equations that can be solved on their own: all equations of a structure, only those in its plane, or only
-/// those out of its plane. The class is a value: copies share layout and factors, which no copy changes.
+/// A system of equations that can be solved on its own: all equations of a structure, only the equations in
+/// its plane, or only the equations out of its plane. The class is a value: copies share layout and factors,
+/// which no copy changes.
 class Subsystem {
   public:
-    /// Equations to which no stiffness has been added yet.
+    /// Make a system without stiffness.
     Subsystem(sparse::SystemLayout layout, int threads, const base::Control& control);
-    /// A copy of the equations without stiffness. It shares layout and symbolic analysis.
+    /// A copy of the system without stiffness, which shares layout and symbolic analysis.
     [[nodiscard]] Subsystem cleared() const;
 
-    /// A copy of the equations and factors without the correction.
+    /// A copy of the system with its factors and without the correction.
     [[nodiscard]] Subsystem as_factorized() const;
 
     [[nodiscard]] const sparse::SystemLayout& layout() const { return *layout_; }
@@ -43,7 +44,7 @@ class Subsystem {
     /// would lose accuracy. Throws Stopped.
     bool correct(std::vector<sparse::MatrixChange> changes, const base::Control& control);
 
-    /// Solve in place. Throws Stopped.
+    /// Solve the equations in place. Throws Stopped.
     template <class Dense>
     void solve(Dense& right_side, const base::Control& control = {}) const {
         if (correction_) {
@@ -54,8 +55,8 @@ class Subsystem {
     }
     /// The stiffness times x.
     [[nodiscard]] Eigen::VectorXd internal_forces(const Eigen::VectorXd& x) const;
-    /// The sum of the absolute values of all terms of K x, |K| |x|, with the factorized stiffness. It bounds
-    /// the rounding error of internal_forces().
+    /// The sum of the absolute values of all terms of K x, |K| |x|, with the factorized stiffness. This sum
+    /// bounds the rounding error of internal_forces().
     [[nodiscard]] Eigen::VectorXd cancelling_forces(const Eigen::VectorXd& x) const;
 
   private:

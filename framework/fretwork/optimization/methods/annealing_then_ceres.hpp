@@ -8,17 +8,18 @@
 
 namespace fretwork::optimization {
 
-/// Options of annealing with a descent behind it.
+/// Options of annealing that is followed by a descent.
 struct AnnealingThenCeresOptions {
-    /// Its `starts` is the number of runs; each run is one annealing followed by one descent.
+    /// Options of the annealing; `starts` is the number of runs, each of one annealing and one descent.
     SimulatedAnnealingOptions annealing{};
-    ContinuationOptions continuation{};  ///< of the descent
+    ContinuationOptions continuation{};  ///< options of the descent
     /// Throws InputError if a value is invalid.
     void validate() const;
 };
 
 /// Simulated annealing until it is frozen, then a descent by Ceres from the best point so far, as in
-/// make_ceres_multistart. The comparison with annealing alone, the paper's method, shows what a descent adds.
+/// make_ceres_multistart. The comparison with annealing alone, the paper's method, shows the gain by a
+/// descent.
 std::unique_ptr<Optimizer> make_annealing_then_ceres(const AnnealingThenCeresOptions& options);
 
 }  // namespace fretwork::optimization

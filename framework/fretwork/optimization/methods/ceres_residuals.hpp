@@ -11,31 +11,35 @@ namespace fretwork::optimization {
 /// The method by which Ceres chooses its steps.
 enum class CeresStep {
     LevenbergMarquardt,  ///< Ceres' default
-    Dogleg,              ///< on the path from the steepest to the Gauss-Newton step [Powell1970]
-    SubspaceDogleg,      ///< anywhere in the plane of these two steps [Byrd1988]
+    /// A step on the path from the steepest-descent step to the Gauss-Newton step [Powell1970].
+    Dogleg,
+    SubspaceDogleg,  ///< a step anywhere in the plane of these two steps [Byrd1988]
 };
 
 /// The method that keeps variables within their bounds.
 enum class CeresBounds {
-    Projection,  ///< Ceres' own method: it projects the steps of its trust region, and converges slowly if a
-                 ///< bound is active
-    Sine,        ///< x = middle + half width * sin(u): u is free, but the slope vanishes on the bounds
+    /// Ceres' own method, which projects the steps of its trust region; it converges slowly if a bound is
+    /// active.
+    Projection,
+    /// X = middle + half width * sin(u): u has no bounds, but the slope dx/du vanishes on the bounds of x.
+    Sine,
 };
 
-/// Options of Ceres on residuals.
+/// Options of make_ceres_residuals().
 struct CeresResidualsOptions {
-    OptimizerOptions common{};                       ///< starts and seed
+    OptimizerOptions common{};                       ///< number of starts, and seed
     double tolerance = 1e-8;                         ///< relative change of Ceres' cost at which it stops
-    int largest_iterations = 200;                    ///< of one descent
-    CeresStep step = CeresStep::LevenbergMarquardt;  ///< how a step is chosen
-    CeresBounds bounds = CeresBounds::Projection;    ///< how bounds are kept
-    std::vector<double> smoothing = {0.0};           ///< the smoothing of each stage, descending; see Problem
+    int largest_iterations = 200;                    ///< largest number of iterations of one descent
+    CeresStep step = CeresStep::LevenbergMarquardt;  ///< the choice of steps
+    CeresBounds bounds = CeresBounds::Projection;    ///< the treatment of bounds
+    /// Smoothing of each continuation stage, descending; see Problem.
+    std::vector<double> smoothing = {0.0};
     /// Throws InputError if a value is invalid.
     void validate() const;
 };
 
-/// Ceres on the problem's residuals, from low-discrepancy starts. By default the kinks are not smoothed. This
-/// is the straightforward use of Ceres.
+/// Descents by Ceres on the problem's residuals, from low-discrepancy starts. By default, kinks of the
+/// objective are not smoothed. This method is the straightforward use of Ceres.
 std::unique_ptr<Optimizer> make_ceres_residuals(const CeresResidualsOptions& options);
 
 }  // namespace fretwork::optimization

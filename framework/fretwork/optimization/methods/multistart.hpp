@@ -8,29 +8,30 @@
 
 namespace fretwork::optimization {
 
-/// Options of a descent by continuation: its stages have less and less smoothing, and the last is nearly the
-/// objective itself.
+/// Options of a descent by continuation, which runs in stages. Each stage minimizes the objective with less
+/// smoothing than the stage before, and the last stage minimizes nearly the objective itself.
 struct ContinuationOptions {
-    std::vector<double> smoothing = {1e-1, 1e-2, 1e-3, 1e-4};  ///< the smoothing of each stage, descending
-    double loose_tolerance = 1e-3;  ///< all stages but the last end if a step lowers the value by less than
-                                    ///< this share
-    double tolerance = 1e-7;        ///< this share for the last stage
-    int largest_iterations = 60;    ///< in one stage
-    int samples_per_start = 12;     ///< points sampled for each descent, which starts at the best; 1: no
-                                    ///< choice
+    std::vector<double> smoothing = {1e-1, 1e-2, 1e-3, 1e-4};  ///< smoothing of each stage, descending
+    /// Every stage but the last ends if a step lowers the value by less than this share of the value.
+    double loose_tolerance = 1e-3;
+    double tolerance = 1e-7;      ///< the corresponding share for the last stage
+    int largest_iterations = 60;  ///< largest number of iterations in one stage
+    /// Number of points sampled for each descent, which starts at the best of them.
+    int samples_per_start = 12;
     /// Throws InputError if a value is invalid.
     void validate() const;
 };
 
-/// Options of several descents by continuation. All of them finish a stage before the next begins.
+/// Options of several descents by continuation. All descents finish a stage before the next stage begins.
 struct MultistartOptions {
-    OptimizerOptions common{};           ///< starts and seed
-    ContinuationOptions continuation{};  ///< how kinks are smoothed
-    /// If two descents are nearer than this after a stage, as a share of the bounds in every variable, the
-    /// one with the larger value ends, because both are in one valley. 0: none ends for this reason.
+    OptimizerOptions common{};           ///< number of starts, and seed
+    ContinuationOptions continuation{};  ///< options of each descent
+    /// If two descents differ in every variable by less than this share of the range between the bounds after
+    /// a stage, the descent with the larger value ends, because both are in one valley. 0: no descent ends
+    /// for this reason.
     double merging_distance = 0.01;
-    /// A descent also ends if its value after a stage is more than this multiple of the lowest value; >= 1.
-    /// Infinity: none ends for this reason.
+    /// A descent also ends if its value after a stage is more than this multiple of the lowest value of all
+    /// descents; >= 1. Infinity: no descent ends for this reason.
     double pruning_ratio = 2.0;
     /// Throws InputError if a value is invalid.
     void validate() const;
@@ -39,15 +40,17 @@ struct MultistartOptions {
 /// Descents by Ceres' Levenberg-Marquardt method with bounds, on the problem's generalized Gauss-Newton
 /// model.
 ///
-/// Ceres sees the residuals [L^-1 g; sqrt(2 E - |L^-1 g|^2)] with the Jacobian [L^T; 0], where E, g and
-/// L L^T are value, gradient and curvature. The cost of these residuals is E, their gradient g, and their
-/// normal matrix L L^T, so Ceres minimizes E itself. The root is real if the curvature is at least 2 J^T J of
-/// residuals whose squared norm is E. By the model, an undamped step lowers E by half the squared norm of
-/// L^-1 g; a callback ends the stage if this is below the tolerance.
+/// Ceres sees the residuals [L^-1 g; sqrt(2 E - |L^-1 g|^2)] with the Jacobian [L^T; 0], where E is the
+/// value, g the gradient and L L^T the curvature of the smoothed objective. Ceres' cost for these residuals
+/// is E, the gradient of the cost is g, and the normal matrix is L L^T, so Ceres minimizes E itself. The
+/// square root is real if the curvature is at least 2 J^T J, where J is the Jacobian of residuals with the
+/// squared norm E. By the model, an undamped step lowers E by half the squared norm of L^-1 g. A callback
+/// ends the stage if this decrease is below the tolerance.
 std::unique_ptr<Optimizer> make_ceres_multistart(const MultistartOptions& options);
 
 /// Levenberg-Marquardt descents with the problem's generalized Gauss-Newton matrix: every step minimizes the
-/// damped quadratic model exactly over the bounds. Only the steps differ from those of make_ceres_multistart.
+/// damped quadratic model exactly over the bounds. This method differs from make_ceres_multistart() only in
+/// its steps.
 std::unique_ptr<Optimizer> make_gauss_newton_multistart(const MultistartOptions& options);
 
 }  // namespace fretwork::optimization

@@ -7,24 +7,24 @@
 
 namespace fretwork::optimization {
 
-/// Options of the methods of pagmo. These methods have pagmo's default parameters [Biscani2020] unless stated
-/// otherwise, and search in the unit box.
+/// Options of the methods of pagmo. Parameters that are not stated here are pagmo's defaults [Biscani2020].
+/// The methods search in the unit box.
 struct PagmoOptions {
-    OptimizerOptions common{};  ///< starts and seed
-    /// A run ends if its population differs by less than this in the objective and in the variables (shares
-    /// of the box).
+    OptimizerOptions common{};  ///< number of starts, and seed
+    /// A run ends if the members of its population differ by less than this number in the objective and in
+    /// the variables (as shares of the box).
     double tolerance = 1e-8;
-    int largest_generations = 100'000;  ///< in one run
+    int largest_generations = 100'000;  ///< largest number of generations in one run
     /// Throws InputError if a value is invalid.
     void validate() const;
 };
 
 /// CMA-ES with bounds [Hansen2006] and an initial step of 0.3 of the box. The first population is 4 + 3 ln n,
-/// rounded down; every restart doubles it [Auger2005].
+/// rounded down; every restart doubles the population [Auger2005].
 std::unique_ptr<Optimizer> make_cma_es(const PagmoOptions& options);
 
 /// Simulated annealing with adaptive neighbourhoods [Corana1987]: the temperature falls from 10 to 0.1 in ten
-/// steps, with ten adjustments of the ranges at each.
+/// steps, and the ranges of moves are adjusted ten times at each temperature.
 std::unique_ptr<Optimizer> make_corana_annealing(const PagmoOptions& options);
 
 /// Differential evolution, variant rand/1/exp, with ten individuals for each variable [Storn1997].

@@ -7,7 +7,8 @@
 
 namespace fretwork::optimization {
 
-/// Random search: independent uniform points until the budget is spent. It is the baseline for other methods.
+/// Random search: independent uniform points until the budget is spent. Random search is the baseline for
+/// other methods.
 std::unique_ptr<Optimizer> make_random_search(const OptimizerOptions& options);
 
 }  // namespace fretwork::optimization

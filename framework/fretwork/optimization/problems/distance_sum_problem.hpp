@@ -7,11 +7,12 @@
 
 namespace fretwork::optimization {
 
-/// The squared sum of distances to points, (sum_q |x - p_q|)^2, where p_q are the columns of a matrix. It has
-/// a kink at each point. With smoothing mu each |d| becomes sqrt(d.d + mu^2). Its one residual is the sum.
+/// The squared sum of distances to points, (sum_q |x - p_q|)^2, where p_q are the columns of a matrix. This
+/// objective has a kink at each point. With smoothing mu, each distance |d| becomes sqrt(d.d + mu^2). The
+/// problem has one residual, the sum of the distances.
 class DistanceSumProblem final : public Problem {
   public:
-    /// Make the problem of these points, a column each.
+    /// Make the problem for the points that are the columns of `points`.
     DistanceSumProblem(Bounds bounds, Eigen::MatrixXd points);
 
     [[nodiscard]] std::string name() const override { return "distance-sum"; }

@@ -8,14 +8,15 @@
 
 namespace fretwork::optimization {
 
-/// A sum of squares, given by its residuals and their Jacobian. It offers every kind of evaluation.
+/// A problem whose objective is a sum of squares, given by its residuals and their Jacobian. The problem
+/// offers every kind of evaluation.
 class LeastSquaresProblem final : public Problem {
   public:
-    /// Gives the residuals at a point.
+    /// The function that gives the residuals at a point.
     using Residuals = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
-    /// Gives their derivatives, a row for each residual.
+    /// The function that gives the derivatives of the residuals at a point, one row for each residual.
     using Jacobian = std::function<Eigen::MatrixXd(const Eigen::VectorXd&)>;
-    /// Make a problem of residuals; the Jacobian may be empty.
+    /// Make a problem from its residuals; the Jacobian may be empty.
     LeastSquaresProblem(std::string name, Bounds bounds, Residuals residuals, Jacobian jacobian);
 
     [[nodiscard]] std::string name() const override { return name_; }

@@ -12,35 +12,36 @@ namespace fretwork::optimization::study {
 
 /// The lowest known objective of one problem.
 struct KnownValue {
-    std::string problem;      ///< its id
+    std::string problem;      ///< id of the problem
     double best_value = 0.0;  ///< the lowest known value of the objective
-    double scale = 1.0;       ///< targets are best_value + share * scale
-    std::string found_by;     ///< name of the method
+    double scale = 1.0;       ///< scale of targets: a target is best_value + share * scale
+    std::string found_by;     ///< name of the method that found the value
 };
 
 /// Read a table of known values. Throws InputError that names file and line.
 std::vector<KnownValue> read_known_values(const std::filesystem::path& path);
-/// The values as CSV.
+/// Known values as CSV.
 std::string known_values_csv(const std::vector<KnownValue>& values);
 
 /// Options of the search for known values.
 struct KnownValueOptions {
     ProblemFamilies families{};  ///< families to which the ids of problems may refer
-    int starts = 300;            ///< starts of each multistart method on each problem
-    int threads = 0;             ///< 0: one for each processor
+    int starts = 300;            ///< number of starts of each multistart method on each problem
+    int threads = 0;             ///< number of threads; 0: one for each processor
     base::Control control{};     ///< progress counts finished problems
     /// Throws InputError if a value is invalid.
     void validate() const;
 };
 
-/// Find the lowest value of each problem by many starts of the framework's two multistart methods, unless it
-/// is known in closed form. The scale depends on the family. For calibrations, the scale is the lowest value.
-/// For synthetic problems, whose lowest value is 0, the scale is 1. For analytic problems, the scale is the
-/// median of (value - minimum) over 1,001 spread points. Throws base::Stopped.
+/// Find the lowest value of each problem by many starts of the framework's two multistart methods, unless the
+/// value is known in closed form. The scale of a known value depends on the family of the problem. For
+/// calibrations, the scale is the lowest value. For synthetic problems, the scale is 1, because the lowest
+/// value is 0. For analytic problems, the scale is the median of (value - minimum) over 1,001 spread points.
+/// Throws base::Stopped.
 std::vector<KnownValue> find_known_values(const std::vector<std::string>& problems,
                                           const KnownValueOptions& options);
 
-/// Replace each known value by the best value in a table of results, if that one is lower.
+/// Replace each known value by the best value in a table of results, if the table's value is lower.
 void improve_known_values(std::vector<KnownValue>& values, const std::filesystem::path& results);
 
 }  // namespace fretwork::optimization::study

@@ -11,21 +11,23 @@ namespace fretwork::optimization::study {
 
 /// Options of explore_landscape().
 struct LandscapeOptions {
-    ProblemFamilies families{};  ///< the families of the ids
+    ProblemFamilies families{};  ///< families to which the ids of problems may refer
     int descents = 300;          ///< number of descents of each kind on each problem, from uniform random
                                  ///< points
-    int threads = 0;             ///< 0: one for each processor
+    int threads = 0;             ///< number of threads; 0: one for each processor
     base::Control control{};     ///< progress counts finished problems
     /// Throws InputError if a value is invalid.
     void validate() const;
 };
 
-/// The objective around its minima, as two tables in CSV.
+/// The objectives of problems around their minima, as two tables in CSV.
 struct Landscape {
-    /// The ends of single descents. Kinds: "smoothed", with the default continuation; "sharp", with only its
-    /// last stage; "residuals", Ceres on the residuals without smoothing.
+    /// The final points of single descents. A descent has one of three kinds: "smoothed", by the default
+    /// continuation; "sharp", by only the last stage of the default continuation; "residuals", by Ceres on
+    /// the residuals without smoothing.
     std::string descents;
-    /// The objective and its smoothed versions along each variable, through the best of these points.
+    /// The objective and the smoothed objectives along each variable, through the best final point of a
+    /// problem.
     std::string sections;
 };
 

@@ -13,42 +13,46 @@ namespace fretwork::optimization::study {
 
 /// The identity of a run in a study.
 struct RunKey {
-    std::string problem;    ///< its id
-    std::string optimizer;  ///< name of the method, with its starts
-    int repetition = 0;     ///< from 1
+    std::string problem;    ///< id of the problem
+    std::string optimizer;  ///< name of the method, with its number of starts
+    int repetition = 0;     ///< number of the repetition, from 1
     friend auto operator<=>(const RunKey&, const RunKey&) = default;
 };
 
 /// The conditions that all runs of a study share.
 struct RunConditions {
-    optimization::Budget budget{.cost = 40000};  ///< the published annealing ends before this cost
-    std::uint64_t seed = 1;                      ///< changes the seeds of all runs
+    /// Limits of each run; the published annealing ends before this cost.
+    optimization::Budget budget{.cost = 40000};
+    /// The study's seed, from which the seeds of all runs follow.
+    std::uint64_t seed = 1;
     /// Throws InputError if a value is invalid.
     void validate() const;
 };
 
-/// One run: a row of the table (see run_table.hpp).
+/// The record of one run, a row of the table in run_table.hpp.
 struct RunRecord {
-    RunKey key;                                                               ///< which run
+    RunKey key;                                                               ///< identity of the run
     int dimension = 0;                                                        ///< number of variables
     optimization::OptimizerClass kind = optimization::OptimizerClass::Local;  ///< class of the method
-    int starts = 0;                                                           ///< descents
-    std::uint64_t seed = 0;                                                   ///< of the run
-    long budget = 0;                                                          ///< in the problem's unit
-    optimization::OptimizationReport report;                                  ///< what came out
-    double last_value = 0.0;  ///< the objective at the point where the method itself ended; not charged
-    double distance = -1.0;   ///< largest component of the distance from the known optimum, as a share of the
-                              ///< box; negative: not known
+    int starts = 0;                                                           ///< number of starts
+    std::uint64_t seed = 0;                                                   ///< seed of the run
+    /// Largest cost, in the problem's unit.
+    long budget = 0;
+    optimization::OptimizationReport report;  ///< outcome of the run
+    double last_value = 0.0;  ///< objective at the final point of the method; its evaluation is not charged
+    /// Largest component of the distance between the best point and the known optimum, as a share of the box;
+    /// negative: the optimum is not known.
+    double distance = -1.0;
     double cpu_seconds = 0.0;  ///< processor time of the thread
 };
 
 /// The seed of a run: a hash of its key and the study's seed.
 std::uint64_t run_seed(const RunKey& key, std::uint64_t study_seed);
 
-/// The subject of a run: a problem and, if its minimum is known to be at one point, that point (else empty).
+/// The subject of a run: a problem and the point of its minimum.
 struct RunTarget {
-    base::Borrowed<optimization::Problem> problem;  ///< what is minimized
-    Eigen::VectorXd optimum{};                      ///< where the least known value is, if that is known
+    base::Borrowed<optimization::Problem> problem;  ///< the problem to minimize
+    Eigen::VectorXd optimum{};                      ///< the point of the minimum; empty: not known
 };
 
 /// Run a contender on a problem. Throws base::Stopped once the budget's control asks to stop.

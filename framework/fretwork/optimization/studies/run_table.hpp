@@ -13,16 +13,16 @@ namespace fretwork::optimization::study {
 /// The names of the table's columns, joined by commas.
 std::string run_table_header();
 
-/// A run as one line of CSV. The trace is thinned: between two points that are kept, the distance to the
-/// final value falls by a fifth. The last point is always kept.
+/// A run as one line of CSV. The trace is thinned: from one point that is kept to the next, the difference
+/// from the final value falls by at least a fifth. The last point is always kept.
 std::string run_table_row(const RunRecord& record);
 
-/// The runs of a table, sorted by their keys. A run that is in the table need not be done again.
+/// The runs of a table, sorted by their keys. A study does not repeat a run that is in its table.
 class RunTable {
   public:
     RunTable() = default;
-    /// Throws InputError that names file and line if a line is not a row of such a table, or its budget, seed
-    /// or number of starts differs from the given ones.
+    /// Parse a table. Throws InputError that names file and line if a line is not a row of a table of runs,
+    /// or if its budget, seed or number of starts differs from `conditions` or `contenders`.
     RunTable(std::string_view text, const std::string& source, const RunConditions& conditions,
              std::span<const Contender> contenders);
 

@@ -14,18 +14,19 @@ struct DxfCurve {
     enum class Ends { Open, Closed } ends = Ends::Open;
 };
 
-/// The result of drawing an entity: a curve, or the reason why there is none. `left_out` is empty if the
-/// entity draws nothing; otherwise it names the kind of entity in the list of those left out.
+/// The result of drawing an entity: a curve or, if there is none, the kind of the entity for the list of
+/// entities that were left out. `left_out` is empty for an entity that draws nothing.
 struct DxfDrawn {
     std::optional<DxfCurve> curve;
     std::string left_out;
 };
 
-/// Draw the first entity of `from`; its VERTEX entities follow it there. Pre: the entity is not an INSERT.
+/// Draw the first entity of `from`, with the VERTEX entities that follow it. Pre: the entity is not an
+/// INSERT.
 DxfDrawn draw_dxf_entity(const DxfFile& file, std::span<const DxfEntity> from, const Flattening& how);
 
-/// The map from the coordinates of an entity to those of the drawing. It mirrors an entity that is seen from
-/// below. Nothing if the entity is not parallel to the drawing's plane.
+/// The map from the coordinates of an entity to the coordinates of the drawing. The map mirrors an entity
+/// that is seen from below. Nothing if the entity is not parallel to the drawing's plane.
 std::optional<Affine> dxf_orientation(const DxfFile& file, const DxfEntity& entity);
 
 /// A rational B-spline within the tolerance. Throws InputError with the line if its numbers contradict each

@@ -18,14 +18,15 @@ struct DxfGroup {
     int line = 0;  ///< line of the code, from 1
 };
 
-/// An entity (or a vertex of one): its name and groups.
+/// An entity, or a vertex of an entity: its name and groups.
 struct DxfEntity {
     std::string_view name;
     int line = 0;
     std::span<const DxfGroup> groups;
 };
 
-/// The entities, blocks and layers of a file. Each reader throws InputError that names file and line.
+/// The entities, blocks and layers of a file. Each function that reads a value throws InputError that names
+/// file and line.
 class DxfFile {
   public:
     DxfFile(std::string source, std::string text);
@@ -42,7 +43,7 @@ class DxfFile {
     enum class Layer { On, Off, Frozen };
     /// The state of the layer with this name; On if the file does not list it. Case is ignored.
     [[nodiscard]] Layer layer(std::string_view name) const;
-    /// The value of $INSUNITS and its line; nothing if the file has none.
+    /// The value of $INSUNITS and its line; nothing if the file does not state $INSUNITS.
     [[nodiscard]] std::optional<DxfGroup> units() const { return units_; }
 
     [[nodiscard]] const DxfGroup* find(const DxfEntity& entity, int code) const;

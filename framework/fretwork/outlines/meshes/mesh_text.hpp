@@ -11,14 +11,13 @@
 #include <string_view>
 #include <vector>
 
-/// Readers of OBJ, PLY and OFF files. They are strict: an error names line and value, a count that
-/// the file states is trusted only after that number of items was read, and nothing is skipped without
-/// notice.
+/// Readers of OBJ, PLY and OFF files. The readers are strict: an error names line and value; a count in a
+/// file is trusted only after that number of items was read; and nothing is skipped without notice.
 namespace fretwork::outlines::detail {
 
 MeshFile read_obj(const std::filesystem::path& path);
 MeshFile read_off(const std::filesystem::path& path);
-/// Reads ASCII, and binary in both byte orders.
+/// Read a PLY file, in ASCII or binary with either byte order.
 MeshFile read_ply(const std::filesystem::path& path);
 
 /// The words of a line of text, and the line's number, from 1.
@@ -30,12 +29,13 @@ struct TextLine {
 /// A reader that goes through a mesh file line by line.
 class MeshText {
   public:
-    /// Throws InputError if the file cannot be read.
+    /// Read the text of a file. Throws InputError if the file cannot be read.
     explicit MeshText(const std::filesystem::path& path);
 
     /// The next line that has words. Text after # is skipped.
     std::optional<TextLine> next_line();
-    /// The next line. If the file ends here, throws InputError that says that `wanted` is missing.
+    /// The next line that has words. Throws InputError that says that `wanted` is missing if the file has no
+    /// such line.
     TextLine need_line(const std::string& wanted);
     /// All bytes after the last line read.
     [[nodiscard]] std::string_view rest() const { return std::string_view(text_).substr(next_); }
@@ -44,11 +44,11 @@ class MeshText {
     [[noreturn]] void fail(const std::string& place, const std::string& message) const;
     [[noreturn]] void fail(const TextLine& line, const std::string& message) const;
 
-    /// A finite number.
+    /// The value of a word, which must be a finite number.
     [[nodiscard]] double number(const TextLine& line, std::string_view word) const;
     [[nodiscard]] long long whole_number(const TextLine& line, std::string_view word) const;
-    /// The number of `things` that the file states. Throws InputError if it is below zero or above the number
-    /// of bytes in the file.
+    /// The number of `things` that the file states. Throws InputError if this number is below zero or above
+    /// the number of bytes in the file.
     [[nodiscard]] std::size_t count(const TextLine& line, std::string_view word,
                                     const std::string& things) const;
     /// The point given by three words, starting with word `first`.

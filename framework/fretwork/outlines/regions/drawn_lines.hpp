@@ -11,9 +11,9 @@ struct DrawnLines {
     std::vector<geometry::Polygon> open;  ///< each has two points or more
 };
 
-/// The regions that lines enclose.
+/// The curves around the regions that lines enclose.
 struct Enclosed {
-    std::vector<geometry::Polygon> curves;  ///< each curve once, even if it is drawn several times
+    std::vector<geometry::Polygon> curves;  ///< a curve that is drawn several times appears once
     std::vector<std::size_t> open;          ///< the indices of the open lines that enclose nothing
 };
 

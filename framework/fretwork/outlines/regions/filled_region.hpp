@@ -11,15 +11,17 @@ namespace fretwork::outlines::detail {
 
 enum class FillRule { Nonzero, Evenodd };
 
-/// Slits narrower than this share of the tolerance are closed, and needles cut off. They occur where lines
-/// nearly meet. The share is less than the width to which touching points are opened.
+/// The width, as a share of the tolerance, below which slits are closed and needles are cut off. Slits and
+/// needles occur where lines nearly meet. This width is less than the width to which touching points are
+/// opened.
 inline constexpr double kWeldShare = 0.25;
 
-/// Closed polygons that are filled together, in metres. They may cross themselves and each other.
+/// Closed polygons that are filled together, in metres. The polygons may cross themselves and each other.
 struct FilledShape {
     std::vector<geometry::Polygon> loops;
     FillRule rule = FillRule::Nonzero;
-    std::optional<std::size_t> clip{};  ///< index of a clip of the picture; only the area within it is filled
+    /// Index of a clip of the picture; only the area within that clip is filled.
+    std::optional<std::size_t> clip{};
 };
 
 /// The area inside any of the shapes and inside the outer clip.
@@ -33,18 +35,21 @@ struct Picture {
     std::vector<Clip> clips;
 };
 
-/// The union of shapes. Parts narrower than the tolerance are left out; they occur where lines nearly meet.
+/// The union of shapes. Parts narrower than the tolerance are left out; such parts occur where lines nearly
+/// meet.
 struct Region {
-    std::vector<Outline> parts;          ///< the largest first
-    int touches = 0;                     ///< number of points where a part touched itself; they are opened by
-                                         ///< the tolerance
-    int slits = 0;                       ///< number of holes narrower than the tolerance; they are filled
-    int doubled = 0;                     ///< number of shapes that are drawn over an equal one
+    std::vector<Outline> parts;  ///< the largest first
+    /// Number of points where a part touched itself; each point is opened by the tolerance.
+    int touches = 0;
+    /// Number of holes narrower than the tolerance; each such hole is filled.
+    int slits = 0;
+    int doubled = 0;                     ///< number of shapes that are drawn over an equal shape
     bool is_welded = false;              ///< true if slits were closed or needles cut off; see kWeldShare
-    std::optional<std::size_t> cover{};  ///< the shape that covers all others, if one does
+    std::optional<std::size_t> cover{};  ///< index of the shape that covers all others, if there is one
 };
 
-/// The union of the areas that a picture fills. No part of it is narrower than `tolerance` (m) as a whole.
+/// The union of the areas that a picture fills. Each part of the union is at least `tolerance` (m) wide at
+/// its widest place.
 Region filled_region(const Picture& picture, double tolerance);
 
 /// The region that nested closed curves fill: a curve inside another bounds a hole, a curve inside that hole

@@ -9,10 +9,9 @@ namespace fretwork::outlines::detail {
 
 /// Lines after joining their ends.
 struct JoinedLines {
-    std::vector<geometry::Polygon> lines;  ///< the given lines without doubled ones, then the lines that
-                                           ///< close gaps
-    std::vector<std::size_t> given;  ///< for each line, the index of the given line that it is, or is nearest
-                                     ///< to
+    /// The given lines without repeated lines, then the lines that close gaps.
+    std::vector<geometry::Polygon> lines;
+    std::vector<std::size_t> given;  ///< index of the given line that is equal or nearest to each line
     int gaps = 0;
     double widest_gap = 0.0;  ///< metres
     int doubled = 0;
@@ -28,7 +27,7 @@ struct JoiningTolerance {
 /// Join the ends of open polylines of two points or more.
 JoinedLines join_lines(const std::vector<geometry::Polygon>& lines, const JoiningTolerance& tolerance);
 
-/// Closed curves without doubled ones.
+/// Closed curves without repeated curves.
 struct DistinctCurves {
     std::vector<geometry::Polygon> curves;
     int doubled = 0;

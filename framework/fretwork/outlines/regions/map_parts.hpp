@@ -9,7 +9,7 @@
 namespace fretwork::outlines::detail {
 
 /// The parts that the filled faces of a map form: faces that share a side belong to one part. A part that
-/// touches itself at a point is opened there, so that every part is an outline.
+/// touches itself at a point is opened at that point, so that every part is an outline.
 Region region_of_map(LineMap& lines, double tolerance);
 
 /// The points along a closed chain of halfedges.

@@ -45,7 +45,8 @@ struct MapLine {
 struct LineMap {
     struct Side {
         int line = 0;
-        int direction = 0;  ///< +1: from left to right, or upwards if upright
+        /// +1: the side runs from left to right, or upwards if it is upright; -1: the other way
+        int direction = 0;
     };
     PlanarMap map;
     std::vector<Side> sides;
@@ -55,8 +56,8 @@ struct LineMap {
 /// cross.
 LineMap make_line_map(const std::vector<MapLine>& lines);
 
-/// Callbacks of visit_faces(), which goes from face to face. `look` is called once for each face. Before it,
-/// `cross` is called for each line whose winding number changes on the way to that face.
+/// Callbacks of visit_faces(), which goes from face to face. On the way to a face, `cross` is called for each
+/// line whose winding number changes. At each face, `look` is called once.
 struct WindingVisitor {
     std::function<void(int line, int change)> cross;
     std::function<void(PlanarMap::Face_handle)> look;

@@ -15,7 +15,7 @@ namespace fretwork::outlines::detail {
 
 /// A declaration, such as `fill: none !important`.
 struct CssDeclaration {
-    std::string name;   ///< in lower case
+    std::string name;   ///< name of the property, in lower case
     std::string value;  ///< trimmed
     enum class Weight { Normal, Important } weight = Weight::Normal;
 };
@@ -32,7 +32,7 @@ struct CssCompound {
         std::string value;
     };
     char relation = ' ';                ///< combinator with the previous compound: ' ', '>', '+', '~'
-    std::string type;                   ///< empty: any
+    std::string type;                   ///< element type; empty: any
     std::vector<Attribute> attributes;  ///< classes and ids included
     enum class Place { Any, First, Last, Root } place = Place::Any;
 };
@@ -45,11 +45,11 @@ struct CssSelector {
 /// All style sheets of a document.
 class CssRules {
   public:
-    /// Add the rules of one style sheet: those for all media and for screens.
+    /// Add the rules for all media and for screens of one style sheet.
     void add(std::string_view text);
     /// The declarations that apply to an element, the strongest last. `!important` is not considered.
     [[nodiscard]] std::vector<const CssDeclaration*> of(pugi::xml_node node) const;
-    /// The number of unsupported selectors, such as `:hover`; they match nothing.
+    /// The number of unsupported selectors, such as `:hover`, which match nothing.
     [[nodiscard]] int unknown_selectors() const { return unknown_selectors_; }
 
   private:
@@ -75,8 +75,8 @@ std::optional<CssSelector> parse_css_selector(std::string_view text);
 /// InputError after ten million tests.
 bool matches(const CssSelector& selector, pugi::xml_node node, long& looks);
 
-/// A CSS colour as "#rrggbb", without its opacity. Hexadecimal colours, rgb() and names are supported;
-/// nothing for others.
+/// A CSS colour as "#rrggbb", without its opacity. Hexadecimal colours, rgb() and names are supported; for
+/// other colours, nothing is returned.
 std::optional<std::string> css_colour(std::string_view text);
 
 }  // namespace fretwork::outlines::detail

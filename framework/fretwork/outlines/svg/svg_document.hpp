@@ -41,7 +41,7 @@ class SvgDocument {
     /// The place of an element in messages: "line 3, path 'rim'".
     [[nodiscard]] std::string place(pugi::xml_node node) const;
     [[noreturn]] void fail(pugi::xml_node node, const std::string& message) const;
-    /// Read the value of an attribute or property. An error of the reader gets file and place.
+    /// Read the value of an attribute or property. File and place are added to an error of the reader.
     template <class Reader>
     auto read(pugi::xml_node node, std::string_view name, std::string_view value, Reader reader) const {
         try {

@@ -9,10 +9,10 @@
 
 namespace fretwork::outlines::detail {
 
-/// The reference lengths of percentages, pixels.
+/// The lengths, in pixels, that percentages and relative units refer to.
 struct SvgMeasure {
-    double width = 0.0;   ///< of the viewport
-    double height = 0.0;  ///< of the viewport
+    double width = 0.0;   ///< width of the viewport
+    double height = 0.0;  ///< height of the viewport
     double font_size = 16.0;
 };
 
@@ -23,7 +23,7 @@ class SvgElement {
         : node_(node), properties_(properties), document_(document) {}
 
     enum class Axis { X, Y, Both };
-    /// A length in pixels; `missing` if the element has none, or "auto".
+    /// A length in pixels; `missing` if the element does not state it, or states "auto".
     [[nodiscard]] double length_or(std::string_view name, Axis axis, const SvgMeasure& measure,
                                    double missing) const;
     /// A length that must not be below zero, in pixels; `missing` as for length_or().

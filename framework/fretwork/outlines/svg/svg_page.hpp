@@ -10,13 +10,14 @@ namespace fretwork::outlines::detail {
 struct SvgPage {
     double width = 0.0;   ///< width of the viewBox as shown, m
     double height = 0.0;  ///< height of the viewBox as shown, m
-    Affine to_metres{};   ///< from user units, y down, to metres, y up, with the origin at the lower left of
-                          ///< the drawing
+    /// Map from user units, with y down, to metres, with y up and the origin at the lower left corner of the
+    /// drawing.
+    Affine to_metres{};
     SvgMeasure measure{};
 };
 
-/// The page that `width`, `height` and `viewBox` of the root state. If width and height are not lengths, the
-/// unit of the viewBox is the pixel (96 to an inch), and a remark states the size.
+/// The page that the attributes `width`, `height` and `viewBox` of the root describe. If `width` and `height`
+/// are not lengths, the unit of the viewBox is the pixel (96 to an inch), and a remark states the size.
 SvgPage page_of(pugi::xml_node root, const SvgDocument& document, Remarks& remarks);
 
 }  // namespace fretwork::outlines::detail

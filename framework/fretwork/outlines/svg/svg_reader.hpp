@@ -12,8 +12,8 @@
 
 namespace fretwork::outlines::detail {
 
-/// Reads the areas of an SVG drawing that a browser would fill (SVG 2, chapters 5 to 14). If it fills none,
-/// the result is the areas inside closed lines.
+/// A reader of the areas of an SVG drawing that a browser would fill (SVG 2, chapters 5 to 14). If a browser
+/// would fill no area, the result is the areas inside closed lines.
 class SvgReader {
   public:
     explicit SvgReader(const std::filesystem::path& path);
@@ -22,10 +22,10 @@ class SvgReader {
     ColouredPicture run_for_colours();
 
   private:
-    /// The state that an element inherits from those around it.
+    /// The state that an element inherits from the elements around it.
     struct Surroundings {
         SvgStyle style{};
-        Affine map{};  ///< to metres
+        Affine map{};  ///< map to metres
         SvgMeasure measure{};
         std::optional<std::size_t> clip{};
         int depth = 1;
@@ -34,9 +34,9 @@ class SvgReader {
     enum class Purpose { Paint, Clip, Box };
 
     void read();
-    /// The region of a drawing that has only lines, as for laser cutters. It is used if the fills give no
-    /// part. Closed lines are outlines, and a line inside another is a hole, as in DXF. Throws GeometryError
-    /// if no line is closed.
+    /// The region of a drawing that has only lines, as for laser cutters. This region is used if the filled
+    /// shapes give no part. Closed lines are outlines, and a closed line inside another is a hole, as in DXF.
+    /// Throws GeometryError if no line is closed.
     Region stroked_region();
     [[nodiscard]] std::string nothing_filled() const;
     /// The list, in brackets, of the content that was left out.
@@ -59,7 +59,7 @@ class SvgReader {
     [[nodiscard]] std::vector<geometry::Polygon> loops_of(const std::vector<Subpath>& subpaths,
                                                           const Affine& map) const;
     void check_loops(const std::vector<geometry::Polygon>& loops, pugi::xml_node node);
-    /// True if a point lies in the drawing or not too many of its sizes away.
+    /// True if a point lies in the drawing, or no further away than a fixed multiple of the drawing's size.
     [[nodiscard]] bool is_near_page(geometry::Point2 point) const;
     void check_on_page(geometry::Point2 point, pugi::xml_node node) const;
     std::size_t add_clip(const std::vector<Subpath>& subpaths, const Surroundings& around);
@@ -82,7 +82,7 @@ class SvgReader {
     Remarks remarks_;
     int elements_ = 0;
     int lines_ = 0;  // shapes that are stroked and not filled
-    /// All stroked elements. They are drawn only if the fills give no part.
+    /// All stroked elements, which are drawn only if the filled shapes give no part.
     std::vector<std::pair<pugi::xml_node, Surroundings>> strokes_;
     DrawnLines lines_drawn_;
     std::vector<pugi::xml_node> open_places_;  // elements of the open lines

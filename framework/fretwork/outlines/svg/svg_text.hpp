@@ -7,8 +7,9 @@
 #include <string_view>
 #include <vector>
 
-/// Parsers of the texts inside SVG attributes (SVG 1.1, chapters 4, 7 and 8). Each throws InputError that
-/// quotes the text and states the character, from 1, and what was expected there.
+/// Parsers of the texts inside SVG attributes (SVG 1.1, chapters 4, 7 and 8). Each parser throws InputError
+/// that quotes the text and states the number of the character, from 1, and what was expected at this
+/// character.
 namespace fretwork::outlines::detail {
 
 /// A reader that goes through the text of an attribute.
@@ -16,8 +17,8 @@ class SvgText {
   public:
     explicit SvgText(std::string_view text) : text_(text) {}
 
-    [[nodiscard]] bool at_end();            ///< after white space and commas
-    [[nodiscard]] bool at_number();         ///< after white space and commas
+    [[nodiscard]] bool at_end();            ///< true if nothing but white space and commas is left
+    [[nodiscard]] bool at_number();         ///< true if a number follows, after white space and commas
     [[nodiscard]] double number();          ///< a finite number
     [[nodiscard]] bool flag();              ///< 0 or 1; no separator needs to follow
     [[nodiscard]] char letter();            ///< the next character, white space and commas skipped

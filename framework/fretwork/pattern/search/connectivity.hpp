@@ -9,25 +9,27 @@
 
 namespace fretwork::pattern::detail {
 
-/// Decides the graph rules on the quotient of the fan by its rotations, with bit sets of orbits.
-/// detail/fan_graph.hpp defines the same rules by Boost.Graph on the fan itself. The tests compare the two on
-/// every graph of three layouts.
+/// A test of the graph rules on the quotient of the fan by its rotations, with bit sets of orbits.
+/// detail/fan_graph.hpp defines the graph rules by Boost.Graph on the fan itself. The tests compare both
+/// implementations on every graph of three layouts.
 ///
-/// The quotient is enough, for these reasons. A "root" is the center, or the node outside that connects all
-/// interface nodes; a rotation of the fan leaves both in place.
-/// - A connected part of the quotient lifts to one component if it has a root, else to gcd(gains of its
-///   cycles, 6) components.
-/// - Let v be a node other than the center. The piece that its removal cuts off holds no other copy of v.
-/// First, if the component has a root: a path from one copy to the root through another copy could be rotated
-/// without end. Second, if it has no root but several copies of v: rotations fix a block of its block tree,
-/// and all copies are equally far from that block. So the piece is a lifted component of the quotient without
-/// v's orbit. It has no root, and all its links to that orbit end at the single copy v.
-/// - The center is an articulation point if its component without it falls into several lifted components.
+/// The quotient is sufficient for the following reasons. A "root" is the center, or the node outside that
+/// connects all interface nodes. A rotation of the fan leaves every root in place.
+/// - A connected part of the quotient lifts to one component if it has a root. A connected part without a
+///   root lifts to gcd(gains of its cycles, 6) components.
+/// - Let v be a node other than the center. The piece that the removal of v cuts off contains no other copy
+///   of v. Proof for a component with a root: a path from one copy to the root through another copy could be
+///   rotated without end. Proof for a component with several copies of v but no root: rotations fix a block
+///   of the component's block tree, and all copies are equally far from that block. So the piece is a lifted
+///   component of the quotient without v's orbit. The piece has no root, and all its links to that orbit end
+///   at the single copy v.
+/// - The center is an articulation point if its component falls into several lifted components when the
+///   center is removed.
 class Connectivity {
   public:
     explicit Connectivity(const Quotient& quotient) : quotient_(&quotient) {}
 
-    /// Set the graph, as a set of candidate edges, that the functions below decide on.
+    /// Set the graph, as a set of candidate edges, for the two functions below.
     template <class Word>
     void choose(Word edges) {
         used_ = 0;
@@ -35,9 +37,10 @@ class Connectivity {
         for_each_bit(edges, [&](int edge) { add(quotient_->link(EdgeIndex(edge))); });
     }
 
-    /// True if the fan without its unused nodes has one component, or no edge.
+    /// True if the fan without its unused nodes has one component, or if the fan has no edge.
     [[nodiscard]] bool is_connected() const;
-    /// True if the fan has an articulation point when a further node outside connects all interface nodes.
+    /// True if the fan has an articulation point after a further node outside was connected to all interface
+    /// nodes.
     [[nodiscard]] bool has_articulation() const;
 
   private:

@@ -12,33 +12,36 @@
 
 namespace fretwork::pattern::detail {
 
-/// Counts by size: entry k is the number of sets with k members.
+/// Numbers of sets by size: entry k is the number of sets with k members.
 using CountsBySize = std::vector<GraphCount>;
 
 /// The sets of edges without a conflicting pair, counted and drawn without listing them.
 ///
-/// Let the polynomial P(A) hold the counts of such sets within A. It is the product over the parts of A,
-/// which have no conflict between them. Within one part, P(A) = P(A - v) + x P(A - v - conflicts of v), where
-/// v is the edge with the most conflicts. Results are cached by A.
+/// Let the coefficients of the polynomial P(A) be the numbers of such sets, by size, within a set A of edges.
+/// If A falls into parts without a conflict between two parts, P(A) is the product of the parts' polynomials.
+/// If A is one part, P(A) = P(A - v) + x P(A - v - conflicts of v), where v is the edge with the most
+/// conflicts. P(A) is cached by A.
 template <class Word>
 class IndependentSets {
   public:
     /// @param conflicts  the edges in conflict with each edge; symmetric
-    /// @param most_parts  the most parts that are stored before counting gives up
+    /// @param most_parts  the largest number of parts that are stored before counting gives up
     ///
     /// Throws Stopped.
     IndependentSets(std::vector<Word> conflicts, Word edges, std::size_t most_parts,
                     const base::Control& control = {});
 
-    /// False if counting gave up; then nothing else may be called.
+    /// False if counting gave up. No other function may be called after that.
     [[nodiscard]] bool is_counted() const { return is_counted_; }
     /// The number of sets of each size.
     [[nodiscard]] const CountsBySize& counts() const { return all_.tails.front(); }
-    /// Draw a set of `size` members, each such set with the same probability. Pre: counts()[size] > 0.
+    /// Draw a set of `size` members; all sets of this size have the same probability. Pre: counts()[size] >
+    /// 0.
     [[nodiscard]] Word draw(int size, WideRandom& random) const;
 
   private:
-    /// Parts without conflicts between them. `tails[i]` counts the sets within parts i and after.
+    /// Parts without a conflict between two parts. `tails[i]` has the numbers of sets within the parts from i
+    /// on.
     struct Forest {
         std::vector<std::size_t> parts;
         std::vector<CountsBySize> tails;
@@ -64,8 +67,8 @@ class IndependentSets {
     std::size_t most_parts_;
     bool is_counted_ = true;
     std::vector<Part> parts_;
-    std::unordered_map<Word, std::size_t, WordHash> numbers_;  ///< places in `parts_` of the parts counted so
-                                                               ///< far
+    /// Index in `parts_` of each part counted so far.
+    std::unordered_map<Word, std::size_t, WordHash> numbers_;
     Forest all_;
 };
 

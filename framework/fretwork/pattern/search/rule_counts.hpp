@@ -12,8 +12,8 @@ namespace fretwork::pattern::detail {
 GraphCount binomial(int n, int k);
 
 /// The number of graphs of each size that keep one rule, counted without walking them: conflicts by
-/// independent sets, capacities by a table of loads, covers by inclusion and exclusion. None if that would
-/// take too much memory, or if the form of the rule allows no such count.
+/// independent sets, capacities by a table of loads, covers by inclusion and exclusion. None if the count
+/// would take too much memory, or if no such count exists for the form of the rule.
 std::optional<CountsBySize> count_graphs_that_keep(const Rule& rule, int edge_count);
 
 }  // namespace fretwork::pattern::detail

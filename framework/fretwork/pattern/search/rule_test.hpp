@@ -9,7 +9,7 @@
 
 namespace fretwork::pattern::detail {
 
-/// Finds the rules that a graph breaks. Each rule is tested independently of the others.
+/// A test that finds the rules that a graph breaks. Each rule is tested independently of the others.
 template <class Word>
 class RuleTest {
   public:
@@ -22,7 +22,7 @@ class RuleTest {
     /// A conflict, capacity or cover rule as masks.
     struct Compiled {
         const Rule* rule = nullptr;
-        std::vector<Word> masks;  ///< conflicts per edge, or groups
+        std::vector<Word> masks;  ///< the conflicts of each edge, or the groups
     };
     [[nodiscard]] bool breaks(const Compiled& compiled, Word edges) const;
 

@@ -30,18 +30,19 @@ class SearchProblem {
 
     EdgeRange range;
     Word candidates = 0;          ///< edges that no rule forbids outright
-    std::vector<Word> conflicts;  ///< per edge
+    std::vector<Word> conflicts;  ///< the conflicts of each edge
     std::vector<Resource> resources;
-    std::vector<std::vector<Load>> loads;  ///< per edge
-    std::vector<Word> groups;              ///< a pattern has at least one edge of each
+    std::vector<std::vector<Load>> loads;  ///< the conflicts of each edge
+    std::vector<Word> groups;              ///< a pattern has at least one edge of each group
     std::vector<const PredicateRule*> predicates;
     bool must_be_connected = false;
     bool must_have_no_articulation = false;
 
     Quotient quotient;
-    std::vector<std::uint64_t> ends;         ///< per edge: the orbits that it meets
-    std::vector<std::uint64_t> double_ends;  ///< per edge: the orbits whose nodes it meets more than once
-    std::vector<Word> edges_at;              ///< per orbit
+    std::vector<std::uint64_t> ends;  ///< for each edge, the orbits that it meets
+    /// For each edge, the orbits whose nodes it meets more than once.
+    std::vector<std::uint64_t> double_ends;
+    std::vector<Word> edges_at;  ///< for each orbit, the edges that meet it
 
   private:
     void add(const ConflictRule& rule);
@@ -59,7 +60,8 @@ struct SearchNode {
     Word available = 0;
 };
 
-/// Walks the tree of all patterns that can still become valid: the children of a node add one later edge.
+/// A walk over the tree of all patterns that can still become valid. Each child of a node adds one later edge
+/// to the node's edges.
 template <class Word>
 class Search {
   public:
@@ -84,7 +86,8 @@ class Search {
     std::vector<SearchNode<Word>> children(const SearchNode<Word>& node);
 
   private:
-    /// The orbits that chosen edges meet at least once, and those whose nodes they meet at least twice.
+    /// The orbits that chosen edges meet at least once, and the orbits whose nodes chosen edges meet at least
+    /// twice.
     struct Ends {
         std::uint64_t once = 0;
         std::uint64_t twice = 0;

@@ -8,21 +8,21 @@
 namespace fretwork::reduction {
 
 /// The calibration of any linear tile model: the tile is built and condensed at each point, and the
-/// derivatives of its displacements are central differences. The variables are the parameters; a parameter of
-/// logarithmic scale enters as its natural logarithm.
+/// derivatives of the tile's displacements are central differences. The variables are the parameters; for a
+/// parameter of logarithmic scale, the variable is the parameter's natural logarithm.
 class DifferenceProblem final : public CalibrationProblem {
   public:
-    /// Keeps references to model, tile and objective. Throws InputError if the bounds of a parameter are
-    /// invalid, NumericalError if the tile with all parameters in the middle of their bounds is a mechanism
-    /// under a scenario.
+    /// Make the problem, which keeps references to model, tile and objective. Throws InputError if the bounds
+    /// of a parameter are invalid, NumericalError if the tile with all parameters in the middle of their
+    /// bounds is a mechanism under a scenario.
     DifferenceProblem(base::Borrowed<TileModel> model, base::Borrowed<ModelTile> tile,
                       base::Borrowed<Objective> objective, const Setting& setting);
 
     [[nodiscard]] std::string name() const override { return model_->name; }
     [[nodiscard]] const optimization::Bounds& bounds() const override { return bounds_; }
     [[nodiscard]] bool offers(optimization::Evaluation) const override { return true; }
-    /// The number of tiles condensed: one for a value, and two more for each parameter if derivatives are
-    /// asked for.
+    /// The number of tiles that an evaluation condenses: one for a value, and two more for each parameter if
+    /// the evaluation has derivatives.
     [[nodiscard]] long cost(optimization::Evaluation kind) const override;
     [[nodiscard]] std::string cost_unit() const override { return "tiles condensed"; }
     [[nodiscard]] bool has_kinks() const override { return true; }

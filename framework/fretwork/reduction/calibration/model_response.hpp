@@ -14,10 +14,11 @@
 namespace fretwork::reduction {
 
 /// A tile built by a tile model from one pattern in the setting's regular polygon, and its displacements
-/// under the setting's scenarios. Keeps references to the model, the layout and the setting. Thread-safe.
+/// under the setting's scenarios. A ModelTile keeps references to the model, the layout and the setting.
+/// Several threads may use it at once.
 class ModelTile {
   public:
-    /// Place a model's tile into the setting's polygon, under its scenarios.
+    /// Make the tile of a pattern in the setting's polygon.
     ModelTile(base::Borrowed<TileModel> model, base::Borrowed<pattern::NodeLayout> layout,
               const pattern::Pattern& pattern, base::Borrowed<Setting> setting);
 

@@ -24,9 +24,9 @@ struct ErrorMetric {
 
 /// The derivatives of E, with its norms smoothed, with respect to a model's unit displacements.
 struct DisplacementGradient {
-    double objective = 0.0;    ///< E itself
+    double objective = 0.0;    ///< E without smoothing
     double value = 0.0;        ///< E with its norms smoothed
-    UnitDisplacements slopes;  ///< by each unit displacement
+    UnitDisplacements slopes;  ///< derivatives of `value` with respect to each unit displacement
 };
 
 /// The distance of a linear model from the responses of a pattern: E of Eqs. (8) to (11).
@@ -34,14 +34,15 @@ struct DisplacementGradient {
 /// E = sum over scenarios and magnitudes of w e^2, where e is the weighted sum of two normalized sums over
 /// the interface nodes: of |d_p - d_r|, and of the angle between the rotations R_p and R_r. Linear
 /// displacements are proportional to the magnitude; linear rotations are taken as rotation vectors. Samples
-/// that did not converge are left out. The setting's sample policy decides about samples past the first loss
-/// of stability.
+/// that did not converge are left out. The setting's sample policy decides whether samples past the first
+/// loss of stability are left out, too.
 ///
 /// E has a kink wherever a norm is zero. With smoothing mu > 0 each norm |a| becomes
 /// sqrt(a^2 + (mu s)^2), where s is the sample's normalizer divided by the number of nodes.
 class Objective {
   public:
-    /// Throws InputError if the responses do not fit the setting.
+    /// Make the objective for a pattern's responses. Throws InputError if the responses do not fit the
+    /// setting.
     Objective(const std::vector<Response>& responses, const Setting& setting, const ErrorMetric& metric = {});
 
     /// E of a linear model.
@@ -52,19 +53,19 @@ class Objective {
     /// NumericalError that names a sample at which the pattern converged but the model did not.
     [[nodiscard]] std::vector<double> scenario_errors(const std::vector<Response>& model) const;
 
-    /// The gradient of E with respect to the displacements themselves. An adjoint gradient starts from it and
-    /// needs no derivatives of the displacements.
+    /// The gradient of E with respect to the displacements. An adjoint method takes this gradient as its
+    /// right side and needs no derivatives of the displacements with respect to parameters.
     [[nodiscard]] DisplacementGradient gradient(const UnitDisplacements& model, double smoothing) const;
     /// The gradient and the generalized Gauss-Newton matrix of E with respect to the model's parameters. The
-    /// matrix keeps the curvature of the norms and drops second derivatives of the displacements. It is not
-    /// less than 2 J^T J.
+    /// matrix keeps the curvature of the norms and drops second derivatives of the displacements. The matrix
+    /// is at least 2 J^T J, where J is the Jacobian of residuals().
     [[nodiscard]] optimization::CurvatureEvaluation curvature(const UnitDisplacementsAndDerivatives& model,
                                                               double smoothing) const;
     /// One residual sqrt(w) e for each sample, in the order of the responses, with derivatives.
     [[nodiscard]] optimization::ResidualEvaluation residuals(const UnitDisplacementsAndDerivatives& model,
                                                              double smoothing) const;
 
-    /// The number of samples that count.
+    /// The number of samples that contribute to E.
     [[nodiscard]] std::size_t sample_count() const { return samples_.size(); }
 
   private:
@@ -76,8 +77,8 @@ class Objective {
     struct Sample {
         std::size_t place;  ///< index among the samples of its response
         double magnitude;
-        double step;         ///< from the previous sample's magnitude, or from 0
-        bool is_other_step;  ///< the step differs from the previous sample's
+        double step;         ///< difference from the previous sample's magnitude, or from 0
+        bool is_other_step;  ///< true if the step differs from the previous sample's step
         double weight;
         double translation_factor;  ///< w_trans over the normalizer of Eq. (10)
         double rotation_factor;     ///< w_rot over the normalizer of Eq. (11)
@@ -93,8 +94,8 @@ class Objective {
     [[nodiscard]] DisplacementGradient smoothed_gradient(const UnitDisplacements& model,
                                                          double smoothing) const;
     [[nodiscard]] DisplacementGradient exact_gradient(const UnitDisplacements& model) const;
-    /// The error e of a sample. Writes its derivatives with respect to each node's unit displacement into
-    /// `slopes`.
+    /// The error e of a sample. Writes the derivatives of e with respect to each node's unit displacement
+    /// into `slopes`.
     static double differentiated_error(const Sample& sample, std::span<const NodeMotion> motions,
                                        std::span<Eigen::Matrix<double, 6, 1>> slopes);
     static void set_steps(std::span<Sample> samples);

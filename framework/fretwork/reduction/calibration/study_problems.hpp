@@ -9,10 +9,11 @@
 namespace fretwork::reduction {
 
 /// The families of problems on which the framework compares optimizers:
-/// - calibration/PATTERN: the paper's model, fitted to a pattern's responses in the paper's setting. The id
-///   of a pattern of another layout starts with the name of that layout (paper8:0-1+1-7);
-/// - synthetic/N: the paper's model, fitted to its own displacements at parameters that are drawn at random
-///   from the middle 80 % of their ranges;
+/// - calibration/PATTERN: the paper's model, fitted to a pattern's responses in the paper's setting. If the
+///   pattern is of another layout than the paper's, its id starts with the name of that layout
+///   (paper8:0-1+1-7);
+/// - synthetic/N: the paper's model, fitted to the model's own displacements at parameters that are drawn at
+///   random from the middle 80 % of their ranges;
 /// - analytic/NAME: a function of the literature.
 optimization::study::ProblemFamilies study_families();
 

@@ -11,11 +11,12 @@ namespace fretwork::reduction {
 /// The linear stiffness of a tile's frame, condensed onto its first `interface_nodes` nodes, the interface
 /// nodes. This reduced model is exact for small displacements and needs no calibration.
 ///
-/// Returns the 6n x 6n stiffness of the n interface nodes in their order (ux uy uz rx ry rz each; SI, global
-/// axes): symmetric, positive semidefinite, rank 6n - 6. Throws InputError if an interface node has no beam.
+/// Returns the 6n x 6n stiffness of the n interface nodes in their order (each with ux uy uz rx ry rz; SI,
+/// global axes): symmetric, positive semidefinite, rank 6n - 6. Throws InputError if an interface node has no
+/// beam.
 Eigen::MatrixXd condensed_frame(const mechanics::Frame& tile, int interface_nodes);
 
-/// The row `condensed` of the catalogue. It has no parameters, and congruent tiles are condensed once.
+/// The row `condensed` of the catalogue. The model has no parameters, and congruent tiles are condensed once.
 TileModel condensed_tile_model();
 
 }  // namespace fretwork::reduction

@@ -6,18 +6,19 @@
 
 namespace fretwork::reduction {
 
-/// A tile with corotating axes, which may move and turn by any amount. The tile resists motions of its
+/// A tile that may move and turn by any amount, with axes that follow it. The tile resists motions of its
 /// interface nodes relative to these axes with its condensed stiffness (mechanics/corotational_element.hpp).
-/// Its mass is that of the beams, condensed statically. Throws as condensed_frame.
+/// The mass of the tile is the mass of its beams, condensed statically. Throws as condensed_frame().
 ///
-/// @param tile  its first `interface_nodes` nodes are the interface nodes
+/// @param tile  the tile's beams; the first `interface_nodes` nodes are the interface nodes
 std::shared_ptr<const TileStructure> corotational_tile(mechanics::Frame tile, int interface_nodes);
 
-/// A tile that moves the same way, with a given stiffness, such as that of a tile model of one's own. Its
-/// beams are unknown, so it has no beam motion. Throws as CorotationalBody.
+/// A corotational tile with a given stiffness, such as the stiffness from the caller's own tile model. The
+/// beams of this tile are unknown, so it has no beam motion. Throws as CorotationalBody.
 std::shared_ptr<const TileStructure> corotational_tile(mechanics::CorotationalBody::Parts parts);
 
-/// The row `corotational` of the catalogue. It has no parameters, and congruent tiles are condensed once.
+/// The row `corotational` of the catalogue. The model has no parameters, and congruent tiles are condensed
+/// once.
 TileModel corotational_tile_model();
 
 }  // namespace fretwork::reduction

@@ -11,11 +11,11 @@
 
 namespace fretwork::reduction {
 
-/// The static motion of the inner nodes of a tile's beams, which condensation eliminates, for a given motion
-/// of its interface nodes. Computed at the first use. Threads may share it.
+/// The static motion of a tile's inner nodes, which condensation eliminates, for a given motion of its
+/// interface nodes. The matrix of this motion is computed at the first use. Threads may share an InnerNodes.
 class InnerNodes {
   public:
-    /// @param tile  its first `interface_nodes` nodes are the interface nodes
+    /// @param tile  the tile's beams; the first `interface_nodes` nodes are the interface nodes
     InnerNodes(mechanics::Frame tile, int interface_nodes);
     InnerNodes(const InnerNodes&) = delete;
     InnerNodes& operator=(const InnerNodes&) = delete;
@@ -23,15 +23,15 @@ class InnerNodes {
 
     /// The tile's frame, interface nodes first.
     [[nodiscard]] const mechanics::Frame& tile() const { return tile_; }
-    /// How many of its nodes are interface nodes.
+    /// The number of interface nodes.
     [[nodiscard]] int interface_nodes() const { return interface_nodes_; }
     /// The rest positions of the inner nodes, m, in the tile's own axes.
     [[nodiscard]] std::span<const Eigen::Vector3d> places() const;
-    /// The displacements of the inner nodes, a row for each, that follow from a row for each interface node.
-    /// All are small displacements in the tile's own axes.
+    /// The displacements of the inner nodes, one row for each, that follow from the displacements of the
+    /// interface nodes, one row for each. All displacements are small and in the tile's own axes.
     [[nodiscard]] mechanics::NodeValues follow(const mechanics::NodeValues& interface_nodes) const;
-    /// The transpose of follow(): the gradient of a function by the interface nodes' rows, from that by the
-    /// rows of the inner nodes.
+    /// The transpose of follow(): the gradient of a function with respect to the rows of the interface nodes,
+    /// from its gradient with respect to the rows of the inner nodes.
     [[nodiscard]] mechanics::NodeValues pull_back(const mechanics::NodeValues& inner_nodes) const;
 
   private:

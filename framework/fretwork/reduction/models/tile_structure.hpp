@@ -17,42 +17,45 @@ namespace fretwork::reduction {
 
 /// The components of a surface: its beams, and elements of other kinds between the same nodes.
 struct StructureParts {
-    mechanics::Frame beams;        ///< holds all nodes of the surface
+    mechanics::Frame beams;        ///< the beams, and all nodes of the surface
     mechanics::Elements elements;  ///< elements of tiles that do not consist of beams
 };
 
 /// The place of a tile in a surface: its orientation and its nodes.
 struct TilePlace {
-    /// The rotation about z from the axes in which the tile was built to those of the surface.
+    /// The rotation about z from the axes in which the tile was built to the axes of the surface.
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-    std::span<const mechanics::NodeIndex> nodes;  ///< its interface nodes in order, then its inner nodes
+    /// The tile's interface nodes in order, then its inner nodes.
+    std::span<const mechanics::NodeIndex> nodes;
 };
 
-/// The size of the displacements that a tile model is made for, or that a solution allows.
+/// The size of displacements: the size for which a tile model is made, or the size that the theory of a
+/// solution allows.
 enum class Displacements { Small, Large };
 
 /// The motion of a tile's own nodes in a solution.
 struct TileMotion {
-    mechanics::NodeValues nodes;  ///< a row for each interface node, then for each inner node
-    /// The rotation about z from the axes in which the tile was built to those of the surface, in which the
-    /// rows are given.
+    mechanics::NodeValues nodes;  ///< one row for each interface node, then one row for each inner node
+    /// The rotation about z from the axes in which the tile was built to the axes of the surface. The rows of
+    /// `nodes` are in the axes of the surface.
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-    Displacements displacements = Displacements::Small;  ///< size of the displacements in the solution
+    /// Size of the displacements that the theory of the solution allows.
+    Displacements displacements = Displacements::Small;
 };
 
-/// The motion of the beams of a tile's pattern: a row for each of their nodes, interface nodes first.
+/// The motion of the beams of a tile's pattern, as rows for the nodes of the beams, interface nodes first.
 struct BeamMotion {
-    mechanics::NodeValues nodes;  ///< in the surface's axes
-    /// For a tile that is linear in corotating axes: the small displacements relative to those axes, given in
-    /// the surface's axes at rest. The strains of the beams follow from them. Empty: the strains follow from
-    /// `nodes`.
+    mechanics::NodeValues nodes;  ///< one row for each node, in the surface's axes
+    /// For a tile that is linear in corotating axes: one row for each node with its small displacements
+    /// relative to these axes, given in the surface's axes at rest. The strains of the beams follow from
+    /// `in_frame`; if it is empty, they follow from `nodes`.
     mechanics::NodeValues in_frame{};
-    Displacements displacements = Displacements::Small;  ///< the theory by which strains of beams follow from
-                                                         ///< these rows
+    /// Theory by which the strains of the beams follow from the rows.
+    Displacements displacements = Displacements::Small;
 };
 
-/// A tile as a tile model builds it, independent of its place. Congruent tiles share it. It is immutable, so
-/// threads may share it, too.
+/// A tile as a tile model builds it, independent of its place in the surface. Congruent tiles share one
+/// TileStructure. A TileStructure is immutable, so threads may share it, too.
 class TileStructure {
   public:
     TileStructure() = default;
@@ -60,24 +63,26 @@ class TileStructure {
     TileStructure& operator=(const TileStructure&) = delete;
     virtual ~TileStructure() = default;
 
-    /// The rest positions of the tile's inner nodes, in metres and in its own axes.
+    /// The rest positions of the tile's inner nodes, m, in the tile's own axes.
     [[nodiscard]] virtual std::span<const Eigen::Vector3d> inner_nodes() const = 0;
 
-    /// Add the tile's beams and elements to a surface. The surface has the tile's nodes already.
+    /// Add the tile's beams and elements to a surface. Pre: the surface has the tile's nodes.
     virtual void add_to(StructureParts& surface, const TilePlace& place) const = 0;
 
-    /// The motion of the pattern's beams. Nothing if the tile model does not know it.
+    /// The motion of the pattern's beams; nothing if the tile model does not know this motion.
     [[nodiscard]] virtual std::optional<BeamMotion> beam_motion(const TileMotion& motion) const = 0;
 
-    /// The gradient of a function of beam_motion() by the rows of `motion.nodes`, from that by the rows that
-    /// the beams answer to (`in_frame` if it has any, else `nodes`). Nothing if the model does not give it.
+    /// The gradient of a function of beam_motion() with respect to the rows of `motion.nodes`. `by_beams` is
+    /// the gradient of the function with respect to the rows from which the strains of the beams follow:
+    /// BeamMotion::in_frame, or BeamMotion::nodes if `in_frame` is empty. Nothing if the tile model does not
+    /// know this gradient.
     [[nodiscard]] virtual std::optional<mechanics::NodeValues> motion_gradient(
         const TileMotion& /*motion*/, const mechanics::NodeValues& /*by_beams*/) const {
         return std::nullopt;
     }
 
-    /// The corotational body of the tile, whose linear stiffness governs large displacements. Null for other
-    /// tiles; derivatives with respect to that stiffness do not exist for them.
+    /// The corotational body of the tile, whose linear stiffness governs large displacements. Null for a tile
+    /// of another kind, for which no derivatives with respect to such a stiffness exist.
     [[nodiscard]] virtual const mechanics::CorotationalBody* corotational_body() const { return nullptr; }
 };
 
@@ -91,27 +96,29 @@ std::shared_ptr<const TileStructure> beam_tile(mechanics::Frame frame, int inter
                                                TileBeams beams = TileBeams::Substitutes);
 
 /// A tile given by its stiffness (6n x 6n, in its own axes) for small displacements of its n interface nodes.
-/// It has no inner nodes. Throws InputError unless the stiffness has 6n rows and columns.
+/// The tile has no inner nodes. Throws InputError unless the stiffness has 6n rows and columns.
 ///
-/// @param inner  the motion of the condensed beams; null: not known
+/// @param inner  the motion of the beams that were condensed; null: not known
 std::shared_ptr<const TileStructure> stiffness_tile(Eigen::MatrixXd stiffness,
                                                     std::shared_ptr<const InnerNodes> inner = nullptr);
 
 /// The motion, at small displacements, of the beams that were condensed into a tile.
 BeamMotion condensed_motion(const InnerNodes& inner, const TileMotion& motion);
-/// The gradient of a function of that motion by the interface nodes' rows in the tile's own axes.
-/// @param by_beams  its gradient by the rows of the beams' nodes, in axes that `turn` leads to
+/// The gradient of a function of condensed_motion() with respect to the rows of the interface nodes, in the
+/// tile's own axes.
+/// @param by_beams  the gradient of the function with respect to the rows of the beams' nodes, in the axes to
+/// which `turn` rotates the tile's own axes
 mechanics::NodeValues condensed_gradient(const InnerNodes& inner, const Eigen::Matrix3d& turn,
                                          const mechanics::NodeValues& by_beams);
 
 /// Rows of displacements and rotation vectors, rotated by `turn`.
 mechanics::NodeValues turned(const mechanics::NodeValues& rows, const Eigen::Matrix3d& turn);
 
-/// The components as one assembly for the solvers: the elements of the beams come first, then the others.
-/// Throws as mechanics::assemble, and Stopped.
+/// The components as one assembly for the solvers: the elements of the beams come first, and all other
+/// elements follow. Throws as mechanics::assemble, and Stopped.
 mechanics::Assembly assemble(const StructureParts& parts, const base::Control& control = {});
 
-/// The components of a single tile. Its first nodes are the interface nodes.
+/// The components of a single tile. The first nodes are the interface nodes.
 StructureParts tile_parts(const TileStructure& tile, std::span<const Eigen::Vector3d> interface_nodes);
 
 }  // namespace fretwork::reduction

@@ -5,8 +5,8 @@
 
 namespace fretwork::reduction {
 
-/// The row `paper6` of the catalogue, the paper's reduced model (Section 5.1): a ring with links of one
-/// section. Its six parameters are calibrated.
+/// The row `paper6` of the catalogue, the paper's reduced model (Section 5.1): a ring with links, where ring
+/// and links have the same section. Its six parameters are calibrated.
 TileModel paper6_tile_model();
 
 }  // namespace fretwork::reduction

@@ -11,42 +11,45 @@
 
 namespace fretwork::reduction {
 
-/// The quantities that define a ring with links: A, I2, I3, J (m^2, m^4) of the links, then of the ring,
-/// theta (rad, counterclockwise positive) and R (m), the ring's circumradius.
+/// The number of parts, the quantities that define a ring with links: A (m^2), I2, I3 and J (m^4) of the
+/// links; A, I2, I3 and J of the ring; theta (rad, counterclockwise positive); R (m), the ring's
+/// circumradius.
 inline constexpr int kRingParts = 10;
-/// The place of theta among the parts.
+/// The index of theta among the parts.
 inline constexpr int kRingTheta = 8;
-/// The place of R among the parts.
+/// The index of R among the parts.
 inline constexpr int kRingR = 9;
 /// All parts of a ring, in this order.
 using RingParts = Eigen::Matrix<double, kRingParts, 1>;
 
-/// The bounds of a calibration: sections within [0.001, 1000] times the setting's (Section 5.3); theta within
-/// 30 degrees; R within [0.001, 0.999] of the centroid-to-side distance, because with R equal to that
-/// distance and theta = 0 the links would have length zero (Eq. (7) allows that).
+/// The bounds of a calibration. A, I2, I3 and J lie within [0.001, 1000] times the value of the setting's
+/// section (Section 5.3). theta lies within [-30, 30] degrees. R lies within [0.001, 0.999] times the
+/// centroid-to-side distance. With R equal to this distance, which Eq. (7) allows, and theta = 0, the links
+/// would have length zero.
 struct RingBounds {
-    RingParts lower;  ///< SI
-    RingParts upper;  ///< SI
+    RingParts lower;  ///< smallest value of each part, SI
+    RingParts upper;  ///< largest value of each part, SI
 };
-/// The bounds of a setting.
+/// The bounds of a calibration in a setting.
 RingBounds ring_bounds(const Setting& setting);
 
-/// Scales that make the parts numbers near 1: the setting's section, 1 rad, and the centroid-to-side
-/// distance.
+/// The scale of each part, which makes the parts numbers near 1: the values of the setting's section, 1 rad,
+/// and the centroid-to-side distance.
 RingParts ring_units(const Setting& setting);
 
 /// The map from a tile model's parameters to the parts of a ring with links: parts = ties * parameters. Each
 /// parameter sets one part, or several parts of one kind to the same value.
 struct RingParameters {
-    std::string model;               ///< the row of the catalogue
-    std::vector<std::string> names;  ///< of the parameters
-    Eigen::MatrixXd ties;            ///< a column of zeros and ones for each parameter
+    std::string model;               ///< name of the tile model
+    std::vector<std::string> names;  ///< names of the parameters
+    Eigen::MatrixXd ties;            ///< matrix of zeros and ones with one column for each parameter
 
     /// The first part that a parameter sets.
     [[nodiscard]] Eigen::Index part_of(Eigen::Index parameter) const;
-    /// The parameters at given values of the parts: each takes the value of the first part that it sets.
+    /// The parameters at given values of the parts: each parameter takes the value of the first part that it
+    /// sets.
     [[nodiscard]] Eigen::VectorXd select(const RingParts& parts) const;
-    /// All parts that these parameters' values set.
+    /// All parts at given values of the parameters.
     [[nodiscard]] RingParts parts(std::span<const double> values) const;
 };
 

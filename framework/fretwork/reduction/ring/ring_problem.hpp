@@ -7,17 +7,17 @@
 
 namespace fretwork::reduction {
 
-/// The minimization problem by which a ring with links is calibrated to one pattern. Its variables are the
-/// natural logarithms of the sections (as multiples of the setting's), theta in radians, and R as a share of
-/// the centroid-to-side distance. An evaluation of any kind costs one factorization of the model's stiffness.
-/// The gradient takes one further (adjoint) solution for each scenario; residuals and curvature take one
-/// further solution for each parameter.
+/// The minimization problem by which a ring with links is calibrated to one pattern. The variables are the
+/// natural logarithms of A, I2, I3 and J as multiples of the setting's values, theta in radians, and R as a
+/// share of the centroid-to-side distance. An evaluation of any kind costs one factorization of the model's
+/// stiffness. A gradient takes one further (adjoint) solution for each scenario. Residuals and curvature take
+/// one further solution for each scenario and parameter.
 class RingProblem final : public CalibrationProblem {
   public:
-    /// Keeps references to the model, the parameters and the objective.
+    /// Make a problem that keeps references to the model, the parameters and the objective.
     RingProblem(base::Borrowed<RingHexagon> model, base::Borrowed<RingParameters> parameters,
                 base::Borrowed<Objective> objective, const Setting& setting);
-    /// Owns the model, and keeps references to the parameters and the objective.
+    /// Make a problem that owns the model, and keeps references to the parameters and the objective.
     RingProblem(std::unique_ptr<const RingHexagon> model, base::Borrowed<RingParameters> parameters,
                 base::Borrowed<Objective> objective, const Setting& setting);
 

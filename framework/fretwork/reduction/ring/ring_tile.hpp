@@ -11,8 +11,8 @@ namespace fretwork::reduction {
 ///
 /// Let n be the number of all interface nodes. Nodes 0 .. n-1 are the interface nodes, and nodes n .. 2n-1
 /// form the ring. The first n beams are the links (interface node i to ring node i), and n ring beams follow.
-/// In the setting's regular polygon the ring is the polygon of the interface nodes, turned by theta and
-/// scaled about the center so that R replaces the apothem. In another polygon each ring node keeps its
+/// In the setting's regular polygon, the ring is the polygon of the interface nodes, turned by theta and
+/// scaled about the center so that R replaces the apothem. In another polygon, each ring node keeps its
 /// barycentric coordinates in its sector. The paper has one interface node on each side, so its ring has as
 /// many nodes as the polygon has sides. The material is the setting's. Throws GeometryError if the polygon is
 /// not convex.

@@ -10,48 +10,49 @@
 
 namespace fretwork::reduction {
 
-/// A standard load case of one tile in the reference hexagon (paper, Section 5.2 and Fig. 10). It supports
-/// and loads interface nodes, one on each side; spread_over_sides() adapts it to layouts with more.
+/// A standard load case of one tile in the reference hexagon (paper, Section 5.2 and Fig. 10). A scenario
+/// supports and loads interface nodes, one on each side; spread_over_sides() adapts it to layouts with
+/// several on each side.
 struct Scenario {
-    /// A node that is held.
+    /// The support of a node.
     struct Support {
         int interface_node = 0;   ///< number in the reference hexagon
         mechanics::DofSet fixed;  ///< components that stay zero
         friend bool operator==(const Support&, const Support&) = default;
     };
     /// A load on a node.
-    struct Load {  ///< for a magnitude of 1 N
+    struct Load {  ///< The values are for a magnitude of 1 N.
         int interface_node = 0;
-        std::array<double, 3> force{};   ///< N
-        std::array<double, 3> moment{};  ///< N m, fixed direction in space
+        std::array<double, 3> force{};   ///< force, N
+        std::array<double, 3> moment{};  ///< moment of fixed direction in space, N m
         friend bool operator==(const Load&, const Load&) = default;
     };
-    std::string name;               ///< as files and tables name it
-    std::string description;        ///< a sentence
+    std::string name;               ///< name in files and tables
+    std::string description;        ///< description in one sentence
     double weight = 1.0;            ///< w_k of Eq. (8), Table 2
     double max_magnitude = 0.0;     ///< N
-    std::vector<Support> supports;  ///< "held" in files
-    std::vector<Load> loads;        ///< of a magnitude of 1 N
+    std::vector<Support> supports;  ///< supports; the key "held" in files
+    std::vector<Load> loads;        ///< loads at a magnitude of 1 N
     friend bool operator==(const Scenario&, const Scenario&) = default;
 };
 
-/// The five scenarios of the paper in its order: axial, shear, bending, dome, saddle
+/// The five scenarios of the paper, in the paper's order: axial, shear, bending, dome, saddle
 /// (experiments/scenarios/*.json).
 const std::vector<Scenario>& paper_scenarios();
 
 /// The scenario for a tile with several interface nodes on each side. All nodes of side i have the supports
-/// of interface node i of the given scenario, and share its force and moment equally. Nodes lie symmetrically
-/// about the middle of their side, so the resultants of a side stay the same. The paper has one node on each
-/// side.
+/// of interface node i of the given scenario, and share the force and moment of that node equally. Nodes lie
+/// symmetrically about the middle of their side, so the resultants of a side stay the same. The paper has one
+/// node on each side.
 Scenario spread_over_sides(const Scenario& scenario, int nodes_a_side);
 
-/// Read a scenario from JSON text; `source` names it in messages. Throws InputError.
+/// Read a scenario from JSON text; `source` names the text in messages. Throws InputError.
 Scenario parse_scenario(std::string_view text, std::string source);
 /// The scenario as JSON text, from which parse_scenario() makes an equal scenario.
 std::string scenario_text(const Scenario& scenario);
 /// Read a scenario file. Throws InputError with file and JSON pointer.
 Scenario read_scenario(const std::filesystem::path& path);
-/// Write a scenario file atomically. Throws IoError and then leaves the file as it was.
+/// Write a scenario file atomically. Throws IoError and leaves the file as it was.
 void write_scenario(const Scenario& scenario, const std::filesystem::path& path);
 
 }  // namespace fretwork::reduction

@@ -9,19 +9,19 @@
 
 namespace fretwork::reduction {
 
-/// Read a setting file. A missing value is as in paper_setting(). A scenario is an object, the name of a
-/// scenario of the paper, or {"use": name, "max_magnitude": newtons}. Throws InputError with file and JSON
-/// pointer.
+/// Read a setting file. A value that the file does not state is taken from paper_setting(). A scenario is an
+/// object, the name of a scenario of the paper, or {"use": name, "max_magnitude": newtons}. Throws InputError
+/// with file and JSON pointer.
 Setting read_setting(const std::filesystem::path& path);
 
-/// The setting named "paper" or "made", or else the setting in this file. "./paper" means a file named paper.
-/// Throws as read_setting.
+/// The setting named "paper" or "made" or, for another text, the setting in the file with this path.
+/// "./paper" is the path of a file named paper. Throws as read_setting().
 Setting find_setting(const std::string& name_or_path);
-/// The name of a setting: "paper", "made", or "own" for any other. Strength, and the section's shape if areas
-/// and moments are equal, do not count.
+/// The name of a setting: "paper", "made", or "own" for any other setting. The strength has no influence on
+/// the name. Neither has the section's shape if areas and moments are equal.
 std::string setting_name(const Setting& setting);
 
-/// Write a setting file atomically. Throws IoError and then leaves the file as it was.
+/// Write a setting file atomically. Throws IoError and leaves the file as it was.
 void write_setting(const Setting& setting, const std::filesystem::path& path);
 
 /// The setting as JSON text, as libraries store it.
@@ -29,12 +29,13 @@ std::string setting_text(const Setting& setting);
 /// The inverse of setting_text; `source` names the text in messages.
 Setting parse_setting(std::string_view text, std::string source);
 
-/// The setting without the strength and the section's shape, on which no response depends. Its text
-/// identifies a setting.
+/// The setting without the strength and the section's shape, on which no response depends. The text of the
+/// result identifies a setting.
 Setting without_stresses(Setting setting);
 
 /// The first difference between two settings in one line ("/section/J: 2.25e-12, where the library has
-/// 2.3e-12"), or "". Strength, and the section's shape if areas and moments are equal, do not count.
+/// 2.3e-12"), or "" if there is no difference. Strengths are not compared. Neither are the sections' shapes
+/// if areas and moments are equal.
 std::string setting_difference(const Setting& wanted, const Setting& present);
 
 }  // namespace fretwork::reduction

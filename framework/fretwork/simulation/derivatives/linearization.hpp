@@ -10,29 +10,32 @@
 
 namespace fretwork::simulation {
 
-/// A tile at an equilibrium: its strains, and their derivatives with respect to motions of its nodes. A tile
-/// with n interface nodes has 6n strains e, in axes that turn with it; its energy is e . K e / 2, where K is
-/// its condensed stiffness.
+/// A tile at an equilibrium: the strains of the tile, and their derivatives with respect to motions of its
+/// nodes. A tile with n interface nodes has 6n strains e, in axes that turn with the tile. The energy of the
+/// tile is e . K e / 2, where K is its condensed stiffness.
 struct TileLinearization {
-    std::vector<tiling::InterfaceIndex> nodes;  ///< its interface nodes
-    Eigen::VectorXd strains;                    ///< e (m, rad); empty for tile models that have none
-    Eigen::MatrixXd slopes;                     ///< B = de/dx along motions of its nodes, 6n x 6n
-    Eigen::MatrixXd flexibility;                ///< G = B T^-1 B^T, symmetric part; only if asked for
-    double mass = 0.0;                          ///< kg; zero if gravity does not act
-    Eigen::VectorXd forces;                     ///< B^T K e, on its nodes in the surface's axes (N, N m)
-    double energy = 0.0;                        ///< J; zero where there are no strains
+    std::vector<tiling::InterfaceIndex> nodes;  ///< interface nodes of the tile
+    Eigen::VectorXd strains;                    ///< strains e (m, rad); empty for tile models without strains
+    Eigen::MatrixXd slopes;                     ///< slopes B = de/dx along motions of the nodes, 6n x 6n
+    /// Flexibility G, the symmetric part of B T^-1 B^T; only with TileQuantities::StrainsAndFlexibilities.
+    Eigen::MatrixXd flexibility;
+    double mass = 0.0;  ///< mass, kg; zero if gravity does not act
+    /// Forces B^T K e on the nodes, in the surface's axes (N, N m).
+    Eigen::VectorXd forces;
+    double energy = 0.0;  ///< energy, J; zero for tile models without strains
 };
 
-/// The quantities of tiles in a linearization. Flexibilities take the time of about three factorizations.
+/// The quantities of tiles in a linearization. Flexibilities take about as long as three factorizations.
 enum class TileQuantities { Strains, StrainsAndFlexibilities };
 
-/// A surface, linearized at a nonlinear equilibrium. Valid until the next solution or edit of its session.
+/// A surface, linearized at a nonlinear equilibrium. The linearization is valid until the next solution or
+/// edit of its session.
 struct Linearization {
-    mechanics::EquilibriumTangent tangent;  ///< its rows are those of the session's structure
-    Eigen::Index reported_nodes = 0;        ///< number of nodes in results; they come first
-    base::IndexVector<tiling::TileIndex, TileLinearization> tiles;  ///< of each tile
-    mechanics::NodeValues loads;                        ///< the applied loads, one row for each node
-    Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< m/s^2
+    mechanics::EquilibriumTangent tangent;  ///< response of the session's structure to small changes
+    Eigen::Index reported_nodes = 0;        ///< number of nodes in results, which come first
+    base::IndexVector<tiling::TileIndex, TileLinearization> tiles;  ///< linearization of each tile
+    mechanics::NodeValues loads;                                    ///< applied loads, one row for each node
+    Eigen::Vector3d gravity = Eigen::Vector3d::Zero();              ///< m/s^2
 };
 
 }  // namespace fretwork::simulation

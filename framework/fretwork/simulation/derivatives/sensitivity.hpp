@@ -10,45 +10,56 @@ namespace fretwork::simulation {
 
 /// The derivatives of a function J of a surface's displacements with respect to properties of one tile.
 struct TileSensitivity {
-    Eigen::VectorXd strains;          ///< e
-    Eigen::VectorXd adjoint_strains;  ///< a = B l:  dJ = -a . dK e. Both are empty for other tile models
-    double stiffness = 0.0;  ///< dJ by a factor on the tile's stiffness, at 1; NaN for tiles made of beams
-    double mass = 0.0;       ///< dJ by the tile's mass, 1/kg: its weight is a load
-    double own_mass = 0.0;   ///< kg, where gravity acts
-    double energy = 0.0;     ///< J, of the tile; zero for other tile models
+    Eigen::VectorXd strains;  ///< strains e
+    /// Adjoint strains a = B l, with dJ = -a . dK e; empty, like `strains`, for tile models without strains.
+    Eigen::VectorXd adjoint_strains;
+    /// Derivative of J with respect to a factor on the tile's stiffness, at 1; NaN for tiles made of beams.
+    double stiffness = 0.0;
+    /// Derivative of J with respect to the tile's mass, whose weight is a load, 1/kg.
+    double mass = 0.0;
+    double own_mass = 0.0;  ///< mass of the tile, kg; zero if gravity does not act
+    double energy = 0.0;    ///< elastic energy of the tile, J; zero for tile models without strains
 };
 
-/// The derivatives of a function J of a surface's displacements at an equilibrium, by loads, held values and
-/// tiles. The adjoint method gives all of them with one back-substitution.
+/// The derivatives of a function J of a surface's displacements at an equilibrium, with respect to loads,
+/// held values and tiles. The adjoint method gives all derivatives with one back-substitution.
 struct Sensitivity {
-    mechanics::NodeValues loads;  ///< dJ by forces and true moments on each node: the adjoint motions l
-    /// dJ by the values of held components (prescribed or zero), one row for each node; zero for free ones.
+    /// Derivatives of J with respect to forces and true moments on each node, which are the adjoint motions
+    /// l.
+    mechanics::NodeValues loads;
+    /// The derivatives of J with respect to the values of held components (prescribed or zero), one row for
+    /// each node; zero for free components.
     mechanics::NodeValues held_values;
-    double stiffness = 0.0;  ///< dJ by a factor on the stiffness of all tiles (say, Young's modulus), at 1
-    base::IndexVector<tiling::TileIndex, TileSensitivity> tiles;  ///< of each tile
+    /// Derivative of J with respect to a factor on the stiffness of all tiles, such as on Young's modulus, at
+    /// 1.
+    double stiffness = 0.0;
+    /// Derivatives with respect to properties of each tile.
+    base::IndexVector<tiling::TileIndex, TileSensitivity> tiles;
 };
 
-/// The sensitivity of a function J with this gradient. Throws InputError if the number of rows of the
+/// The sensitivity of a function J with a given gradient. Throws InputError if the number of rows of the
 /// gradient is wrong; Stopped.
-/// @param gradient  dJ by displacements and rotation vectors, a row for each node of the surface's results
+/// @param gradient  the derivatives of J with respect to displacements and rotation vectors, one row for each
+/// node of the surface's results
 Sensitivity sensitivity(const Linearization& linearization, const mechanics::NodeValues& gradient,
                         const base::Control& control = {});
 
-/// The sensitivity of J + weight U, where U is the elastic energy: adds how U depends on stiffnesses while
-/// nothing moves. The gradient of `by` has weight times Session::energy_gradient in it already.
-/// @param energy  U of the surface, J
+/// The sensitivity of J + weight U, where U is the elastic energy. The function adds the derivative of U with
+/// respect to stiffnesses while no node moves. The gradient from which `by` was computed must include weight
+/// times Session::energy_gradient().
+/// @param energy  the elastic energy U of the surface, J
 Sensitivity with_energy(Sensitivity by, double weight, double energy);
 
-/// The change of J, to first order, if one tile had another pattern: a row for each tile, a column for each
-/// pattern; the weight of the tile is included. NaN for tiles
-/// that are neither corotational nor condensed.
+/// The change of J, to first order, if one tile had another pattern: one row for each tile, one column for
+/// each pattern. The change of the tile's weight is included. NaN for tiles that are neither corotational nor
+/// condensed.
 Eigen::MatrixXd pattern_derivatives(const Sensitivity& sensitivity, const CandidateTiles& candidates);
 
 /// The derivative of J along a curve of settings, at 0 of its parameter. Sections, joints, material and
-/// density act on the stiffness and the weight of the tiles, whose derivatives are central differences of
-/// fourth order; J itself is not differenced.
-/// @param setting  the curve; it is evaluated from -2 `step` to 2 `step`
-/// @param step  of the curve's parameter
+/// density act on the stiffness and the weight of the tiles. The derivatives of stiffness and weight are
+/// central differences of fourth order; no differences of J are taken.
+/// @param setting  the curve, which is evaluated from -2 `step` to 2 `step`
+/// @param step  the step of the curve's parameter for the differences
 double derivative_along(const Sensitivity& sensitivity, const Surface& surface,
                         const std::function<reduction::Setting(double)>& setting, double step);
 

@@ -12,15 +12,16 @@ namespace fretwork::simulation {
 
 /// The derivatives of a tile's condensed stiffness and mass along a curve of settings.
 struct TileRate {
-    Eigen::MatrixXd stiffness;  ///< dK, 6n x 6n, in the axes in which the tile is built; the lower triangle
-    double mass = 0.0;          ///< kg by a unit of the parameter
+    /// Derivative of K, 6n x 6n, in the axes in which the tile is built; only the lower triangle.
+    Eigen::MatrixXd stiffness;
+    double mass = 0.0;  ///< derivative of the mass, kg per unit of the curve's parameter
 };
 
-/// The derivatives of every painted tile, at 0 of the curve's parameter: central differences of fourth order.
-/// Congruent tiles of one pattern share theirs.
-/// @param setting  the curve of sections, joints, material or density; it is evaluated from -2 `step` to
-/// 2 `step`
-/// @param step  of the curve's parameter
+/// The derivatives of every painted tile, at 0 of the curve's parameter, by central differences of fourth
+/// order. Congruent tiles with the same pattern share a TileRate.
+/// @param setting  the curve of sections, joints, material or density, which is evaluated from -2 `step` to 2
+/// `step`
+/// @param step  the step of the curve's parameter for the differences
 base::IndexVector<tiling::TileIndex, std::shared_ptr<const TileRate>> rates_along(
     const Surface& surface, const std::function<reduction::Setting(double)>& setting, double step);
 

@@ -8,9 +8,11 @@
 namespace fretwork::simulation {
 
 struct SmoothStressOptions {
-    double exponent = 32.0;  ///< p, at least 2: the larger, the nearer to the largest stress
-    int threads = 0;         ///< 0: all there are. They change no bit.
-    /// Throws InputError.
+    /// Exponent p, at least 2; a larger exponent brings the value nearer to the largest stress.
+    double exponent = 32.0;
+    /// Number of threads; 0: one for each processor. The number does not change a bit of the result.
+    int threads = 0;
+    /// Throws InputError if a value is invalid.
     void validate() const;
 };
 
@@ -19,26 +21,29 @@ struct SmoothStressOptions {
 ///
 ///     value = (sum of v^p)^(1/p),     largest <= value <= largest m^(1/p).
 struct SmoothStress {
-    double value = 0.0;    ///< Pa
-    double largest = 0.0;  ///< Pa
-    /// dvalue by displacements and rotation vectors, a row for each node of the result.
+    double value = 0.0;    ///< smooth stress, Pa
+    double largest = 0.0;  ///< largest von Mises stress, Pa
+    /// The derivatives of `value` with respect to displacements and rotation vectors, one row for each node
+    /// of the result.
     mechanics::NodeValues gradient;
 };
 
-/// The smooth stress in a solution that the session gave since its last edit. Exact where beams answer
-/// linearly to their tile's strains: of condensed and corotational tiles. Throws InputError for others, whose
-/// stresses or their derivatives are not known.
+/// The smooth stress in a solution that the session gave since its last edit. Value and gradient are exact
+/// for condensed and corotational tiles, whose beams depend linearly on the strains of their tile. Throws
+/// InputError for other tiles, whose stresses or derivatives of stresses are not known.
 SmoothStress smooth_stress(const Session& session, const mechanics::Solution& solution,
                            const SmoothStressOptions& options = {});
 
 /// A curve of settings.
 struct SettingCurve {
-    std::function<reduction::Setting(double)> setting;  ///< evaluated from -2 `step` to 2 `step`
-    double step = 1e-3;                                 ///< of its parameter
+    /// The curve, which is evaluated from -2 `step` to 2 `step`.
+    std::function<reduction::Setting(double)> setting;
+    double step = 1e-3;  ///< step of the curve's parameter for the differences
 };
 
-/// How the smooth stress changes along a curve of settings while no node moves, at 0 of its parameter: by
-/// central differences of fourth order. Added to derivative_along(), it is the whole derivative.
+/// The derivative of the smooth stress along a curve of settings while no node moves, at 0 of the curve's
+/// parameter, by central differences of fourth order. The whole derivative is the sum of this derivative and
+/// derivative_along().
 double smooth_stress_along(const Session& session, const SurfaceResult& result, const SettingCurve& curve,
                            const SmoothStressOptions& options = {});
 

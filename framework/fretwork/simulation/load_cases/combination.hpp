@@ -7,13 +7,13 @@
 
 namespace fretwork::simulation {
 
-/// The load case with this name. Throws InputError that suggests the nearest name, or lists all.
+/// The load case with this name. Throws InputError that suggests the nearest name, or lists all names.
 const LoadCase& load_case_of(const std::string& name, std::span<const LoadCase> cases);
 
-/// A load case merged with the load cases that it combines: their loads, area loads, prescribed displacements
-/// and gravity times their factors, and all their supports. A load case that combines nothing is returned
-/// unchanged. Throws InputError if it combines a load case that is not among `cases`, that is itself, or that
-/// is also a combination.
+/// A load case merged with the load cases that it combines. From each of these, loads, area loads, prescribed
+/// displacements and gravity are added, multiplied by its factor, and so are all its supports, without the
+/// factor. A load case that combines no others is returned unchanged. Throws InputError if a combined load
+/// case is not among `cases`, is the load case itself, or is also a combination.
 LoadCase combined(const LoadCase& load_case, std::span<const LoadCase> cases);
 
 }  // namespace fretwork::simulation

@@ -10,50 +10,52 @@
 
 namespace fretwork::simulation {
 
-/// A load case on a surface: the supports and loads of each interface node. They are the same for every
+/// A load case on a surface: the supports and loads of each interface node, which are the same for every
 /// model.
 struct Conditions {
     std::vector<mechanics::Support> supports;                   ///< components that stay zero
-    std::vector<mechanics::PrescribedDisplacement> prescribed;  ///< components that are given
+    std::vector<mechanics::PrescribedDisplacement> prescribed;  ///< components with given values
     std::vector<mechanics::NodalLoad> loads;  ///< loads of the load case, then the shares of the tiles'
                                               ///< weight
 };
 
-/// Apply a load case to the nodes of a surface. Throws InputError that names an entry of the load case that
-/// selects no node, or if gravity acts on beams without density.
+/// Apply a load case to the nodes of a surface. Throws InputError that names an entry of the load case which
+/// selects no node. Throws InputError if gravity acts on beams without density.
 Conditions resolve(const LoadCase& load_case, const Surface& surface);
-/// Apply a load case to the nodes of a surface, given the masses of all tiles, kg. They may be empty if
-/// needs_masses() is false.
+/// Apply a load case to the nodes of a surface. `tile_masses` has the masses of all tiles, kg, and may be
+/// empty if needs_masses() is false.
 Conditions resolve(const LoadCase& load_case, const Surface& surface, std::span<const double> tile_masses);
 /// True if the load case has gravity and the surface has mass.
 bool needs_masses(const LoadCase& load_case, const Surface& surface);
 
-/// The loads as one row for each of `nodes` nodes, the first of which are the interface nodes.
+/// The loads, one row for each of `nodes` nodes, the first of which are the interface nodes.
 mechanics::NodeValues load_rows(const Conditions& conditions, std::size_t nodes);
 
 /// Apply conditions to an assembly whose first nodes are the interface nodes: add the supports, and replace
 /// prescribed displacements and loads.
 void apply(const Conditions& conditions, mechanics::Assembly& assembly);
 
-/// The nodes that the entries of a load case select, and their loads. Each list is in the order of the
-/// entries in a file.
+/// The nodes that the entries of a load case select, and the loads on these nodes. Each list is in the order
+/// of the entries in a file.
 struct EntryMarks {
-    /// The nodes of a load, and each node's share of its vectors.
+    /// The nodes of a load, and each node's share of the load's vectors.
     struct Load {
-        std::vector<tiling::InterfaceIndex> nodes;  ///< ascending
+        std::vector<tiling::InterfaceIndex> nodes;  ///< loaded nodes, ascending
         std::vector<double> shares;                 ///< shares of `force` and `moment`; 1 if each node bears
                                                     ///< the whole load
         Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< N
         Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< N m
-        double extent = 0.0;  ///< area (m2) of a load per area, length (m) of a load per length; else 0
+        /// Loaded area (m2) for a load per area, loaded length (m) for a load per length, 0 for other loads.
+        double extent = 0.0;
     };
-    std::vector<std::vector<tiling::InterfaceIndex>> supports;    ///< nodes of each entry
-    std::vector<Load> loads;                                      ///< loads on areas come last
+    std::vector<std::vector<tiling::InterfaceIndex>> supports;  ///< nodes of each entry
+    /// Loads of each entry; loads per area come last.
+    std::vector<Load> loads;
     std::vector<std::vector<tiling::InterfaceIndex>> prescribed;  ///< nodes of each entry
 };
 
-/// The marks of one load case's entries, without gravity and without the load cases that it combines. Throws
-/// InputError as check_selections does.
+/// The marks of one load case's entries, without gravity and without the load cases that the load case
+/// combines. Throws InputError as check_selections().
 EntryMarks entry_marks(const LoadCase& load_case, const tiling::Tessellation& tessellation);
 
 /// Check that every entry of a load case selects interface nodes of a tessellation, painted or not. Throws

@@ -12,33 +12,34 @@
 
 namespace fretwork::simulation {
 
-/// Supports and loads of a surface, and the other load cases to combine. All supports and loads are on
-/// interface nodes, because every tile model has these.
+/// A load case: supports and loads of a surface, and other load cases to combine. All supports and loads are
+/// on interface nodes, because every tile model has these nodes.
 struct LoadCase {
-    /// Nodes that are held.
+    /// The support of some nodes.
     struct Support {
-        Selection where;          ///< which nodes
+        Selection where;          ///< the nodes
         mechanics::DofSet fixed;  ///< components that stay zero
         friend bool operator==(const Support&, const Support&) = default;
     };
-    /// The meaning of a load's vectors. Each: every selected node gets them. Total: all selected nodes share
-    /// them. PerLength: they are a line load along the rim, N/m, either along a side of the bounding box
-    /// (NodesAtSide) or along the shorter way between the places nearest to two points (NodesNearest). Each
-    /// node of a tile's side represents an equal length of it, measured at rest.
+    /// The meaning of a load's force and moment. Each: every selected node gets the force and the moment.
+    /// Total: all selected nodes share the force and the moment equally. PerLength: the force is a line load
+    /// along the rim, in N/m, either along a side of the bounding box (NodesAtSide) or along the shorter way
+    /// between the places nearest to two points (NodesNearest). Each interface node on a tile's side
+    /// represents an equal length of the side, measured at rest.
     enum class Amount { Each, Total, PerLength };
-    /// Nodes that are loaded.
+    /// A load on some nodes.
     struct Load {
-        Selection where;                                   ///< which nodes
+        Selection where;                                   ///< the nodes
         Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< N
-        Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< N m, fixed direction in space
-        Amount amount = Amount::Each;                      ///< each node, or all together
+        Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< moment of fixed direction in space, N m
+        Amount amount = Amount::Each;                      ///< meaning of force and moment
         friend bool operator==(const Load&, const Load&) = default;
     };
-    /// Nodes that are given a displacement.
+    /// A given value of a component of the displacement of some nodes.
     struct PrescribedDisplacement {
-        Selection where;                          ///< which nodes
-        mechanics::Dof dof = mechanics::Dof::ux;  ///< which component
-        double value = 0.0;                       ///< m or rad
+        Selection where;                          ///< the nodes
+        mechanics::Dof dof = mechanics::Dof::ux;  ///< the component
+        double value = 0.0;                       ///< value, m or rad
         friend bool operator==(const PrescribedDisplacement&, const PrescribedDisplacement&) = default;
     };
     /// A load per area. Each interface node represents an equal share of the area of each of its tiles. The
@@ -46,28 +47,29 @@ struct LoadCase {
     struct AreaLoad {
         /// Whole tiles, by number.
         struct Tiles {
-            std::vector<int> numbers;  ///< from 0
+            std::vector<int> numbers;  ///< numbers of the tiles, from 0
             friend bool operator==(const Tiles&, const Tiles&) = default;
         };
-        std::variant<Selection, Tiles> where;  ///< nodes with the area that they represent, or tiles
+        /// Nodes, which stand for the area that they represent, or tiles.
+        std::variant<Selection, Tiles> where;
         Eigen::Vector3d per_area = Eigen::Vector3d::Zero();  ///< N/m2
         friend bool operator==(const AreaLoad&, const AreaLoad&) = default;
     };
-    /// Another load case of the same project, and the factor on it (combination.hpp).
+    /// Another load case of the same project, with a factor (combination.hpp).
     struct Share {
-        std::string load_case;  ///< its name
-        double factor = 1.0;    ///< on all its loads
+        std::string load_case;  ///< name of the load case
+        double factor = 1.0;    ///< factor on all loads of the load case
         friend bool operator==(const Share&, const Share&) = default;
     };
-    std::string name;                                ///< as commands name it
-    std::string description;                         ///< a sentence
-    std::vector<Support> supports;                   ///< what holds
+    std::string name;                                ///< name in commands
+    std::string description;                         ///< description in one sentence
+    std::vector<Support> supports;                   ///< supports of nodes
     std::vector<Load> loads;                         ///< forces and moments on nodes
-    std::vector<PrescribedDisplacement> prescribed;  ///< displacements that nodes are given
-    std::vector<AreaLoad> area_loads{};              ///< N/m^2
-    std::vector<Share> combines{};                   ///< other load cases times factors
-    /// m/s^2. In every model, the interface nodes of a tile share the weight of its beams equally: paper,
-    /// Section 7.3.
+    std::vector<PrescribedDisplacement> prescribed;  ///< given displacements of nodes
+    std::vector<AreaLoad> area_loads{};              ///< loads per area
+    std::vector<Share> combines{};                   ///< other load cases, with factors
+    /// The acceleration of gravity, m/s^2. In every model, the interface nodes of a tile share the weight of
+    /// its beams equally: paper, Section 7.3.
     Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
     friend bool operator==(const LoadCase&, const LoadCase&) = default;
 };

@@ -9,7 +9,7 @@
 
 namespace fretwork::simulation {
 
-/// The newest format of the file, which can express every load case.
+/// The newest format of load case files, which can express every load case.
 inline constexpr std::string_view kLoadCaseFormat = "fretwork/load-case/3";
 
 /// Parse a load case. Throws InputError with source and JSON pointer.
@@ -18,7 +18,7 @@ LoadCase parse_load_case(std::string_view text, const std::string& source);
 std::string load_case_text(const LoadCase& load_case);
 /// Read a load case file. Throws InputError with file and JSON pointer.
 LoadCase read_load_case(const std::filesystem::path& path);
-/// Write a load case file atomically. Throws IoError and then leaves the file as it was.
+/// Write a load case file atomically. Throws IoError and leaves the file as it was.
 void write_load_case(const LoadCase& load_case, const std::filesystem::path& path);
 
 }  // namespace fretwork::simulation

@@ -9,13 +9,13 @@
 
 namespace fretwork::simulation {
 
-/// The entries of a load case for people, one line each, with effect and number of nodes:
-/// "support  left: 9 nodes  ux uy uz". Throws InputError as check_selections.
+/// The entries of a load case in words, one line each, with the number of nodes and the effect: "support
+/// left: 9 nodes  ux uy uz". Throws InputError as check_selections.
 std::vector<std::string> entry_texts(const LoadCase& load_case, const tiling::Tessellation& tessellation);
 
-/// Warnings about values that look like errors of units, one line each: points away from the surface,
+/// Warnings, one line each, about values that look like errors of units: points away from the surface,
 /// displacements larger than the surface, rotations of more than a turn, loads of more than three hundred
-/// times its weight, and gravity of more than ten times the earth's.
+/// times the surface's weight, and gravity of more than ten times the earth's gravity.
 std::vector<std::string> doubts_about(const LoadCase& load_case, const Surface& surface);
 
 }  // namespace fretwork::simulation

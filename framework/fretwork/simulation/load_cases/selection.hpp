@@ -11,10 +11,10 @@ namespace fretwork::simulation {
 
 /// A side of the bounding box.
 enum class Side {
-    Left,    ///< least x
-    Right,   ///< largest x
-    Bottom,  ///< least y
-    Top      ///< largest y
+    Left,    ///< side with the smallest x
+    Right,   ///< side with the largest x
+    Bottom,  ///< side with the smallest y
+    Top      ///< side with the largest y
 };
 
 /// Interface nodes by their numbers.
@@ -22,25 +22,25 @@ struct NodesById {
     std::vector<int> ids;  ///< numbers of interface nodes, from 0
     friend bool operator==(const NodesById&, const NodesById&) = default;
 };
-/// All interface nodes in a box, its edge included: xmin ymin xmax ymax in metres.
+/// All interface nodes in a box, whose edge belongs to the box.
 struct NodesInBox {
     std::array<double, 4> box{};  ///< xmin, ymin, xmax, ymax, m
     friend bool operator==(const NodesInBox&, const NodesInBox&) = default;
 };
-/// The interface nodes nearest to the given points, one for each.
+/// The interface nodes nearest to given points, one for each point.
 struct NodesNearest {
     std::vector<geometry::Point2> points;  ///< m
     friend bool operator==(const NodesNearest&, const NodesNearest&) = default;
 };
-/// The rim nodes along one side: those within one mean tile side of that side of the bounding box.
+/// The interface nodes on the rim within one mean tile side of a side of the bounding box.
 struct NodesAtSide {
-    Side side = Side::Left;  ///< of the bounding box
+    Side side = Side::Left;  ///< side of the bounding box
     friend bool operator==(const NodesAtSide&, const NodesAtSide&) = default;
 };
 /// A selection of interface nodes for a support or a load.
 using Selection = std::variant<NodesById, NodesInBox, NodesNearest, NodesAtSide>;
 
-/// The interface nodes of a selection, ascending, each once. Throws InputError if the selection is empty, or
+/// The interface nodes of a selection, ascending, each once. Throws InputError if no node is selected, or if
 /// an id is out of range.
 std::vector<tiling::InterfaceIndex> select_nodes(const Selection& selection,
                                                  const tiling::Tessellation& tessellation);

@@ -21,34 +21,35 @@ enum class TilesFrom {
 
 /// Options of make_project().
 struct NewProjectOptions {
-    /// The outline's file; if not empty, messages about the outline begin with it.
+    /// The name of the outline's file, with which messages about the outline begin; may be empty.
     std::string outline_name{};
-    std::optional<double> edge_length{};   ///< m, wanted mean side of the tiles; none: the setting's tile
-                                           ///< side
-    TilesFrom tiles = TilesFrom::Outline;  ///< made from the outline, or the faces of a mesh
+    /// Wanted mean side of the tiles, m; none: the setting's tile side.
+    std::optional<double> edge_length{};
+    TilesFrom tiles = TilesFrom::Outline;            ///< source of the tiles
     tiling::Narrow narrow = tiling::Narrow::Refine;  ///< treatment of an outline that is narrower than a tile
-    std::string layout{};                            ///< a name or a file; empty: the library's, or paper7
-    std::optional<pattern::NodeLayout> own_layout{};  ///< the layout itself, whatever `layout` says
-    /// Material, section and joints. None: the library's setting, or reduction::made_setting().
+    /// Name or file of the node layout; empty: the library's layout, or paper7.
+    std::string layout{};
+    std::optional<pattern::NodeLayout> own_layout{};  ///< the node layout itself, which replaces `layout`
+    /// The setting. None: the library's setting or, without a library, reduction::made_setting().
     std::optional<reduction::Setting> setting{};
-    PaintingChoice painting{};  ///< how tiles are painted
-    base::Control control{};    ///< how the caller follows and stops the work
+    PaintingChoice painting{};  ///< the way in which tiles are painted
+    base::Control control{};    ///< progress and stop
 };
 
-/// A project without load cases, and the report about its tiling.
+/// A project without load cases, and a report about its tiling.
 struct NewProject {
-    Project project;                    ///< with its tessellation and painting
-    tiling::TessellationReport report;  ///< how regular the tiles are
-    double edge_length = 0.0;           ///< m, the wanted side; for a mesh, the mean side of its faces
+    Project project;                    ///< the project, with tessellation and painting
+    tiling::TessellationReport report;  ///< measures of the tiles
+    double edge_length = 0.0;           ///< wanted side, m; for a mesh, the mean side of its faces
 };
 
-/// Tile an outline and paint it. No side of a tile is shorter than the width of the setting's bars in the
-/// plane, or than a quarter of the wanted side if that is less. `library` may be null; the project takes its
-/// setting but no link to it. Throws as tiling::tessellate, with the outline's name, and as paint; InputError
-/// if the library has another layout or setting.
+/// Tile an outline and paint it. No side of a tile is shorter than the smaller of two lengths: the width of
+/// the setting's bars in the plane, and a quarter of the wanted side. `library` may be null; the project
+/// takes the library's setting, but no link to the library. Throws as tiling::tessellate(), with the
+/// outline's name, and as paint(). Throws InputError if the library has another layout or setting.
 NewProject make_project(const outlines::Outline& outline, const NewProjectOptions& options,
                         const library::Library* library);
-/// Tile several separate outlines, part after part, as one tessellation, and paint it.
+/// Tile several separate outlines, part after part, as one tessellation, and paint the tessellation.
 NewProject make_project(const std::vector<outlines::Outline>& parts, const NewProjectOptions& options,
                         const library::Library* library);
 

@@ -19,56 +19,58 @@
 
 namespace fretwork::simulation {
 
-/// The patterns that a painting chooses from: the listed ones, or those of a painting file, or the calibrated
-/// patterns of the library.
+/// The palette from which a painting chooses: listed patterns or, if none are listed, the patterns of a
+/// painting file or, without a file, the calibrated patterns of the library.
 struct PaletteChoice {
-    std::vector<std::string> ids{};  ///< of patterns
-    std::filesystem::path file{};    ///< a painting file, used if `ids` is empty
+    std::vector<std::string> ids{};  ///< ids of patterns
+    std::filesystem::path file{};    ///< painting file, used if `ids` is empty
 };
 
 /// Paint all tiles with one pattern.
 struct PaintOnePattern {
-    std::string id;  ///< of the pattern
+    std::string id;  ///< id of the pattern
 };
 
 /// Paint as in a painting file.
 struct PaintFromFile {
-    std::filesystem::path file;  ///< a painting file
+    std::filesystem::path file;  ///< painting file
 };
 
 /// Paint at random.
 struct PaintAtRandom {
-    std::uint64_t seed = 1;         ///< of the choice
-    PaletteChoice palette{};        ///< what is chosen from
-    std::vector<double> weights{};  ///< weights of the palette's ids, above zero; empty: all are equally
-                                    ///< likely
+    std::uint64_t seed = 1;   ///< seed of the random choice
+    PaletteChoice palette{};  ///< the palette
+    /// Weights of the palette's patterns, above zero; empty: all patterns are equally likely.
+    std::vector<double> weights{};
 };
 
 /// A field over the surface: an expression of x and y (m), and of u and v (0 to 1 across the surface).
 struct FieldExpression {
-    std::string text;  ///< such as `u` or `sin(30*x)^2`
+    std::string text;  ///< expression, such as `u` or `sin(30*x)^2`
 };
-/// A field over the surface: the darkness of a PNG image stretched over it (white 0, black 1).
+/// A field over the surface: the darkness of a PNG image that is stretched over the surface (white 0, black
+/// 1).
 struct FieldImage {
-    std::filesystem::path file;  ///< a PNG image
+    std::filesystem::path file;  ///< PNG file
 };
 
 /// Paint by a field with values from 0 to 1, which selects patterns along a palette.
 struct PaintByField {
-    std::variant<FieldExpression, FieldImage> field;  ///< the number over the surface
-    PaletteChoice palette{};                          ///< what is chosen from
-    /// The property of patterns (`bending_stiffness`) that orders the palette; empty: the palette's own order
-    /// counts.
+    std::variant<FieldExpression, FieldImage> field;  ///< the field
+    PaletteChoice palette{};                          ///< the palette
+    /// The property by which the patterns of the palette are ordered, such as `bending_stiffness`; empty: the
+    /// order of the palette is used.
     std::string property{};
-    /// The property's values, SI, for field values 0 and 1. None: the palette's smallest and largest.
+    /// The values of the property, SI, for the field values 0 and 1. None: the smallest and the largest value
+    /// of the palette.
     std::optional<std::pair<double, double>> range{};
-    tiling::Dithering dithering = tiling::Dithering::None;  ///< whether patterns are mixed
+    tiling::Dithering dithering = tiling::Dithering::None;  ///< whether tiles pass their errors to neighbours
 };
 
-/// Paint each tile by the colour of a drawing at the tile's place. Tiles on other colours keep their
-/// patterns.
+/// Paint each tile by the colour of a drawing at the tile's place. Tiles on a colour that is not in `palette`
+/// keep their patterns.
 struct PaintByColours {
-    std::filesystem::path drawing;                             ///< SVG
+    std::filesystem::path drawing;                             ///< SVG file
     std::vector<std::pair<std::string, std::string>> palette;  ///< pairs of a colour "#rrggbb" and a pattern
                                                                ///< id
 };
@@ -79,17 +81,17 @@ using PaintingChoice =
 
 /// The layout, setting and library that pattern ids refer to. `library` may be null.
 struct PaintingGround {
-    base::Borrowed<pattern::NodeLayout> layout;  ///< of the patterns
-    base::Borrowed<reduction::Setting> setting;  ///< for properties that are computed
-    const library::Library* library = nullptr;   ///< for properties that are known; may be null
+    base::Borrowed<pattern::NodeLayout> layout;  ///< node layout of the patterns
+    base::Borrowed<reduction::Setting> setting;  ///< setting in which missing properties are computed
+    const library::Library* library = nullptr;   ///< library that has properties; may be null
 };
 
-/// Paint all tiles by a choice. Throws InputError whose source is a file, or the invalid entry of the choice:
+/// Paint all tiles by a choice. Throws InputError that names a file, or an invalid entry of the choice:
 /// "patterns", "palette", "property", "range" or "library".
 void paint(tiling::Tessellation& tessellation, const PaintingChoice& choice, const PaintingGround& ground);
 /// Paint some tiles by a choice; other tiles keep their patterns. Random paintings and fields paint the tiles
-/// in the order of `tiles`. From a painting file, each tile takes its own pattern. With colours, tiles on
-/// other colours than the palette's keep their patterns. Returns the painted tiles.
+/// in the order of `tiles`. With a painting file, each tile takes the pattern that the file gives this tile.
+/// With colours, tiles on a colour that is not in the palette keep their patterns. Returns the painted tiles.
 std::vector<tiling::TileIndex> paint(tiling::Tessellation& tessellation,
                                      std::span<const tiling::TileIndex> tiles, const PaintingChoice& choice,
                                      const PaintingGround& ground);

@@ -16,30 +16,31 @@ namespace fretwork::simulation {
 /// A project: the document that the command line and the studio share.
 struct Project {
     pattern::NodeLayout layout = pattern::paper_layout();  ///< layout of the tessellation's patterns
-    outlines::Outline outline;                             ///< the first part
-    std::vector<outlines::Outline> further_outlines{};     ///< the outlines of the further parts of a surface
-                                                           ///< with several parts
-    tiling::Tessellation tessellation;                     ///< with its painting
-    std::vector<LoadCase> load_cases;                      ///< names differ
-    /// The setting at the time when the project was made, from its library or chosen for it. With it, the
-    /// project means the same without the library. None, as in older files: the present setting of the
-    /// library, or the paper's.
+    outlines::Outline outline;                             ///< outline of the first part
+    /// Outlines of the other parts, if the surface has several.
+    std::vector<outlines::Outline> further_outlines{};
+    tiling::Tessellation tessellation;  ///< tiles with their painting
+    std::vector<LoadCase> load_cases;   ///< load cases, each with another name
+    /// The setting, taken from the library or chosen when the project was made. A project with a setting
+    /// gives the same results without its library. None, as in older files: the present setting of the
+    /// library or, without a library, the paper's setting.
     std::optional<reduction::Setting> setting{};
-    /// Tiles with their own tile model.
+    /// A tile model for some tiles.
     struct TileModelChoice {
-        std::string model;                     ///< a row of the catalogue
-        std::vector<tiling::TileIndex> tiles;  ///< which have it
+        std::string model;                     ///< name of the tile model
+        std::vector<tiling::TileIndex> tiles;  ///< tiles with this tile model
     };
-    std::vector<TileModelChoice> tile_models{};  ///< tiles with a model of their own
-    std::string library_path;                    ///< path relative to the project file; empty: no library
-    std::string library_hash;                    ///< content hash of the library when the project was made
+    std::vector<TileModelChoice> tile_models{};  ///< tile models of tiles that have their own
+    /// Path of the library relative to the project file; empty: no library.
+    std::string library_path;
+    std::string library_hash;  ///< content hash of the library when the project was made
 };
 
-/// The load case with this name, merged with those that it combines. "" means the project's only load case.
-/// Throws InputError that lists the names, and as combined().
+/// The load case with this name, merged with the load cases that it combines. The name "" stands for the only
+/// load case of a project. Throws InputError that lists the names, and as combined().
 LoadCase find_load_case(const Project& project, const std::string& name);
 
-/// The tile model of each tile, "" for tiles without their own; empty if no tile has one.
+/// The name of each tile's own tile model, "" for tiles without one; empty if no tile has one.
 std::vector<std::string> models_by_tile(const Project& project);
 
 }  // namespace fretwork::simulation

@@ -15,7 +15,7 @@ Project parse_project(std::string_view text, const std::string& source);
 std::string project_text(const Project& project);
 /// Read a project file. Throws InputError with file and JSON pointer.
 Project read_project(const std::filesystem::path& path);
-/// Write a project file atomically. Throws IoError and then leaves the file as it was.
+/// Write a project file atomically. Throws IoError and leaves the file as it was.
 void write_project(const Project& project, const std::filesystem::path& path);
 
 }  // namespace fretwork::simulation

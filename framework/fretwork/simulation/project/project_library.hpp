@@ -13,18 +13,21 @@ namespace fretwork::simulation {
 /// The path of a project's library; empty if the project names none.
 std::string library_path_of(const std::string& project_file, const Project& project);
 
-/// Open the library for simulating a project: `wanted` if it is not empty, else the project's own (its path
-/// is relative to the project file), else none. Throws InputError if the project's library has changed since
-/// the project was made.
+/// Open the library for simulating a project: the library at the path `wanted` or, if `wanted` is empty, the
+/// project's own library, whose path is relative to the project file. None if both are empty. Throws
+/// InputError if the project's own library has changed since the project was made.
 std::optional<library::Library> open_project_library(const std::string& project_file, const Project& project,
                                                      const std::string& wanted);
 
-/// The project's setting, else the library's, else the paper's; `library` may be null. The strength of
-/// the material may differ between project and library. Throws InputError if the settings differ otherwise.
+/// The setting of a project: its own setting or, if it has none, the library's setting or, without a library,
+/// the paper's setting. `library` may be null. If project and library both have a setting, the two may differ
+/// only in the strength of the material, which is then the project's, and in the shape of the section, with
+/// equal areas and moments. Throws InputError if they differ in any other value.
 reduction::Setting setting_of(const Project& project, const library::Library* library);
 
-/// True if a project with this choice of models needs its library: a tile's model has calibrated parameters,
-/// or the project has no setting. Otherwise the project gives the same results without the library.
+/// True if a project with this choice of models needs its library, because a tile's model has calibrated
+/// parameters or because the project has no setting. If false, the project gives the same results without the
+/// library.
 bool needs_library(const Project& project, const ModelChoice& choice);
 
 /// Read a project, and check that the tile models assigned to individual tiles exist. Throws InputError that

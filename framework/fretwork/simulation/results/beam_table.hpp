@@ -15,45 +15,47 @@
 
 namespace fretwork::simulation {
 
-/// Forces and stresses of one beam of a surface. No loads act between its ends, so the largest stress is at
-/// one of them.
+/// The forces and stresses of one beam of a surface. No loads act between the ends of a beam, so the largest
+/// stress is at one of its ends.
 struct BeamRow {
-    std::size_t beam = 0;                     ///< its index in the full model
-    tiling::TileIndex tile;                   ///< whose beam it is
-    std::array<int, 2> nodes{};               ///< indices in the full model; interface nodes come first
-    std::array<Eigen::Vector3d, 2> places{};  ///< positions of its ends at rest, m
-    std::array<mechanics::SectionForces, 2> forces{};  ///< at both ends
-    std::array<double, 2> stress{};                    ///< Pa, the largest normal stress at each end
-    std::array<double, 2> von_mises{};                 ///< Pa, the largest von Mises stress at each end
-    /// Pa, normal, of both ends.
+    std::size_t beam = 0;    ///< index of the beam in the full model
+    tiling::TileIndex tile;  ///< tile of the beam
+    /// Indices of the ends in the full model, where interface nodes come first.
+    std::array<int, 2> nodes{};
+    std::array<Eigen::Vector3d, 2> places{};           ///< positions of the ends at rest, m
+    std::array<mechanics::SectionForces, 2> forces{};  ///< section forces at both ends
+    std::array<double, 2> stress{};                    ///< largest normal stress at each end, Pa
+    std::array<double, 2> von_mises{};                 ///< largest von Mises stress at each end, Pa
+    /// The largest normal stress of both ends, Pa.
     [[nodiscard]] double largest_stress() const { return std::max(stress[0], stress[1]); }
-    /// Pa, of both ends.
+    /// The largest von Mises stress of both ends, Pa.
     [[nodiscard]] double largest_von_mises() const { return std::max(von_mises[0], von_mises[1]); }
 };
 
 /// The beams of a surface in a result.
 struct BeamTable {
-    std::vector<BeamRow> rows;         ///< the beams whose tile model gives their motions
-    std::size_t unknown = 0;           ///< number of beams of other tiles
-    std::optional<double> strength{};  ///< Pa, the reference of utilizations
-    reduction::Joints joints{};        ///< of the setting, in whose beams the forces act
+    std::vector<BeamRow> rows;         ///< beams in tiles whose tile model gives the motions of beams
+    std::size_t unknown = 0;           ///< number of beams in other tiles
+    std::optional<double> strength{};  ///< strength to which utilizations refer, Pa
+    reduction::Joints joints{};        ///< joints of the setting whose beams bear the forces
     mechanics::SectionShape shape{};   ///< shape of the section for which stresses are computed
     bool is_shape_given =
-        false;  ///< else `shape` is the rectangle with the section's area and second moments
-    /// The utilization of a beam: the largest von Mises stress divided by the strength. None without a
-    /// strength.
+        false;  ///< false: `shape` is the rectangle with the section's area and second moments
+    /// The utilization of a beam: the largest von Mises stress divided by the strength. None if the strength
+    /// is not known.
     [[nodiscard]] std::optional<double> utilization(const BeamRow& row) const;
 };
 
-/// The table of a result, with the strength of the setting's material, if it has one. Throws InputError if
-/// the result does not belong to the surface, or one of its models is not in `models`.
+/// The table of a result, with the strength of the setting's material, if the setting has one. Throws
+/// InputError if the result does not belong to the surface, or if a tile model of the result is not in
+/// `models`.
 BeamTable beam_table(const Surface& surface, const SurfaceResult& result,
                      std::span<const reduction::TileModel> models = reduction::tile_models());
 
 /// The table of a solution that the session gave since its last edit.
 BeamTable beam_table(const Session& session, const mechanics::Solution& solution);
 
-/// The rows with the largest von Mises stress first; `count` of them at most.
+/// The `count` rows with the largest von Mises stresses, largest first; fewer if the table has fewer rows.
 std::vector<BeamRow> most_stressed(const BeamTable& table, std::size_t count);
 
 /// The formula of the utilizations, in one line.
@@ -62,7 +64,7 @@ std::string utilization_formula(const BeamTable& table);
 /// The table as CSV with LF, in SI: beam, tile, pattern, nodes, places, and section forces and stresses at
 /// both ends.
 std::string beam_table_csv(const BeamTable& table, const Surface& surface);
-/// The same as JSON: `{"joints", "strength", "utilization_formula", "unknown_beams", "beams": [..]}`.
+/// The table as JSON: `{"joints", "strength", "utilization_formula", "unknown_beams", "beams": [..]}`.
 std::string beam_table_json(const BeamTable& table, const Surface& surface);
 
 }  // namespace fretwork::simulation

@@ -8,46 +8,52 @@
 
 namespace fretwork::simulation {
 
-/// The distances of a reduced model's interface nodes from the full model's: a row of the paper's Table 3.
+/// The distances between the interface nodes of a reduced model and of the full model: a row of the paper's
+/// Table 3.
 ///
 /// Means are taken over the interface nodes; sd is the population standard deviation of the errors. The sd
-/// columns of the paper are inconsistent with the errors that it prints, so they cannot be compared with
-/// these. A rotation error is the angle of the rotation between the two orientations of a node.
+/// columns of the paper are inconsistent with the errors in the paper, so they cannot be compared with the
+/// values here. A rotation error is the angle of the rotation between the two orientations of a node.
 struct Comparison {
-    double width = 0.0;                         ///< m, of the interface nodes' bounding box at rest
-    double height = 0.0;                        ///< m
-    double max_displacement = 0.0;              ///< m, of the full model's interface nodes
-    double max_translation_error = 0.0;         ///< m
-    double mean_translation_error = 0.0;        ///< m
-    double sd_translation_error = 0.0;          ///< m
-    double max_rotation = 0.0;                  ///< rad, of the full model
-    double max_rotation_error = 0.0;            ///< rad
-    double mean_rotation_error = 0.0;           ///< rad
-    double sd_rotation_error = 0.0;             ///< rad
-    double relative_l2_error = 0.0;             ///< |full - reduced| / |full| over all translations
-    double full_seconds = 0.0;                  ///< wall time of the full model's answer
-    double reduced_seconds = 0.0;               ///< wall time of the reduced model's
-    bool full_is_unstable = false;              ///< the reference is a state in which no specimen would stay
-    std::optional<reduction::Joints> joints{};  ///< of both results' setting; none where no file names them
+    /// Width of the bounding box of the interface nodes at rest, m.
+    double width = 0.0;
+    double height = 0.0;  ///< m
+    /// Largest displacement of an interface node of the full model, m.
+    double max_displacement = 0.0;
+    double max_translation_error = 0.0;   ///< m
+    double mean_translation_error = 0.0;  ///< m
+    double sd_translation_error = 0.0;    ///< m
+    /// Largest rotation of an interface node of the full model, rad.
+    double max_rotation = 0.0;
+    double max_rotation_error = 0.0;   ///< rad
+    double mean_rotation_error = 0.0;  ///< rad
+    double sd_rotation_error = 0.0;    ///< rad
+    double relative_l2_error = 0.0;    ///< |full - reduced| / |full| over all translations
+    double full_seconds = 0.0;         ///< wall time of the full model's solution, s
+    double reduced_seconds = 0.0;      ///< wall time of the reduced model's solution, s
+    /// True if the full model's equilibrium is unstable, so that no specimen would stay in it.
+    bool full_is_unstable = false;
+    /// Joints of the setting of both results; none if no file states them.
+    std::optional<reduction::Joints> joints{};
 };
 
-/// The largest displacement (m) and rotation (rad, length of the rotation vector) of the interface nodes.
-/// Every model of a surface has these nodes, so largest values are taken over them alone.
+/// The largest displacement of an interface node, m. Only interface nodes are considered, because every model
+/// of a surface has these nodes.
 double largest_displacement(const SurfaceResult& result, const mechanics::Solution& solution);
-/// The largest rotation of an interface node, rad.
+/// The largest rotation of an interface node, rad: the length of its rotation vector.
 double largest_rotation(const SurfaceResult& result, const mechanics::Solution& solution);
 
 /// Compare two results of one surface; nodes are matched by id. Throws InputError if a result did not
-/// converge; if an interface node of one is missing in the other or lies elsewhere; if the subjects differ in
-/// tessellation, painting, setting or load case; or if both have the same model, or only the second has the
-/// full model. Subjects are compared only if both results have one.
+/// converge; if an interface node of one result is missing in the other or lies at another place; if the
+/// subjects differ in tessellation, painting, setting or load case; if both results have the same model; or
+/// if only the second result has the full model. Subjects are compared only if both results have a subject.
 Comparison compare(const SurfaceResult& full, const SurfaceResult& reduced);
 
 /// The comparison in a few lines for people.
 std::string comparison_text(const Comparison& comparison);
-/// The header and a row of a table of comparisons.
+/// The header of a table of comparisons.
 std::string comparison_header();
-/// The row of a comparison under that name.
+/// The row of a comparison in that table; `example` is the name of the row.
 std::string comparison_row(const std::string& example, const Comparison& comparison);
 
 }  // namespace fretwork::simulation

@@ -8,21 +8,23 @@
 
 namespace fretwork::simulation {
 
-/// The limit of a tile's own rotation, rad. ModelDoubt has three limits, and the error is estimated if a
-/// result is above one of them. In experiments/error_warnings, every result with an error of 5 % at its worst
-/// node is above a limit.
+/// The limit of ModelDoubt::tile_rotation, rad. This limit is the first of three: the error of a result is
+/// estimated if the result exceeds one of kDoubtfulRotation, kDoubtfulChange and kDoubtfulIterations. In
+/// experiments/error_warnings, every result with an error of 5 % at its worst node exceeds one of the three
+/// limits.
 inline constexpr double kDoubtfulRotation = 0.09;
-/// The limit of the change between a corotational solution and a mixed one, as a share of the largest
-/// displacement.
+/// The limit of ModelDoubt::change, the distance between a corotational solution and a mixed solution, as a
+/// share of the largest displacement.
 inline constexpr double kDoubtfulChange = 0.03;
-/// The limit of the number of linear solves from rest. A path that needs more has passed states from which
-/// small differences lead to different equilibria. This number is not used for stages; a jump on the way
-/// takes its place.
+/// The limit of the number of linear solves from rest. A path that needs more linear solves has passed states
+/// from which small differences lead to different equilibria. The limit is not used for results of load
+/// stages; a loss of stability during a load stage takes its place.
 inline constexpr int kDoubtfulIterations = 40;
 /// The limit of the estimated error at the worst node, as a share of the largest displacement, above which a
-/// result is warned of. This limit applies to estimates with all tiles in full.
+/// warning is given. This limit applies to estimates that were made with all beams of all tiles.
 inline constexpr double kWarnedError = 0.05;
-/// The same limit for estimates with some of the tiles in full: such an estimate may be too small by a third.
+/// The corresponding limit for estimates that were made with all beams of only some tiles. The limit is lower
+/// because these estimates may be too small by a third.
 inline constexpr double kWarnedEstimate = 0.03;
 
 /// The indicators of the last solution of a session, which must be nonlinear.

@@ -10,46 +10,51 @@
 
 namespace fretwork::simulation {
 
-/// The share of tiles in full in the better solution, from which errors are estimated. In
-/// experiments/large_deflections, the estimate is below 0.7 of the true mean error on a tenth of the
-/// surfaces. With a share of 5 %, it is below 0.7 on nearly half of them.
+/// The share of tiles with all of their beams in the better solution, from which errors are estimated. In
+/// experiments/large_deflections, the estimate is below 0.7 times the true mean error on a tenth of the
+/// surfaces. With a share of 5 %, the estimate is below 0.7 times the true mean error on nearly half of the
+/// surfaces.
 inline constexpr double kEstimatingShare = 0.3;
-/// The additional share of tiles in full for mixed models. Their worst tiles are in full already, and the
-/// rest of their error is spread over more tiles.
+/// The additional share of tiles with all of their beams if the solution is of a mixed model. In a mixed
+/// model, the worst tiles have all of their beams already, and the remaining error is spread over more tiles.
 inline constexpr double kEstimatingShareOfMixed = 0.6;
 
-/// rad, a limit of ModelDoubt::tile_rotation. If tiles are deformed farther, their errors are large, differ
-/// in sign, and cancel: those of some of the tiles say nothing of the sum. Then all tiles are put in full,
-/// which takes little longer than 60 % of them, and the difference is the error itself.
+/// The limit of ModelDoubt::tile_rotation, rad, above which the better solution has all beams of all tiles.
+/// Above the limit, the errors of tiles are large, differ in sign, and cancel, so the errors of some tiles do
+/// not determine the sum of the errors. A solution with all beams of all tiles takes little longer than with
+/// all beams of 60 % of the tiles, and the difference from it is the error itself.
 inline constexpr double kFarRotation = 0.3;
 
-/// The model with which solutions of a model are compared: `mixed:SHARE`. The share is kEstimatingShare, for
-/// mixed models their own and kEstimatingShareOfMixed more, and 1 beyond kFarRotation.
+/// The better model `mixed:SHARE` with which a solution of `model` is compared. The share is
+/// kEstimatingShare. For a mixed model, the share is the model's own share plus kEstimatingShareOfMixed.
+/// Above kFarRotation, the share is 1.
 std::string better_model(const std::string& model, const ModelDoubt& doubt = {});
 
-/// A solution of corotational tiles, of which the worst are in full.
+/// A solution of corotational tiles, where the worst tiles have all of their beams.
 struct BetterSolution {
     SurfaceResult result;
-    std::vector<tiling::TileIndex> full_tiles;  ///< ascending
+    std::vector<tiling::TileIndex> full_tiles;  ///< tiles with all of their beams, ascending
 };
-/// Solve a session of corotational or mixed tiles again, with more tiles in full: those of the model
-/// better_model(). `own` is the session's last solution. Afterwards the session has corotational tiles, but
-/// for these. If the corotational solution has not converged, that is the result.
+/// Solve a session of corotational or mixed tiles again by the model better_model(), where more tiles have
+/// all of their beams. `own` is the session's last solution. After the call, the session keeps these tiles
+/// with all of their beams, and all other tiles are corotational. If the corotational solution has not
+/// converged, it is returned.
 BetterSolution better_solution(Session& session, const SurfaceResult& own, const ModelDoubt& doubt,
                                const base::Control& control = {});
 
 /// The error of a solution of reduced tiles against the full model, estimated as its difference from a better
-/// solution. None if one of the two has not converged. The stress is not compared.
+/// solution. None if one of the two solutions has not converged. The stress is not compared.
 std::optional<ModelError> model_error(const SurfaceResult& result, const SurfaceResult& better);
-/// The same of solutions at the ends of stages, of which there are as many: the largest errors, as shares of
-/// the largest displacement and norm at any of these ends. None unless all have converged.
+/// The error of solutions at the ends of load stages against the full model, estimated as by model_error():
+/// the largest errors, as shares of the largest displacement and norm at the end of any load stage. None
+/// unless all solutions have converged. Pre: both results have the same number of load stages.
 std::optional<ModelError> staged_model_error(const SurfaceResult& result, const SurfaceResult& better);
 
-/// Estimate the error of the largest von Mises stress of a table, as a share of it, from a refined solution
-/// that began with the full tiles of the better model. None if a stress is not known.
+/// Estimate the relative error of the largest von Mises stress of a table from a refined solution, which
+/// began with the full tiles of the better model. None if a stress is not known.
 std::optional<double> stress_error(const BeamTable& table, const RefinedStress& refined);
-/// The same at the ends of stages, a table for each: the largest error, as a share of the largest stress at
-/// any of these ends.
+/// Estimate the error of the largest von Mises stress at the ends of load stages, with one table for each
+/// load stage: the largest error, as a share of the largest stress at the end of any load stage.
 std::optional<double> staged_stress_error(std::span<const BeamTable> tables,
                                           std::span<const BeamTable> refined);
 

@@ -12,37 +12,38 @@
 
 namespace fretwork::simulation {
 
-/// The subject of a result of this surface under this load case.
+/// The subject of a result of a surface under a load case.
 ///
 /// The tessellation's hash covers its polygons and nodes, but not the choice of each tile's first vertex. The
 /// painting's hash covers each tile's pattern and first vertex.
 ResultSubject result_subject(const Surface& surface, const LoadCase& load_case,
                              const SimulationOptions& options);
 
-/// The model of the tiles without their own model, in the form of `simulate --model`.
+/// The model of the tiles without their own tile model, in the form of `simulate --model`.
 std::string main_model(const ResultSubject& subject);
 
-/// Check a subject from a file: its models are in the catalogue, it is a reference only if all its models
-/// are, and its load case is valid. Throws InputError that names `source` and the place.
+/// Check a subject from a file: all models are in the catalogue, the subject is a reference only if all
+/// models are references, and the load case is valid. Throws InputError that names `source` and the place.
 void check_subject(const ResultSubject& subject, const std::string& source,
                    std::span<const reduction::TileModel> models = reduction::tile_models());
 
-/// The differences of two subjects, in words ("the painting, the setting"); empty if there are none. Models
-/// and descriptions of load cases are not compared.
+/// The differences between two subjects, in words ("the painting, the setting"); empty if there are no
+/// differences. Models and descriptions of load cases are not compared.
 std::string subject_difference(const ResultSubject& left, const ResultSubject& right);
 
-/// The data that the subjects of all results of a surface share. Compute it only once, because hashes take
-/// time.
+/// The data that the subjects of all results of a surface share. A caller should compute a SurfaceIdentity
+/// only once, because hashes take time.
 struct SurfaceIdentity {
-    std::string tessellation_hash;  ///< of vertices, tiles and interface nodes
-    std::string painting_hash;      ///< of the tiles' patterns
-    std::string setting_hash;       ///< of material, section and joints
-    std::size_t tiles = 0;          ///< how many
+    std::string tessellation_hash;  ///< hash of vertices, tiles and interface nodes
+    std::string painting_hash;      ///< hash of the tiles' patterns
+    std::string setting_hash;       ///< hash of material, section and joints
+    std::size_t tiles = 0;          ///< number of tiles
 };
-/// The hashes of a surface.
+/// The identity of a surface.
 SurfaceIdentity surface_identity(const Surface& surface);
 
-/// The differences of a result's subject and a surface, under any load case; empty if there are none.
+/// The differences between a result's subject and a surface, whatever the load case; empty if there are no
+/// differences.
 std::string subject_difference(const ResultSubject& result, const SurfaceIdentity& surface);
 
 }  // namespace fretwork::simulation

@@ -12,34 +12,35 @@
 
 namespace fretwork::simulation {
 
-/// The beams of a surface at rest, for drawings and stresses. They do not depend on the models of its tiles.
+/// The beams of a surface at rest, for drawings and stresses, whatever the tile models of the surface.
 struct SurfaceBeams {
-    std::size_t interface_nodes = 0;  ///< number of interface nodes; they come first, with their own numbers
+    std::size_t interface_nodes = 0;  ///< number of interface nodes, which come first, with their own numbers
     std::vector<Eigen::Vector3d>
         nodes;  ///< positions at rest, m; inner nodes follow the interface nodes, tile by tile
-    std::vector<std::array<mechanics::NodeIndex, 2>> ends;  ///< of each beam
+    std::vector<std::array<mechanics::NodeIndex, 2>> ends;  ///< the two ends of each beam
     std::vector<tiling::TileIndex> tiles;                   ///< tile of each beam
     std::vector<double> joint_reaches;                      ///< reduction::joint_reaches of each beam
     /// The first inner node and the first beam of each tile; one further entry holds the numbers of both.
     struct Start {
-        std::size_t inner_node = 0;  ///< the tile's first one
-        std::size_t beam = 0;        ///< the tile's first one
+        std::size_t inner_node = 0;  ///< index of the tile's first
+        std::size_t beam = 0;        ///< index of the tile's first
     };
-    std::vector<Start> starts;  ///< of each tile
+    std::vector<Start> starts;  ///< first inner node and first beam of each tile
 };
 
-/// Collect the beams of a surface. The nodes are those of the full model, in its order. Unpainted tiles have
-/// no beams.
+/// Collect the beams of a surface. The nodes are the nodes of the full model, in the same order. Unpainted
+/// tiles have no beams.
 SurfaceBeams surface_beams(const Surface& surface);
 
-/// For each beam, the object that computes section forces from the motions of its ends.
+/// For each beam, the object that computes section forces from the motions of the beam's ends.
 std::vector<mechanics::BeamSection> beam_sections(const SurfaceBeams& beams,
                                                   const reduction::Setting& setting);
 
-/// The displacements and forces of the beams of a surface. NaN if a tile model does not give them.
+/// The displacements and forces of the beams of a surface. Values that a tile model does not give are NaN.
 struct BeamState {
-    mechanics::NodeValues nodes;  ///< a row for each node of the beams
-    /// The columns are those of kBeamFields. Each beam has two rows, one for each end.
+    mechanics::NodeValues nodes;  ///< displacements, one row for each node of the beams
+    /// The section forces and stresses: two rows for each beam, one for each end, and the columns of
+    /// kBeamFields.
     Eigen::Matrix<double, Eigen::Dynamic, 8> forces;
 };
 /// The columns of BeamState::forces: section forces (N and N m), and the largest normal stress and the
@@ -53,13 +54,13 @@ inline constexpr Eigen::Index kVonMisesField = 7;
 
 /// The state of the beams in a solution that the session gave since its last edit.
 ///
-/// @param sections  one for each beam; empty: forces are not computed
+/// @param sections  the result of beam_sections(); empty: forces are not computed
 BeamState beam_state(const Session& session, const mechanics::Solution& solution, const SurfaceBeams& beams,
                      std::span<const mechanics::BeamSection> sections);
-/// The state of the beams in a result from a file. Its tiles are built with the models that its subject
-/// names, which are rows of `models`. A result without a subject counts as a result of the full model if it
-/// has a row for each node of the beams. Throws InputError if the result does not belong to the surface with
-/// these models.
+/// The state of the beams in a result from a file. The tiles are built with the tile models that the subject
+/// of the result names, which must be rows of `models`. A result without a subject counts as a result of the
+/// full model if it has a row for each node of the beams. Throws InputError if the result does not belong to
+/// the surface with these tile models.
 BeamState beam_state(const Surface& surface, const SurfaceResult& result, const SurfaceBeams& beams,
                      std::span<const mechanics::BeamSection> sections,
                      std::span<const reduction::TileModel> models = reduction::tile_models());

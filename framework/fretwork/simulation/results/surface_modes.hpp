@@ -11,12 +11,12 @@ namespace fretwork::simulation {
 
 /// The kind of modes.
 enum class ModeKind {
-    Vibration,  ///< natural frequencies
-    Buckling    ///< critical load factors
+    Vibration,  ///< modes of natural frequencies
+    Buckling    ///< modes of critical load factors
 };
 
 /// The lowest modes of a surface with all of its beams, under the supports and (for buckling) the loads of a
-/// load case. Rows of the modes are the nodes of surface_beams(). Throws as mechanics::vibration_modes, and
+/// load case. A mode has one row for each node of surface_beams(). Throws as mechanics::vibration_modes, and
 /// InputError as surface_frame.
 std::vector<mechanics::Mode> surface_modes(const Surface& surface, const LoadCase& load_case, ModeKind kind,
                                            int count, const mechanics::ModeOptions& options = {});

@@ -12,8 +12,8 @@ namespace fretwork::simulation {
 
 /// The tiles, ascending, whose beams buckle between their interface nodes. Each tile is solved alone, with
 /// all of its beams, while its interface nodes move to their places in a solution of the surface. A tile
-/// buckles if it has no stable equilibrium on the way. A reduced tile cannot show this. Tiles whose
-/// equilibrium is not found are included.
+/// buckles if it has no stable equilibrium at some point of this motion, which a reduced tile cannot show. A
+/// tile whose equilibrium is not found is included.
 ///
 /// @param solution  a solution whose first rows are the interface nodes
 ///

@@ -10,10 +10,10 @@
 
 namespace fretwork::tiling::detail {
 
-/// The source of the sites: isotropic remeshing, or a triangular lattice at an angle (rad).
+/// The source of the sites: a triangular lattice at an angle or, without an angle, isotropic remeshing.
 struct Start {
     std::optional<double> lattice_angle{};
-    /// The first value to try for the distance of the sites, as a multiple of the wanted side.
+    /// The distance of neighbouring sites in the first attempt, as a multiple of the wanted side.
     double factor = 0.0;
     [[nodiscard]] std::string name() const;
 };
@@ -24,10 +24,10 @@ struct Task {
     const SizeField& field;
     const TessellationOptions& options;
     QualityLimits limits;
-    double refined_tiles = 0.0;  ///< approximate number of tiles if holes and narrow places need small ones;
-                                 ///< else 0
-    /// True if each try takes seconds, because of the number of tiles. Starts that are known to be poor are
-    /// then only sketched.
+    /// Approximate number of tiles if holes and narrow places need small tiles; 0 if they do not.
+    double refined_tiles = 0.0;
+    /// True if each attempt takes seconds, because of the number of tiles. In this case, starts that are
+    /// known to be poor are only sketched.
     [[nodiscard]] bool has_many() const { return refined_tiles > 3000.0; }
 };
 
@@ -36,16 +36,16 @@ struct Candidate {
     Dual dual;
     TessellationReport report;
     std::vector<Defect> defects;
-    double side_error = 0.0;    ///< relative error of the mean ratio of sides to wanted sides
-    double irregularity = 0.0;  ///< see Measures; smaller is better
-    /// The distance of its sites as a multiple of the wanted side, if it was hard to find. Another attempt
-    /// with nearly the same wanted sides starts with this value.
+    double side_error = 0.0;    ///< difference from 1 of the mean ratio of sides to wanted sides
+    double irregularity = 0.0;  ///< irregularity of the tiling (see Measures); smaller is better
+    /// The distance of neighbouring sites as a multiple of the wanted side, if this distance was hard to
+    /// find. Another attempt with nearly the same wanted sides starts with this distance.
     std::optional<double> factor{};
 };
 
 /// A rough prediction of the tiling from a start: its irregularity, and the distance of the sites that gives
-/// the wanted sides. It is cheap, and good enough to discard the worst starts. Reports rough_steps() steps of
-/// progress.
+/// the wanted sides. A sketch is cheap, and good enough to discard the worst starts. make_sketch() reports
+/// rough_steps() steps of progress.
 struct Sketch {
     double irregularity = 0.0;
     double factor = 0.0;
@@ -54,12 +54,12 @@ struct Sketch {
 Sketch make_sketch(const Task& task, const Start& start, Work& work);
 std::size_t rough_steps(const TessellationOptions& options);
 
-/// The tiling from a start, at the density of sites that gives the wanted sides. Reports candidate_steps()
-/// steps of progress.
+/// Make the tiling from a start, with the distance of sites that gives the wanted sides. Reports
+/// candidate_steps() steps of progress.
 Candidate make_candidate(const Task& task, const Start& start, Work& work);
 std::size_t candidate_steps(const TessellationOptions& options);
 
-/// True if the first is the better choice.
+/// True if `first` is the better choice.
 bool is_better(const Candidate& first, const Candidate& second);
 
 }  // namespace fretwork::tiling::detail

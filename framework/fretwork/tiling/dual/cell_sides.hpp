@@ -17,14 +17,15 @@ struct CellSide {
     DualVertexIndex from;
     DualVertexIndex to;
     std::size_t cell = 0;
-    /// The smaller and the larger end, which are the same for the cell on the other side.
+    /// The end with the smaller index and the end with the larger index; the cell on the other side has the
+    /// same pair.
     [[nodiscard]] std::pair<DualVertexIndex, DualVertexIndex> ends() const { return std::minmax(from, to); }
 };
 
-/// The sides of all cells, sorted by their ends and then by cell. Throws Stopped.
+/// The sides of all cells, sorted by ends() and then by cell. Throws Stopped.
 std::vector<CellSide> sides_of_cells(const Dual& dual, const base::Control& control);
 
-/// Call body for each pair of ends, with the sides of all cells that have these ends. Throws Stopped.
+/// Call body for each pair of ends, with the sides of all cells that have this pair. Throws Stopped.
 template <class Body>
 void for_each_side(std::span<const CellSide> sides, const base::Control& control, const Body& body) {
     while (!sides.empty()) {
@@ -38,10 +39,11 @@ void for_each_side(std::span<const CellSide> sides, const base::Control& control
 }
 
 /// The union of two cells at a common side: the vertices of `first` from the second end of the side to its
-/// first end, and then those of `other`.
+/// first end, and then the vertices of `other`.
 Cell union_of(Cell first, Cell other, const CellSide& side);
 
-/// The mean length of all sides of the cells that share this side, m.
+/// The mean of the mean side lengths of the cells that share a side, m; `same` lists this side once for each
+/// cell.
 double mean_side_beside(const Dual& dual, std::span<const CellSide> same);
 
 }  // namespace fretwork::tiling::detail

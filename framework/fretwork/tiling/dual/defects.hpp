@@ -24,10 +24,11 @@ struct Defect {
 
 /// The requirements on a tiling.
 struct QualityLimits {
-    double side_share = 0.25;      ///< shortest side, as a share of the mean side of the tiles there, or of
-                                   ///< the wanted side if that is less
-    double smallest_side = 0.0;    ///< m
-    double smallest_angle = 0.44;  ///< rad; 25 degrees
+    /// Shortest side, as a share of the mean side of the tiles beside it, or of the wanted side if the wanted
+    /// side is shorter.
+    double side_share = 0.25;
+    double smallest_side = 0.0;    ///< shortest side, m
+    double smallest_angle = 0.44;  ///< smallest angle, rad; 25 degrees
     double covered_share = 0.98;   ///< smallest share of the outline's area to be covered
 };
 
@@ -38,10 +39,11 @@ struct Shape {
     double outside_share = 0.0;  ///< area of the tiles outside the outline, over the outline's area
 };
 
-/// Compare the tiles with the outline. The following is decided exactly: tiles are convex, share whole sides,
-/// at most two tiles to a side, and are connected by sides. Their rim is one simple curve for the boundary
-/// and one for each hole, and these curves do not cross. So the tiles cover the inside of their rim exactly
-/// once and have the outline's topology.
+/// Compare the tiles with the outline. Exact tests decide that tiles are convex, that they share whole sides,
+/// at most two tiles to a side, and that sides connect all tiles. Exact tests also decide that the rim of the
+/// tiles is one simple curve for the boundary and one for each hole, and that these curves do not cross. If
+/// all these tests are passed, the tiles cover the inside of their rim exactly once and have the outline's
+/// topology.
 Shape compare_with_outline(const Dual& dual, const Rim& rim, const SizeField& field,
                            const QualityLimits& limits, const base::Control& control);
 

@@ -17,10 +17,10 @@ using Cell = std::vector<DualVertexIndex>;
 struct DualVertex {
     geometry::Point2 place;
     LoopIndex loop{};       ///< the loop of the outline on which the vertex lies; invalid: it lies inside
-    bool is_fixed = false;  ///< true on a corner of the outline
-    double along = 0.0;     ///< its arc length on the loop's curve, m
-    /// True if it divides a long side on the rim. It lies on the outline or, if the outline runs inside the
-    /// tile, on the straight line between its neighbours.
+    bool is_fixed = false;  ///< true if the vertex is a corner of the outline
+    double along = 0.0;     ///< arc length of the vertex on the loop's curve, m
+    /// True if the vertex divides a long side on the rim. Such a vertex lies on the outline or, if the
+    /// outline runs inside the tile, on the straight line between its neighbours.
     bool divides_side = false;
 };
 
@@ -31,10 +31,10 @@ struct Dual {
     std::vector<Cell> cells;  ///< one for each site
 };
 
-/// The dual of a triangulation. A triangle of three sites gives an inner vertex: its circumcenter, or the
-/// point of the triangle nearest to it. In a triangle of two sites and a rim point, the side between the two
-/// tiles ends on the outline. A corner of the outline is a vertex of its tile if the tile stays convex. Pre:
-/// ears have been flipped (flip_ears).
+/// The dual of a triangulation. A triangle of three sites gives an inner vertex: the circumcenter, or the
+/// point of the triangle nearest to the circumcenter. In a triangle of two sites and a rim point, the side
+/// between the two tiles ends on the outline. A corner of the outline is a vertex of its tile if the tile
+/// stays convex. Pre: ears have been flipped (flip_ears).
 Dual dual_of(const Rim& rim, const Triangulation& triangulation, const Work& work);
 
 /// The polygon of a cell.

@@ -11,29 +11,31 @@
 namespace fretwork::tiling::detail {
 
 /// Make all cells as regular as possible, by iteration. In each iteration, every cell proposes the nearest
-/// regular polygon, and every vertex moves to the mean of the proposals of its cells. Cells that are far from
-/// regular gain weight. Vertices on the rim slide along the outline and keep their order; the outline's
-/// corners stay. Convex cells stay convex at vertices that divide sides.
+/// regular polygon, and every vertex moves to the mean of the proposals of its cells. The weight of cells
+/// that are far from regular grows. Vertices on the rim slide along the outline and keep their order; the
+/// outline's corners stay. Convex cells stay convex at vertices that divide sides.
 void regularize(Dual& dual, const Rim& rim, int iterations, const Work& work);
 
-/// Regularize, and let each side pull its ends towards its wanted length, too. So the sides at the rim, which
-/// the outline cuts, become as long as the others if angles allow.
+/// Regularize, and in each iteration also move the ends of each side towards the side's wanted length. In
+/// this way, the sides that the outline cuts become as long as the others if angles allow.
 void even_out(Dual& dual, const Rim& rim, const SizeField& field, int iterations, const Work& work);
 
-/// Merge neighbouring cells where the wanted side is reduced, as long as the merged cells are convex, without
-/// sharp angles, and have sides of at most 1.5 times the largest wanted side. So a narrow band gets few long
-/// cells. Points of the rim between two merged cells are removed if the outline is nearly straight there.
+/// Merge neighbouring cells where the wanted side is reduced, as long as the merged cells are convex, have no
+/// sharp angles, and have sides of at most 1.5 times the largest wanted side. In this way, a narrow band gets
+/// few long cells. A point of the rim between two merged cells is removed if the outline is nearly straight
+/// at the point.
 void merge_small_cells(Dual& dual, const SizeField& field, const base::Control& control);
 
-/// Collapse sides that are much shorter than the tiles' sides there, or shorter than `smallest_side` (m). A
-/// side is collapsed only if the tiles keep at least three sides and the rim stays a simple curve. Returns
-/// the number of collapsed sides.
+/// Collapse sides that are much shorter than the other sides of their tiles, or shorter than `smallest_side`
+/// (m). A side is collapsed only if the tiles keep at least three sides and the rim stays a simple curve.
+/// Returns the number of collapsed sides.
 int collapse_short_sides(Dual& dual, const SizeField& field, double smallest_side,
                          const base::Control& control);
 
-/// The tilings that remove one cell. The first leaves its area uncovered, if the cell is the end of a limb
-/// and its area is at most `most_area` (m2). The others unite it with one neighbour, if the union is convex.
-/// None of them is compared with the outline yet. Throws base::Stopped.
+/// The tilings that result from removing one cell. If the cell is the end of a limb and its area is at most
+/// `most_area` (m2), the first tiling leaves this area uncovered. Each other tiling unites the cell with one
+/// neighbour, if the union is convex. The tilings are not yet compared with the outline. Throws
+/// base::Stopped.
 std::vector<Dual> without_cell(const Dual& dual, std::size_t cell, double most_area,
                                const base::Control& control);
 

@@ -9,10 +9,12 @@ namespace fretwork::tiling::detail {
 
 /// Counts and lengths of a tiling.
 struct Measures {
-    TessellationReport report;  ///< all values that need no outline
+    TessellationReport report;  ///< report with all values that need no outline
     double mean_ratio = 0.0;    ///< mean of the ratio of sides to wanted sides
-    /// A sum of three terms: the share of tiles with a wrong number of sides (right are six, at the rim also
-    /// five), and the relative spreads of sides and of areas, both relative to the wanted ones.
+    /// The sum of four terms: the number of tiles smaller than a quarter of a regular hexagon with the wanted
+    /// side; the share of tiles with a wrong number of sides (right are six sides, at the rim also five); the
+    /// relative spread of the ratio of sides to wanted sides; the relative spread of the ratio of areas to
+    /// squared wanted sides.
     double irregularity = 0.0;
 };
 

@@ -17,10 +17,11 @@ struct DualRim {
 
 DualRim rim_of(const Dual& dual, const base::Control& control);
 
-/// The lines of the rim as polygons, the outer one first. Pre: there is at least one.
+/// The lines of the rim as polygons; the outer line comes first. Pre: there is at least one line.
 std::vector<geometry::Polygon> loops_of(const Dual& dual, const DualRim& rim);
 
-/// The number of sets of cells that are connected by sides, and a cell of the smallest set.
+/// The pieces of a tiling, which are sets of cells connected by sides: their number, and a cell of the
+/// smallest piece.
 struct Pieces {
     int count = 0;
     std::size_t cell_of_smallest = 0;

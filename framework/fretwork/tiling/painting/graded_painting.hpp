@@ -8,22 +8,22 @@
 
 namespace fretwork::tiling {
 
-/// A pattern and its value of some quantity, such as its mass.
+/// A pattern with the value of a quantity, such as the pattern's mass.
 struct GradedPattern {
-    pattern::NamedPattern pattern;  ///< what is painted
-    double value = 0.0;             ///< where it belongs along the palette
+    pattern::NamedPattern pattern;  ///< the pattern
+    double value = 0.0;             ///< the value of the quantity
 };
 
-/// The choice whether a tile passes its error, the wanted value minus the pattern's value, to its neighbours
-/// that are not painted yet.
+/// The choice whether a tile passes its error to its neighbours that are not painted yet. The error is the
+/// wanted value minus the pattern's value.
 enum class Dithering { None, ErrorDiffusion };
 
-/// Paint some tiles, in order, with the patterns whose values are nearest to the wanted ones.
+/// Paint some tiles, in order, with the patterns whose values are nearest to the wanted values.
 ///
-/// Error diffusion [FloydSteinberg1976] on tiles: the later tiles beside a tile share its error equally; if
-/// there are none, the next tile gets it. The mean of the painting is then the mean of the wanted values, as
-/// far as the range of the patterns allows. Throws InputError if there are no patterns or not as many values
-/// as tiles.
+/// Error diffusion [FloydSteinberg1976] on tiles: the neighbours that come later in the order share a tile's
+/// error equally; if a tile has no such neighbour, the next tile in the order gets the error. With error
+/// diffusion, the mean value of the painting is the mean of the wanted values, as far as the range of the
+/// patterns allows. Throws InputError if there are no patterns, or if the numbers of values and tiles differ.
 Painting graded_painting(const Tessellation& tessellation, std::span<const TileIndex> tiles,
                          std::span<const GradedPattern> patterns, std::span<const double> wanted,
                          Dithering dithering);

@@ -27,11 +27,11 @@ void paint_randomly(Tessellation& tessellation, std::span<const pattern::NamedPa
 /// Paint every tile with the same pattern.
 void paint_uniformly(Tessellation& tessellation, const pattern::NamedPattern& pattern);
 
-/// The content of a painting file: the patterns in use, and for each tile one of them (an index into
-/// `patterns`). A file without tiles is a palette.
+/// The content of a painting file: a list of patterns, and for each tile the pattern that it has. A file
+/// without tiles is a palette.
 struct Painting {
-    std::vector<pattern::NamedPattern> patterns;  ///< those in use
-    std::vector<int> tiles;                       ///< of each tile the number of its pattern
+    std::vector<pattern::NamedPattern> patterns;  ///< the patterns in use
+    std::vector<int> tiles;                       ///< for each tile, the index of its pattern in `patterns`
 };
 
 /// Parse a painting:
@@ -39,8 +39,8 @@ struct Painting {
 ///     { "format": "fretwork/painting/1", "layout": "paper7",
 ///       "patterns": ["0-1+1-6", "0-5+5-6"], "tiles": [0, 0, 1, 0] }
 ///
-/// `tiles` has one entry for each tile, in their order, and may be left out. Throws InputError with source
-/// and JSON pointer; the patterns are checked as by make_palette.
+/// `tiles` has one entry for each tile, in the order of the tiles, and may be left out. Throws InputError
+/// with source and JSON pointer; the patterns are checked as by make_palette.
 ///
 /// @param source  the name of the text in messages
 Painting parse_painting(std::string_view text, const std::string& source, const pattern::NodeLayout& layout);
@@ -48,25 +48,28 @@ Painting parse_painting(std::string_view text, const std::string& source, const 
 std::string painting_text(const Painting& painting, const pattern::NodeLayout& layout);
 /// Read a painting file. Throws as parse_painting.
 Painting read_painting(const std::filesystem::path& path, const pattern::NodeLayout& layout);
-/// Write a painting file atomically. Throws IoError and then leaves the file as it was.
+/// Write a painting file atomically. Throws IoError and leaves the file as it was.
 void write_painting(const Painting& painting, const pattern::NodeLayout& layout,
                     const std::filesystem::path& path);
 
-/// Paint every tile with its pattern of the painting. Throws InputError if the numbers of tiles differ.
+/// Paint every tile with the pattern that the painting gives it. Throws InputError if the numbers of tiles
+/// differ.
 void paint(Tessellation& tessellation, const Painting& painting);
 
-/// A pattern and its weight in a random choice.
+/// A pattern with its weight in a random choice.
 struct WeightedPattern {
-    pattern::NamedPattern pattern;  ///< what is painted
-    double weight = 1.0;            ///< above 0, over the sum of all
+    pattern::NamedPattern pattern;  ///< the pattern
+    /// The weight, above 0; the probability is the weight over the sum of all weights.
+    double weight = 1.0;
 };
 
-/// A random painting of this number of tiles. The same seed gives the same painting on every machine. Throws
+/// A random painting for `tiles` tiles. The same seed gives the same painting on every machine. Throws
 /// InputError if there are no patterns or a weight is not above zero.
 Painting random_painting(std::size_t tiles, std::span<const WeightedPattern> patterns, std::uint64_t seed);
 
-/// Paint some tiles, in order, with the patterns of the painting; other tiles keep theirs. A pattern that no
-/// tile has any more is removed from the palette. Throws InputError if the numbers of tiles differ.
+/// Paint the tiles of a list, in order, with the patterns of the painting; all other tiles keep their
+/// patterns. A pattern that no tile has any more is removed from Tessellation::patterns. Throws InputError if
+/// the numbers of tiles differ.
 void paint_tiles(Tessellation& tessellation, std::span<const TileIndex> tiles, const Painting& painting);
 
 }  // namespace fretwork::tiling

@@ -12,17 +12,17 @@ namespace fretwork::tiling {
 /// The smallest box around all tiles.
 geometry::Box bounding_box(const Tessellation& tessellation);
 
-/// The centroid of each tile. It decides whether a tile lies in a box or a polygon.
+/// The centroid of each tile. A tile lies in a box or a polygon if its centroid does.
 base::IndexVector<TileIndex, geometry::Point2> tile_centers(const Tessellation& tessellation);
 
-/// The tiles that a list of numbers and ranges names ("3,7-11"), each once, ascending. Throws InputError that
+/// The tiles in a list of numbers and ranges ("3,7-11"), each tile once, ascending. Throws InputError that
 /// states the range of valid numbers.
 std::vector<TileIndex> parse_tiles(std::string_view text, const Tessellation& tessellation);
 
 /// True if a closed polygon winds around a point. The polygon may cross itself.
 bool is_inside(const geometry::Polygon& polygon, geometry::Point2 point);
 
-/// The tiles in a box, its edge included; empty if there are none.
+/// The tiles in a box, whose edge belongs to the box; empty if there are none.
 std::vector<TileIndex> tiles_in(const geometry::Box& box, const Tessellation& tessellation);
 /// The tiles in a polygon; empty if there are none.
 std::vector<TileIndex> tiles_in(const geometry::Polygon& polygon, const Tessellation& tessellation);

@@ -10,14 +10,14 @@
 
 namespace fretwork::tiling::detail {
 
-/// A closed polyline, parametrized by arc length (m): a place is a number from 0 at the first point to
-/// length() at the same point again.
+/// A closed polyline, parametrized by arc length (m): a place on the curve is a number from 0 at the first
+/// point to length(), which is the first point again.
 class ClosedCurve {
   public:
     explicit ClosedCurve(geometry::Polygon points);
 
     [[nodiscard]] double length() const { return starts_.back(); }
-    /// The point at a place. Any number is a valid place, because the curve is closed.
+    /// The point at a place. The place may be any number, because the curve is closed.
     [[nodiscard]] geometry::Point2 at(double place) const;
     /// The distance forward from one place to another, from 0 to less than length().
     [[nodiscard]] double way(double from, double to) const;
@@ -26,8 +26,8 @@ class ClosedCurve {
     /// The points of the curve between two places, both ends included.
     [[nodiscard]] geometry::Polygon stretch(double from, double to) const;
     /// The places of the corners, ascending. A corner is where the curve turns by more than `smallest_turn`
-    /// (rad, left or right) within the distance reach(point) (m) before and after it. Each stretch of that
-    /// length has at most one corner.
+    /// (rad, left or right) within the distance reach(point) (m) before and after it. Of two corners that are
+    /// nearer to each other than twice this distance, only the sharper is listed.
     [[nodiscard]] std::vector<double> corners(const std::function<double(geometry::Point2)>& reach,
                                               double smallest_turn) const;
 

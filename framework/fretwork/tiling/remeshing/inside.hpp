@@ -8,13 +8,13 @@
 
 namespace fretwork::tiling::detail {
 
-/// Tests whether a point lies inside the polygons through a rim's points, at least a margin (m) away from
-/// them. It tests only the sides near the point, which are sorted into bands across the longer side of the
-/// rim's box.
+/// A test whether a point lies inside the polygons through a rim's points, at least a margin (m) away from
+/// these polygons. The sides are sorted into bands across the longer side of the rim's box, and only the
+/// sides near the point are tested.
 class InsideTest {
   public:
-    /// Keeps a reference to the rim. `largest_margin` limits the margins of later tests. Throws
-    /// base::Stopped.
+    /// Sort the sides of a rim, to which the test keeps a reference. `largest_margin` (m) limits the margins
+    /// of later tests. Throws base::Stopped.
     InsideTest(const Rim& rim, double largest_margin, const base::Control& control = {});
     [[nodiscard]] bool operator()(geometry::Point2 point, double margin) const;
 

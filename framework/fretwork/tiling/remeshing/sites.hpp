@@ -13,8 +13,8 @@ namespace fretwork::tiling::detail {
 /// m. Every access to a vertex or a face checks for a stop.
 std::vector<geometry::Point2> remeshed_sites(const Rim& rim, double edge, int iterations, const Work& work);
 
-/// Sites on a triangular lattice inside the rim, rotated by `angle` (rad). Where sites are to be closer, they
-/// lie on finer lattices.
+/// Sites on a triangular lattice inside the rim, rotated by `angle` (rad). Where the wanted distance of sites
+/// is smaller, the sites lie on a finer lattice.
 std::vector<geometry::Point2> lattice_sites(const Rim& rim, const Spacing& spacing, double angle,
                                             const Work& work);
 
@@ -28,8 +28,8 @@ void fill_empty_parts(const Rim& rim, const Spacing& spacing, std::vector<geomet
 std::vector<geometry::Point2> relax(const Rim& rim, const SizeField& field,
                                     std::vector<geometry::Point2> sites, int iterations, Work& work);
 
-/// Put a site on each edge between two rim points that separates tiles, if there is room. Returns true if
-/// sites were added.
+/// Put a site on each edge between two rim points that separates tiles (see chords_of()), if there is room
+/// for a site. Returns true if sites were added.
 bool bridge_chords(const Rim& rim, const Spacing& spacing, std::vector<geometry::Point2>& sites,
                    const Work& work);
 

@@ -9,8 +9,9 @@
 
 namespace fretwork::tiling::detail {
 
-/// The wanted side of the tiles at each place. It is uniform except near places with a limit. From a limit it
-/// grows by at most kGrowth times the distance, so that neighbouring tiles differ little.
+/// The wanted side of the tiles at each place. The wanted side is uniform except near places with a limit.
+/// From such a place, the wanted side grows by kGrowth times the distance, up to the uniform side, so that
+/// neighbouring tiles differ little.
 class SizeField {
   public:
     static constexpr double kGrowth = 0.4;
@@ -18,14 +19,14 @@ class SizeField {
     /// @param side  the wanted side far from all limits, m
     explicit SizeField(double side) : side_(side), smallest_(side) {}
 
-    /// The wanted side at a place, metres.
+    /// The wanted side at a place, m.
     [[nodiscard]] double at(geometry::Point2 place) const;
     /// Limit the side at a place to `side` (m). A limit that would change the side by less than a fifth is
     /// dropped. Returns true if the limit is kept.
     bool limit(geometry::Point2 place, double side);
 
     [[nodiscard]] double largest() const { return side_; }
-    /// The smallest limit, metres.
+    /// The smallest limit, m.
     [[nodiscard]] double smallest() const { return smallest_; }
     [[nodiscard]] bool is_uniform() const { return cells_.empty(); }
 
@@ -50,10 +51,11 @@ class SizeField {
     std::unordered_map<Cell, std::vector<Limit>> cells_;  // the limits that reduce the side in a cell
 };
 
-/// The wanted distance of neighbouring sites, as a multiple of the side of the tiles there.
+/// The wanted distance of neighbouring sites, as a multiple of the wanted side of the tiles at the same
+/// place.
 struct Spacing {
     const SizeField& field;
-    double factor;  ///< sqrt(3) for regular hexagons
+    double factor;  ///< distance over side; sqrt(3) for regular hexagons
     [[nodiscard]] double at(geometry::Point2 place) const { return factor * field.at(place); }
     [[nodiscard]] double largest() const { return factor * field.largest(); }
 };

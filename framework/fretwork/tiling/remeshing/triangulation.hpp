@@ -11,13 +11,15 @@ namespace fretwork::tiling::detail {
 
 using TriangleIndex = base::Index<struct TriangleTag>;
 
-/// A triangulation of the inside of a rim. Its points are the rim's, in their order, then the sites.
+/// A triangulation of the inside of a rim. The first points are the points of the rim, in their order; the
+/// sites follow.
 struct Triangulation {
     int rim_count = 0;
     base::IndexVector<PointIndex, geometry::Point2> points;
     /// Triangles, counterclockwise, in an order that depends on the points alone.
     base::IndexVector<TriangleIndex, std::array<PointIndex, 3>> triangles;
-    /// The neighbour across the side opposite to each corner; invalid if that side is on the rim.
+    /// For each triangle, the neighbour across the side opposite to each corner; invalid if that side is on
+    /// the rim.
     base::IndexVector<TriangleIndex, std::array<TriangleIndex, 3>> neighbors;
     [[nodiscard]] bool is_rim(PointIndex point) const { return point < rim_count; }
 };
@@ -34,9 +36,9 @@ inline int corner_at(const std::array<PointIndex, 3>& triangle, PointIndex point
     return triangle[0] == point ? 0 : triangle[1] == point ? 1 : 2;
 }
 
-/// Flip ears. An ear is a triangle of three rim points, which cuts a corner of the outline off. Flipping the
-/// edge between it and its neighbour gives the corner to the tiles behind. An edge is flipped if its two
-/// triangles form a convex quadrilateral. Throws base::Stopped.
+/// Flip ears. An ear is a triangle of three rim points, which cuts off a corner of the outline. Flipping the
+/// edge between the ear and its neighbour gives the corner to the tiles behind the ear. An edge is flipped if
+/// its two triangles form a convex quadrilateral. Throws base::Stopped.
 void flip_ears(Triangulation& triangulation, const Work& work);
 
 /// An inner edge that joins two points of the rim.
@@ -44,8 +46,8 @@ struct Chord {
     PointIndex from;
     PointIndex to;
 };
-/// All chords of a triangulation. At a chord, the tiles on its two sides share no side, or a stretch of the
-/// outline has no tile.
+/// All chords of a triangulation. At a chord, the tiles on both sides of the chord share no side, or a
+/// stretch of the outline has no tile.
 std::vector<Chord> chords_of(const Triangulation& triangulation);
 
 }  // namespace fretwork::tiling::detail
