@@ -128,10 +128,11 @@ const std::map<std::string, std::map<std::string, Room>> kRooms = {
       {"swaps", {Headers::Private, {}}},
       {"target", {Headers::Public, {}}}}},
     {"exports",
-     {{"designs", {Headers::Public, {}}},
+     {{"designs", {Headers::Public, {"pages"}}},
+      {"pages", {Headers::Private, {}}},
       {"tables", {Headers::Public, {}}},
       {"drawings", {Headers::Public, {"tables"}}},
-      {"space", {Headers::Public, {"drawings", "tables"}}},
+      {"space", {Headers::Public, {"drawings", "pages", "tables"}}},
       {"making", {Headers::Public, {}}}}},
 };
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/files/base64.hpp>
-#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/exports/colours.hpp>
 #include <fretwork/exports/designs/design_page.hpp>
 #include <fretwork/exports/detail/design_template.hpp>
+#include <fretwork/exports/pages/html_page.hpp>
 #include <fretwork/simulation/results/surface_beams.hpp>
 #include <fretwork/simulation/surface.hpp>
 
@@ -19,19 +18,13 @@ using base::Json;
 using design::CaseShape;
 using design::DesignReport;
 
-template <class Number>
-std::string base64_of(const std::vector<Number>& numbers) {
-    return base::encode_base64(
-        {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number)});
-}
-
 /// Displacements of nodes, three numbers each.
 std::string motion_text(const mechanics::NodeValues& rows) {
     std::vector<float> numbers;
     for (Eigen::Index node = 0; node < rows.rows(); ++node) {
         for (Eigen::Index c = 0; c < 3; ++c) numbers.push_back(static_cast<float>(rows(node, c)));
     }
-    return base64_of(numbers);
+    return detail::packed(numbers);
 }
 
 /// Of a node with several goals the farthest one is shown.
@@ -83,8 +76,8 @@ void add_surface(const simulation::Surface& surface, Json& json) {
     for (std::size_t p = 0; p < surface.tessellation.patterns.size(); ++p)
         patterns.push_back(
             {{"id", surface.tessellation.patterns[p].id}, {"colour", pattern_colour(static_cast<int>(p))}});
-    json["places"] = base64_of(places);
-    json["bars"] = base64_of(bars);
+    json["places"] = detail::packed(places);
+    json["bars"] = detail::packed(bars);
     json["tiles"] = tiles;
     json["patterns"] = patterns;
     json["interface_nodes"] = beams.interface_nodes;
@@ -132,18 +125,6 @@ Json page_json(const DesignReport& report, const design::Target& target) {
 
 std::string percent(double share) {
     return base::format_number(100.0 * share, 3) + " %";
-}
-
-/// JSON that may stand inside of an HTML page, where "</script>" would end it.
-std::string in_page(const Json& json) {
-    std::string text;
-    for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
-        if (c == '<')
-            text += "\\u003c";
-        else
-            text += c;
-    }
-    return text;
 }
 
 const char* end_sentence(design::DesignEnd end) {
@@ -205,11 +186,7 @@ std::vector<std::string> design_limits(const DesignReport& report) {
 }
 
 std::string design_html(const DesignReport& report, const design::Target& target) {
-    const std::string_view page = design_template.front().second;
-    const std::string_view mark = "@DATA@";
-    const std::size_t at = page.find(mark);
-    return std::string(page.substr(0, at)) + in_page(page_json(report, target)) +
-           std::string(page.substr(at + mark.size()));
+    return detail::page_with_data(design_template.front().second, page_json(report, target));
 }
 
 }  // namespace fretwork::exports

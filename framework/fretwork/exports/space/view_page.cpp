@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/files/base64.hpp>
-#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/exports/colours.hpp>
 #include <fretwork/exports/detail/view_template.hpp>
 #include <fretwork/exports/drawings/detail/furniture.hpp>
 #include <fretwork/exports/drawings/detail/panels.hpp>
 #include <fretwork/exports/drawings/surface_drawing.hpp>
+#include <fretwork/exports/pages/html_page.hpp>
 #include <fretwork/exports/space/detail/camera.hpp>
 #include <fretwork/exports/space/pictures.hpp>
 #include <fretwork/exports/tables/line_set.hpp>
 
-#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -18,14 +16,6 @@ namespace fretwork::exports {
 namespace {
 
 using base::Json;
-
-static_assert(std::endian::native == std::endian::little, "numbers are written as they lie in memory");
-
-template <class Number>
-std::string packed(const std::vector<Number>& numbers) {
-    return base::encode_base64(
-        {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number)});
-}
 
 void add_point(std::vector<float>& numbers, const Eigen::Vector3d& point) {
     for (const double coordinate : point) numbers.push_back(static_cast<float>(coordinate));
@@ -37,7 +27,7 @@ std::string packed_rim(const simulation::Surface& surface) {
     for (const auto& line : rim.lines) {
         for (const int node : line) add_point(points, rim.nodes[node]);
     }
-    return packed(points);
+    return detail::packed(points);
 }
 
 /// In 16 bits from the lowest to the highest: finer than a screen's colours.
@@ -55,7 +45,7 @@ Json field_json(const BarScene::Field& field) {
                             : static_cast<std::uint16_t>(std::lround((value - all.from) / span * kSteps)));
     Json json = {{"name", field.name},     {"title", field.title}, {"unit", field.unit},
                  {"factor", field.factor}, {"low", all.from},      {"high", all.from + span},
-                 {"from", shown.from},     {"to", shown.to},       {"values", packed(steps)}};
+                 {"from", shown.from},     {"to", shown.to},       {"values", detail::packed(steps)}};
     if (const auto beyond = largest_beyond(field.values, shown)) json["beyond"] = *beyond;
     return json;
 }
@@ -76,9 +66,9 @@ Json scene_json(const Scene& scene) {
         {"title", bars.title},
         {"subtitle", std::to_string(bars.bars.size()) + " bars of " + detail::millimetres(bars.width) +
                          " x " + detail::millimetres(bars.height) + ", " + detail::joints_note(bars.joints)},
-        {"place", packed(place)},
-        {"motion", packed(motion)},
-        {"ends", packed(ends)},
+        {"place", detail::packed(place)},
+        {"motion", detail::packed(motion)},
+        {"ends", detail::packed(ends)},
         {"rim", packed_rim(scene.surface)},
         {"width", bars.width},
         {"height", bars.height},
@@ -100,26 +90,10 @@ Json scene_json(const Scene& scene) {
     return json;
 }
 
-/// JSON that may stand inside of an HTML page, where "</script>" would end it.
-std::string text_in_page(const Json& json) {
-    std::string text;
-    for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
-        if (c == '<')
-            text += "\\u003c";
-        else
-            text += c;
-    }
-    return text;
-}
-
 }  // namespace
 
 std::string view_html(const Scene& scene) {
-    const std::string_view page = view_template.front().second;
-    const std::string_view mark = "@DATA@";
-    const std::size_t at = page.find(mark);
-    return std::string(page.substr(0, at)) + text_in_page(scene_json(scene)) +
-           std::string(page.substr(at + mark.size()));
+    return detail::page_with_data(view_template.front().second, scene_json(scene));
 }
 
 }  // namespace fretwork::exports
