@@ -267,8 +267,18 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
         if (target->path == "/socket")
             return answer(refusal(http::status::upgrade_required, "a WebSocket is needed here"));
         stream_.expires_never();
-        server_.service_.get(
-            *target, [self = shared_from_this()](HttpAnswer given) { self->answer(std::move(given)); });
+        server_.service_.get(*target, [self = released_on_server_thread()](HttpAnswer given) {
+            self->answer(std::move(given));
+        });
+    }
+
+    /// This, for copies of an answer that other threads may keep: whichever thread drops the last copy, the
+    /// connection is released on the server's thread.
+    std::shared_ptr<Connection> released_on_server_thread() {
+        return {this, [owner = shared_from_this()](Connection*) mutable {
+                    Impl& server = owner->server_;
+                    server.post([last = std::move(owner)] {});
+                }};
     }
 
     void upgrade(const Target& target) {
