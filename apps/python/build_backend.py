@@ -2,7 +2,7 @@
 """Build the wheel by CMake: a PEP 517 back end without dependencies, so that `pip install .` needs no net.
 
 It builds in build/release, as `make python` and daily work do. With another Python than the one of that folder it
-builds in a folder of its own.
+builds in a folder of its own. `--config-settings build-folder=FOLDER` takes a folder that is configured already.
 """
 
 import base64
@@ -14,6 +14,7 @@ import subprocess
 import sys
 import sysconfig
 import tarfile
+import tempfile
 import zipfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -37,16 +38,31 @@ def _metadata():
             "Description-Content-Type: text/markdown\n\n" + (ROOT / "apps/python/README.md").read_text())
 
 
+def _built_in(folder):
+    """Build the package in a configured folder, and return where it lies."""
+    subprocess.run(["cmake", "--build", str(folder), "--target", "fretwork_python"], cwd=ROOT, check=True)
+    return pathlib.Path(folder) / "apps/python/fretwork"
+
+
 def _build():
-    """Build the package and return its folder."""
+    """Configure, build the package and return its folder."""
     python = os.path.realpath(sys.executable)
     own = python.startswith(os.path.realpath("/usr/bin/python3"))
     folder = ROOT / "build" / ("release" if own else f"python-{_tag()}")
     configure = ["cmake", "--preset", "release", "-B", folder, "-DFRETWORK_BUILD_PYTHON=ON",
                  f"-DPython3_EXECUTABLE={python}"]
-    for command in (configure, ["cmake", "--build", folder, "--target", "fretwork_python"]):
-        subprocess.run(list(map(str, command)), cwd=ROOT, check=True)
-    return folder / "apps/python/fretwork"
+    subprocess.run(list(map(str, configure)), cwd=ROOT, check=True)
+    return _built_in(folder)
+
+
+def _content(path):
+    """The bytes of a file of the package: of a library without its lines for debuggers."""
+    if path.suffix != ".so":
+        return path.read_bytes()
+    with tempfile.TemporaryDirectory() as folder:
+        copy = pathlib.Path(folder) / path.name
+        subprocess.run(["strip", "--strip-debug", "-o", copy, path], check=True)
+        return copy.read_bytes()
 
 
 def _record(name, content):
@@ -55,9 +71,10 @@ def _record(name, content):
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
-    package = _build()
+    folder = (config_settings or {}).get("build-folder")
+    package = _built_in(folder) if folder else _build()
     info = f"{NAME}-{_version()}.dist-info"
-    files = {f"{NAME}/{path.name}": path.read_bytes() for path in sorted(package.iterdir()) if path.is_file()}
+    files = {f"{NAME}/{path.name}": _content(path) for path in sorted(package.iterdir()) if path.is_file()}
     files[f"{info}/METADATA"] = _metadata().encode()
     files[f"{info}/WHEEL"] = (f"Wheel-Version: 1.0\nGenerator: {NAME}\nRoot-Is-Purelib: false\n"
                               f"Tag: {_tag()}\n").encode()
