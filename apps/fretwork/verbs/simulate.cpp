@@ -310,59 +310,70 @@ std::string models_help() {
     return text;
 }
 
+void add_what_to_solve(CLI::App& verb, SimulateOptions& options) {
+    verb.add_option("project", options.project, "Project file")->required();
+    verb.add_option("--case", options.load_case, "Name of a load case of the project, or a load case file");
+    verb.add_option("--model", options.simulation.model, models_help())->capture_default_str();
+    verb.add_flag("--linear", options.linear, "Small displacements, whatever the model");
+    verb.add_option("--branch", options.branch,
+                    "Equilibria to follow where the path becomes unstable: primary stays on the path, "
+                    "stable leaves it along the critical mode, snapping also continues beyond limit loads, "
+                    "at a stable equilibrium of lower energy")
+        ->check(CLI::IsMember(mechanics::branch_names()))
+        ->capture_default_str();
+    verb.add_option("--stages", options.stages,
+                    "File of load stages, one after the other: loads, displacements, components kept and "
+                    "released; supports are those of --case");
+}
+
+void add_answers(CLI::App& verb, SimulateOptions& options) {
+    verb.add_option("--modes", options.simulation.vibration_modes,
+                    "Number of natural frequencies of the surface at rest, with all of its beams")
+        ->check(CLI::Range(0, 1000));
+    verb.add_option("--buckling", options.simulation.buckling_modes,
+                    "Number of critical load factors by linearized buckling, with all of its beams")
+        ->check(CLI::Range(0, 1000));
+    verb.add_option("--steps", options.simulation.load_steps,
+                    "Number of equal load steps, each with a result")
+        ->capture_default_str();
+    verb.add_flag("--estimate-error", options.simulation.estimate_error,
+                  "Estimate the error of the full model relative to ever finer divisions of its beams");
+    verb.add_flag("--estimate-model-error", options.simulation.estimate_model_error,
+                  "Estimate the error of a reduced model relative to the full one, in displacement and in "
+                  "the largest stress, by a solution with more of the tiles in full: 30 %, for mixed models "
+                  "60 % more. Without this option, both errors are estimated if corotational and "
+                  "mixed tiles are themselves strongly deformed");
+    verb.add_option("--threads", options.simulation.threads, "Threads to use; 0: one for each processor")
+        ->check(thread_check())
+        ->capture_default_str();
+}
+
+void add_files(CLI::App& verb, SimulateOptions& options) {
+    verb.add_option("--library", options.library,
+                    "Library with the setting and the calibrations (default: the project's)");
+    verb.add_option("--out", options.out, "Result file")->required();
+    verb.add_option("--frame-out", options.frame_out, "Write the full model as a frame file, too");
+    verb.add_option("--deck", options.deck,
+                    "Write the full model as an input deck for CalculiX, too: ccx -i NAME runs it");
+    for (const std::string ending : {"vtu", "svg"}) {
+        verb.add_option_function<std::string>(
+            "--" + ending, [&options](const std::string& path) { options.drawings.push_back(path); },
+            "Write the displaced beams as ." + ending + ", too");
+    }
+    verb.add_option("--series", options.series,
+                    "Write the load steps or stages as a series for ParaView, too: this .pvd, and a .vtu for "
+                    "each beside it");
+}
+
 }  // namespace
 
 void add_simulate(CLI::App& app, ExitCode& exit_code) {
     CLI::App* verb = app.add_subcommand(
         "simulate", "Simulate a project under a load case, with the full or a reduced model");
     const auto options = std::make_shared<SimulateOptions>();
-    verb->add_option("project", options->project, "Project file")->required();
-    verb->add_option("--case", options->load_case, "Name of a load case of the project, or a load case file");
-    verb->add_option("--model", options->simulation.model, models_help())->capture_default_str();
-    verb->add_flag("--linear", options->linear, "Small displacements, whatever the model");
-    verb->add_option("--branch", options->branch,
-                     "Equilibria to follow where the path becomes unstable: primary stays on the path, "
-                     "stable leaves it along the critical mode, snapping also continues beyond limit loads, "
-                     "at a stable equilibrium of lower energy")
-        ->check(CLI::IsMember(mechanics::branch_names()))
-        ->capture_default_str();
-    verb->add_option("--stages", options->stages,
-                     "File of load stages, one after the other: loads, displacements, components kept and "
-                     "released; supports are those of --case");
-    verb->add_option("--modes", options->simulation.vibration_modes,
-                     "Number of natural frequencies of the surface at rest, with all of its beams")
-        ->check(CLI::Range(0, 1000));
-    verb->add_option("--buckling", options->simulation.buckling_modes,
-                     "Number of critical load factors by linearized buckling, with all of its beams")
-        ->check(CLI::Range(0, 1000));
-    verb->add_option("--steps", options->simulation.load_steps,
-                     "Number of equal load steps, each with a result")
-        ->capture_default_str();
-    verb->add_flag("--estimate-error", options->simulation.estimate_error,
-                   "Estimate the error of the full model relative to ever finer divisions of its beams");
-    verb->add_flag("--estimate-model-error", options->simulation.estimate_model_error,
-                   "Estimate the error of a reduced model relative to the full one, in displacement and in "
-                   "the largest stress, by a solution with more of the tiles in full: 30 %, for mixed models "
-                   "60 % more. Without this option, both errors are estimated if corotational and "
-                   "mixed tiles are themselves strongly deformed");
-    verb->add_option("--threads", options->simulation.threads, "Threads to use; 0: one for each processor")
-        ->check(thread_check())
-        ->capture_default_str();
-    verb->add_option("--library", options->library,
-                     "Library with the setting and the calibrations (default: the project's)");
-    verb->add_option("--out", options->out, "Result file")->required();
-    verb->add_option("--frame-out", options->frame_out, "Write the full model as a frame file, too");
-    verb->add_option("--deck", options->deck,
-                     "Write the full model as an input deck for CalculiX, too: ccx -i NAME runs it");
-    for (const std::string ending : {"vtu", "svg"}) {
-        verb->add_option_function<std::string>(
-            "--" + ending, [options](const std::string& path) { options->drawings.push_back(path); },
-            "Write the displaced beams as ." + ending + ", too");
-    }
-    verb->add_option(
-        "--series", options->series,
-        "Write the load steps or stages as a series for ParaView, too: this .pvd, and a .vtu for "
-        "each beside it");
+    add_what_to_solve(*verb, *options);
+    add_answers(*verb, *options);
+    add_files(*verb, *options);
     verb->add_flag("--json", options->json, "Print JSON");
     declare_files(
         *verb, {input("project"), input("--case"), input("--stages"), input("--library"),
