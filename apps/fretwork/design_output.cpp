@@ -3,8 +3,8 @@
 
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/design/design_words.hpp>
 
-#include <algorithm>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -15,10 +15,6 @@ namespace {
 using base::Json;
 using design::DesignReport;
 using design::TargetError;
-
-/// Multiples of a displacement that say that the load does not fit.
-constexpr double kTooFar = 2.0;
-constexpr double kTooNear = 0.5;
 
 Json or_null(const std::optional<double>& value) {
     return value ? Json(*value) : Json(nullptr);
@@ -40,21 +36,6 @@ std::string counted(std::size_t count, const std::string& noun) {
     return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-const char* end_text(design::DesignEnd end) {
-    switch (end) {
-        case design::DesignEnd::NoSwapImproves:
-            return "the search found no further swap that improves it";
-        case design::DesignEnd::SolutionsSpent:
-            return "the solutions were spent";
-        case design::DesignEnd::TimeSpent:
-            return "the time was spent";
-        case design::DesignEnd::Unreachable:
-            return "no painting comes near: it was not searched";
-        default:
-            return "it was stopped: this is the best painting so far";
-    }
-}
-
 void print_unknowns(const DesignReport& report) {
     for (std::size_t c = 0; c < report.factors.size(); ++c) {
         if (report.factors[c] != 1.0)
@@ -67,44 +48,6 @@ void print_unknowns(const DesignReport& report) {
 
 void warn_line(const std::string& line) {
     std::fprintf(stderr, "fretwork: %s\n", base::printable(line).c_str());
-}
-
-bool has_loads(const DesignReport& report) {
-    return std::ranges::any_of(report.project.load_cases, [&](const simulation::LoadCase& own) {
-        return std::ranges::find(report.load_cases, own.name) != report.load_cases.end() &&
-               (!own.loads.empty() || !own.area_loads.empty() || !own.combines.empty());
-    });
-}
-
-std::string short_number(double value) {
-    return base::format_number(value, 3);
-}
-
-void warn_of_load(const DesignReport& report, const design::DesignOptions& options) {
-    const bool is_one = report.uniform_tried == 1;
-    const auto single = [&](const char* which) {
-        return is_one ? std::string("the one single pattern tried")
-                      : std::string("the ") + which + " of the " + std::to_string(report.uniform_tried) +
-                            " single patterns tried";
-    };
-    const std::string hint = has_loads(report) && !options.free_factor ? " (--free factor searches one)" : "";
-    if (report.nothing_moves) {
-        warn_line("nothing moves under the load case: it has no load that acts, and moves no support");
-    } else if (report.wanted_of_softest > kTooFar) {
-        std::string line = "the target asks for " + short_number(report.wanted_of_softest) +
-                           " times the displacement of " + single("softest");
-        if (report.reach_of_ten_loads && *report.reach_of_ten_loads < 1.0)
-            line += ": even ten times the load displaces it by " +
-                    short_number(100.0 * *report.reach_of_ten_loads) + " % of what is wanted only";
-        else if (report.reach_of_ten_loads)
-            line += ": the load is too small for it, ten times the load would do" + hint;
-        else
-            line += ": what moves it is too small" + hint;
-        warn_line(line);
-    } else if (report.wanted_of_stiffest > 0.0 && report.wanted_of_stiffest < kTooNear) {
-        warn_line("the target asks for " + short_number(report.wanted_of_stiffest) +
-                  " times the displacement of " + single("stiffest") + ": what moves it is too large" + hint);
-    }
 }
 
 }  // namespace
@@ -165,26 +108,15 @@ void print_design(const DesignReport& report) {
     if (report.largest_utilization)
         std::printf("largest utilization: %.3g %%\n", 100.0 * *report.largest_utilization);
     if (report.slides) std::puts("nodes slide along the target's surface: only distances to it count");
-    std::printf("%s, %s and %d of all beams, %.2g s; %s\n",
-                counted(report.patterns.size(), "pattern").c_str(),
-                counted(static_cast<std::size_t>(report.solutions), "nonlinear solution").c_str(),
-                report.full_solutions, report.seconds, end_text(report.end));
+    std::printf(
+        "%s, %s and %d of all beams, %.2g s; %s\n", counted(report.patterns.size(), "pattern").c_str(),
+        counted(static_cast<std::size_t>(report.solutions), "nonlinear solution").c_str(),
+        report.full_solutions, report.seconds, std::string(design::design_end_words(report.end)).c_str());
 }
 
 void warn_of_design(const DesignReport& report, const design::DesignOptions& options) {
-    warn_of_load(report, options);
-    for (const std::string& line : report.warnings) warn_line(line);
-    if (report.end == design::DesignEnd::Unreachable)
-        warn_line("the target is out of reach: no painting of these patterns comes nearer than " +
-                  short_number(100.0 * report.bound.value_or(0.0)) +
-                  " % of the largest displacement wanted (root mean square, in linear theory)");
-    if (options.max_utilization > 0.0 && report.largest_utilization.value_or(0.0) > options.max_utilization)
-        warn_line("no painting that was checked keeps the utilization below " +
-                  short_number(options.max_utilization));
-    if (report.close_bars > 0)
-        warn_line("no painting that was checked keeps the clearance: " + counted(report.close_bars, "pair") +
-                  " of bars of the one that was written " + (report.close_bars == 1 ? "does" : "do") +
-                  " not");
+    for (const design::DesignWarning& warning : design::design_warnings(report, options))
+        warn_line(warning.text + (warning.factor_may_help ? " (--free factor searches one)" : ""));
 }
 
 }  // namespace fretwork::app

@@ -27,17 +27,7 @@ TEST(FreeSection, WidthAndThicknessHaveTheDerivativesOfTheResiduals) {
     ASSERT_EQ(point.unknowns.size(), 2);
     const Trial trial = trials.solve(point, {});
     const SwapTable table = trials.table(point, trial, {0, 1, 2, 3, 4}, 1, {});
-    for (Eigen::Index unknown = 0; unknown < 2; ++unknown) {
-        const double step = 1e-4 * point.unknowns[unknown];
-        const auto at = [&](double place) {
-            Point moved = point;
-            moved.unknowns[unknown] += place * step;
-            return trials.solve(moved, {}).objective;
-        };
-        const double difference = (at(1.0) - at(-1.0)) / (2.0 * step);
-        const double derivative = 2.0 * table.residual.dot(table.by_factors.col(unknown));
-        EXPECT_NEAR(derivative, difference, 1e-4 * std::abs(difference)) << unknown;
-    }
+    test::expect_derivatives(trials, point, table, 1e-4 * point.unknowns);
 }
 
 /// With the bars of a point, whatever they were before: a surface of these bars from nothing.

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hidden.hpp"
-
-#include <fretwork/base/random.hpp>
-#include <fretwork/design/search/trials.hpp>
+#include "trials_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,42 +10,12 @@
 namespace fretwork::design::detail {
 namespace THIS_TEST {
 
-using mechanics::NodeValues;
-using test::kDesignPatterns;
-
-/// Goals at all nodes that are far from what is there.
-Target anything(double size) {
-    return {"",
-            "",
-            {{FormulaGoal{simulation::NodesInBox{{-10, -10, 10, 10}},
-                          {"0", "0", std::to_string(size) + "*x*x"}}}}};
-}
-
-Trials make_trials(const simulation::Project& project, const Target& target, const FreeUnknowns& free = {}) {
-    simulation::Surface surface = simulation::make_surface(project, nullptr);
-    std::vector<DesignCase> cases;
-    cases.push_back(
-        {project.load_cases.front(), CaseGoals(target, "cantilever", "cantilever", surface.tessellation)});
-    simulation::CandidateTiles candidates(
-        surface, pattern::parse_named_patterns(project.layout, kDesignPatterns), {1, {}});
-    auto groups = tile_groups(surface.tessellation, {}, {});
-    return Trials(
-        {std::move(surface), std::move(cases), std::move(candidates), std::move(groups), {}, free, 1});
-}
-
 const std::vector<std::size_t> kColumns = {0, 1, 2, 3, 4};
-
-Point random_point(const Trials& trials, std::uint64_t seed) {
-    base::SplitMix64 random(seed);
-    Point point = trials.uniform(0);
-    for (std::size_t& pattern : point.patterns) pattern = random.below(kDesignPatterns.size());
-    return point;
-}
 
 TEST(Trials, KnowThePointOfTheirLastSolution) {
     const simulation::Project project = test::cantilever_project(3, 2, 0.05);
-    Trials trials = make_trials(project, anything(1.0), {.factor = true});
-    const Point point = random_point(trials, 1);
+    Trials trials = test::trials_of(project, test::bent(1.0), {.factor = true});
+    const Point point = test::random_painting(trials, 1);
     Point other = point;
     other.unknowns[0] = 0.9;
     EXPECT_FALSE(trials.is_at(point));
@@ -63,8 +30,8 @@ TEST(Trials, KnowThePointOfTheirLastSolution) {
 /// So little load that the surface is linear: then the answer to one swap is exact, however large.
 TEST(Swaps, PredictTheObjectiveOfASingleSwapExactlyWhereTheSurfaceIsLinear) {
     const simulation::Project project = test::cantilever_project(4, 3, 1e-7);
-    Trials trials = make_trials(project, anything(1e-5));
-    const Point point = random_point(trials, 5);
+    Trials trials = test::trials_of(project, test::bent(1e-5));
+    const Point point = test::random_painting(trials, 5);
     const Trial trial = trials.solve(point, {});
     ASSERT_TRUE(trial.is_found);
     const SwapTable table = trials.table(point, trial, kColumns, 1, {});
@@ -92,31 +59,21 @@ TEST(Swaps, UnknownsHaveTheDerivativesOfTheResiduals) {
     project.load_cases.front().prescribed.push_back(
         {simulation::NodesAtSide{simulation::Side::Top}, mechanics::Dof::uz, 0.004});
     project.load_cases.front().gravity = {0.0, 0.0, -9.0};
-    Trials trials = make_trials(project, anything(1.0), {true, true});
-    Point point = random_point(trials, 6);
+    Trials trials = test::trials_of(project, test::bent(1.0), {true, true});
+    Point point = test::random_painting(trials, 6);
     ASSERT_EQ(point.unknowns.size(), 2);
     const Trial trial = trials.solve(point, {});
     const SwapTable table = trials.table(point, trial, kColumns, 1, {});
-    for (Eigen::Index unknown = 0; unknown < 2; ++unknown) {
-        const double step = unknown == 0 ? 1e-4 : 1e-6;
-        const auto at = [&](double place) {
-            Point moved = point;
-            moved.unknowns[unknown] += place * step;
-            return trials.solve(moved, {}).objective;
-        };
-        const double difference = (at(1.0) - at(-1.0)) / (2.0 * step);
-        const double derivative = 2.0 * table.residual.dot(table.by_factors.col(unknown));
-        EXPECT_NEAR(derivative, difference, 1e-4 * std::abs(difference)) << unknown;
-    }
+    test::expect_derivatives(trials, point, table, Eigen::Vector2d(1e-4, 1e-6));
 }
 
 /// Exhaustively: the sweeps find the best of 5^5 choices of a superposition, from any start.
 TEST(Swaps, SweepsFindTheBestChoiceOfSmallTables) {
     const simulation::Project project = test::cantilever_project(5, 1, 1e-7);
-    Trials trials = make_trials(project, anything(2e-6));
+    Trials trials = test::trials_of(project, test::bent(2e-6));
     int found_best = 0;
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
-        const Point point = random_point(trials, seed);
+        const Point point = test::random_painting(trials, seed);
         const Trial trial = trials.solve(point, {});
         const SwapTable table = trials.table(point, trial, kColumns, 1, {});
         double best = std::numeric_limits<double>::infinity();
@@ -148,8 +105,8 @@ TEST(Swaps, AnnealingIsNoWorseThanSweepsAndStaysWithinTheRadius) {
     const simulation::Project project = test::cantilever_project(6, 4, 0.05);
     int better = 0;
     for (const FreeUnknowns& free : {FreeUnknowns{}, FreeUnknowns{.factor = true}}) {
-        Trials trials = make_trials(project, anything(2.0), free);
-        const Point point = random_point(trials, 7);
+        Trials trials = test::trials_of(project, test::bent(2.0), free);
+        const Point point = test::random_painting(trials, 7);
         const SwapTable table = trials.table(point, trials.solve(point, {}), kColumns, 1, {});
         for (const double radius : {0.02, 0.2, 4.0}) {
             SweepOptions options{.allowed = std::vector<bool>(5, true), .radius = radius, .proposals = 0};
@@ -168,8 +125,8 @@ TEST(Swaps, AnnealingIsNoWorseThanSweepsAndStaysWithinTheRadius) {
 /// Against every choice that differs in one or two places.
 TEST(Swaps, NeighboursAreTheBestOfAllThatDifferInOneOrTwoPlaces) {
     const simulation::Project project = test::cantilever_project(5, 1, 0.05);
-    Trials trials = make_trials(project, anything(2.0));
-    const Point point = random_point(trials, 4);
+    Trials trials = test::trials_of(project, test::bent(2.0));
+    const Point point = test::random_painting(trials, 4);
     const SwapTable table = trials.table(point, trials.solve(point, {}), kColumns, 1, {});
     std::vector<std::vector<double>> objectives(6);
     for (int number = 0; number < 3125; ++number) {
@@ -197,8 +154,8 @@ TEST(Swaps, NeighboursAreTheBestOfAllThatDifferInOneOrTwoPlaces) {
 
 TEST(Swaps, KeepTheRadiusTheMassAndTheColumns) {
     const simulation::Project project = test::cantilever_project(5, 4, 0.05);
-    Trials trials = make_trials(project, anything(2.0));
-    const Point point = random_point(trials, 3);
+    Trials trials = test::trials_of(project, test::bent(2.0));
+    const Point point = test::random_painting(trials, 3);
     const Trial trial = trials.solve(point, {});
     const SwapTable table = trials.table(point, trial, kColumns, 1, {});
     SweepOptions options{.allowed = {true, true, false, true, false}, .radius = 0.05};

@@ -7,6 +7,9 @@
 #include <fretwork/base/random.hpp>
 #include <fretwork/design/search/trials.hpp>
 
+#include <gtest/gtest.h>
+
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -38,6 +41,21 @@ inline design::detail::Point random_painting(const design::detail::Trials& trial
     design::detail::Point point = trials.uniform(0);
     for (std::size_t& pattern : point.patterns) pattern = random.below(kDesignPatterns.size());
     return point;
+}
+
+/// The table's derivative of the objective by each unknown, against central differences of solved surfaces.
+inline void expect_derivatives(design::detail::Trials& trials, const design::detail::Point& point,
+                               const design::detail::SwapTable& table, const Eigen::VectorXd& steps) {
+    for (Eigen::Index unknown = 0; unknown < steps.size(); ++unknown) {
+        const auto at = [&](double place) {
+            design::detail::Point moved = point;
+            moved.unknowns[unknown] += place * steps[unknown];
+            return trials.solve(moved, {}).objective;
+        };
+        const double difference = (at(1.0) - at(-1.0)) / (2.0 * steps[unknown]);
+        const double derivative = 2.0 * table.residual.dot(table.by_factors.col(unknown));
+        EXPECT_NEAR(derivative, difference, 1e-4 * std::abs(difference)) << unknown;
+    }
 }
 
 }  // namespace fretwork::test

@@ -32,7 +32,7 @@ design::DesignReport sample() {
     report.uniform_tried = 2;
     report.load_cases = {"tip"};
     report.factors = {2.0};
-    report.history = {{1, 0.1, 0.8}, {5, 0.2, 0.5}};
+    report.history = {{1, 40, 0.1, 0.8}, {5, 40, 0.2, 0.5}};
     report.gamut.reached = {{1.0, 0.0}};
     report.gamut.wanted = {{3.0, 0.0}};
     report.starts = {0.5, 0.6};

@@ -101,9 +101,11 @@ TEST(StudioDesign, ShowsASketchAndEachBetterPaintingBeforeItEnds) {
     ASSERT_TRUE(client.ask("design", wish())["ok"].get<bool>());
     const Json first = client.event({"designing", "designed"});
     ASSERT_EQ(first["event"], "designing");
-    EXPECT_EQ(first["most"], kEnoughSolutions);
+    EXPECT_GT(first["most"].get<int>(), 0);
+    EXPECT_LT(first["most"].get<int>(), kEnoughSolutions) << "a sketch";
     EXPECT_GT(first["misfit"].get<double>(), 0.0);
     EXPECT_TRUE(client.event({"designed"})["sketch"].get<bool>());
+    EXPECT_EQ(client.event({"designing"})["most"], kEnoughSolutions);
     EXPECT_FALSE(end_of_design(client)["sketch"].get<bool>());
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/text.hpp>
+#include <fretwork/design/design_words.hpp>
 #include <studio/designing/design_report.hpp>
 #include <studio/document/painting_request.hpp>
 
@@ -13,26 +13,6 @@ using design::TargetError;
 
 namespace {
 
-/// Multiples of a single pattern's displacement beyond which the load does not fit the target.
-constexpr double kTooFar = 2.0;
-constexpr double kTooNear = 0.5;
-
-/// In the words of `fretwork design`.
-const char* end_words(design::DesignEnd end) {
-    switch (end) {
-        case design::DesignEnd::NoSwapImproves:
-            return "the search found no further swap that improves it";
-        case design::DesignEnd::SolutionsSpent:
-            return "the solutions were spent";
-        case design::DesignEnd::TimeSpent:
-            return "the time was spent";
-        case design::DesignEnd::Unreachable:
-            return "no painting comes near: it was not searched";
-        default:
-            return "it was stopped: this is the best painting so far";
-    }
-}
-
 template <class Value>
 Json member_of(const std::optional<TargetError>& error, Value TargetError::*which) {
     return error ? Json((*error).*which) : Json(nullptr);
@@ -44,17 +24,10 @@ Json share_closed(const DesignReport& report) {
     return 1.0 - report.error->mean / report.best_uniform->mean;
 }
 
-/// What keeps the target out of reach, where that is known.
-Json warnings_json(const DesignReport& report) {
+Json warnings_json(const DesignFound& found) {
     Json warnings = Json::array();
-    const auto add = [&](double times, const char* which, const char* problem) {
-        warnings.push_back("the target asks for " + base::format_number(times, 3) +
-                           " times the displacement of the " + which +
-                           " single pattern tried: the load is too " + problem + " for it");
-    };
-    if (report.wanted_of_softest > kTooFar) add(report.wanted_of_softest, "softest", "small");
-    if (report.wanted_of_stiffest > 0.0 && report.wanted_of_stiffest < kTooNear)
-        add(report.wanted_of_stiffest, "stiffest", "large");
+    for (const design::DesignWarning& warning : design::design_warnings(found.report, found.options))
+        warnings.push_back(warning.text);
     return warnings;
 }
 
@@ -87,9 +60,9 @@ Json designed_event(const DesignFound& found, std::int64_t revision) {
             {"patterns", report.patterns},
             {"load_cases", report.load_cases},
             {"factors", report.factors},
-            {"warnings", warnings_json(report)},
+            {"warnings", warnings_json(found)},
             {"end", design::design_end_name(report.end)},
-            {"words", end_words(report.end)},
+            {"words", design::design_end_words(report.end)},
             {"seconds", report.seconds},
             {"solutions", report.solutions},
             {"full_solutions", report.full_solutions},

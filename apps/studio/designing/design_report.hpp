@@ -13,6 +13,7 @@ struct DesignFound {
     enum class Stage { Sketch, Answer };
     Stage stage = Stage::Answer;
     design::DesignReport report;
+    design::DesignOptions options;  ///< those of the request
 };
 
 /// The document with the painting, and, where the design was free to change them, the loads.

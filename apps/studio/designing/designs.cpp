@@ -123,26 +123,24 @@ void Designs::run(const Work& work, const base::Control& control) {
         tell_progress(work, progress);
     };
     const auto sketch = design::design(project, given, work.wish.target, sketched(options));
-    if (sketch.end == design::DesignEnd::Stopped) return give(work, {DesignFound::Stage::Answer, sketch});
-    give(work, {DesignFound::Stage::Sketch, sketch});
+    if (sketch.end == design::DesignEnd::Stopped)
+        return give(work, {DesignFound::Stage::Answer, sketch, work.wish.options});
+    give(work, {DesignFound::Stage::Sketch, sketch, work.wish.options});
     options.seconds *= 1.0 - kSketchedShare;
     try {
         DesignReport answer = design::design(project, given, work.wish.target, options);
-        give(work, {DesignFound::Stage::Answer, best_of(sketch, std::move(answer))});
+        give(work, {DesignFound::Stage::Answer, best_of(sketch, std::move(answer)), work.wish.options});
     } catch (const base::Stopped&) {  // before it had any painting: the sketch is the best so far
         DesignReport kept = sketch;
         kept.end = design::DesignEnd::Stopped;
-        give(work, {DesignFound::Stage::Answer, std::move(kept)});
+        give(work, {DesignFound::Stage::Answer, std::move(kept), work.wish.options});
     }
 }
 
 void Designs::tell_progress(const Work& work, const design::DesignProgress& progress) {
-    const Json event = {{"event", "designing"},
-                        {"revision", work.revision},
-                        {"solutions", progress.solutions},
-                        {"most", work.wish.options.most_solutions},
-                        {"seconds", progress.seconds},
-                        {"misfit", progress.misfit}};
+    const Json event = {
+        {"event", "designing"},  {"revision", work.revision},   {"solutions", progress.solutions},
+        {"most", progress.most}, {"seconds", progress.seconds}, {"misfit", progress.misfit}};
     server_.post([this, number = work.number, event] {
         if (run_ && number == number_) show(event);
     });

@@ -91,9 +91,7 @@ class Designer {
         report_.uniform_shapes = uniform_shapes_;
         if (const FullCheck* own = check_of_best()) report_.shapes = detail::shapes_of(trials_, *own);
         detail::add_wanted_curvatures(trials_.parts().surface.tessellation, report_.shapes, report_.gamut);
-        if (options_.clearance)
-            report_.close_bars =
-                simulation::close_bars(trials_.surface_at(*best_), *options_.clearance).size();
+        report_.close_bars = close_bars_of(*best_);
     }
 
   private:
@@ -159,6 +157,7 @@ class Designer {
             take_uniform(starts[i].point, found);
             best_ = starts[i].point;
             checked_ = {starts[i].point, std::move(found)};
+            checked_->is_allowed = is_allowed(checked_->point, checked_->check);
             return;
         }
     }
@@ -193,12 +192,16 @@ class Designer {
         return difference;
     }
 
+    /// Number of pairs of bars with a gap below the clearance.
+    [[nodiscard]] std::size_t close_bars_of(const Point& point) const {
+        if (!options_.clearance) return 0;
+        return simulation::close_bars(trials_.surface_at(point), *options_.clearance).size();
+    }
+
     [[nodiscard]] bool is_allowed(const Point& point, const FullCheck& check) const {
         if (!check.is_found || !check.error.is_stable) return false;
         if (options_.max_mass > 0.0 && trials_.mass_of(point) > options_.max_mass) return false;
-        if (options_.clearance &&
-            !simulation::close_bars(trials_.surface_at(point), *options_.clearance).empty())
-            return false;
+        if (close_bars_of(point) > 0) return false;
         return options_.max_utilization <= 0.0 ||
                check.largest_utilization.value_or(0.0) <= options_.max_utilization;
     }
@@ -208,12 +211,11 @@ class Designer {
         if (!is_correcting_) best_ = solved.point;  // if the check is stopped; else the checked one stays
         FullCheck found = check(solved.point);
         if (found.is_found) take_uniform(solved.point, found);
-        const bool replaces =
-            !checked_ || (is_allowed(solved.point, found) && !is_allowed(checked_->point, checked_->check));
-        if (found.is_found && (replaces || (is_allowed(solved.point, found) &&
-                                            found.error.mean < checked_->check.error.mean))) {
-            report_.model_error = model_error(solved, found);
-            checked_ = {solved.point, std::move(found)};
+        Checked own{solved.point, std::move(found)};
+        own.is_allowed = is_allowed(own.point, own.check);
+        if (own.check.is_found && is_better(own)) {
+            report_.model_error = model_error(solved, own.check);
+            checked_ = std::move(own);
         }
         if (checked_) best_ = checked_->point;
     }
@@ -251,6 +253,17 @@ class Designer {
         }
     }
 
+    struct Checked {
+        Point point;
+        FullCheck check;
+        bool is_allowed = false;  ///< stable and within the limits of the options
+    };
+    [[nodiscard]] bool is_better(const Checked& own) const {
+        if (!checked_) return true;
+        if (own.is_allowed != checked_->is_allowed) return own.is_allowed;
+        return own.is_allowed && own.check.error.mean < checked_->check.error.mean;
+    }
+
     Trials trials_;
     std::vector<std::size_t> palette_;
     Eigen::MatrixXd coordinates_;
@@ -259,10 +272,6 @@ class Designer {
     DesignReport& report_;
     Search search_;
     std::optional<Point> best_;
-    struct Checked {
-        Point point;
-        FullCheck check;
-    };
     std::optional<Checked> checked_;  ///< the best of those that were checked
     std::vector<CaseShape> uniform_shapes_;
     double check_seconds_ = 0.0;

@@ -21,6 +21,7 @@ namespace fretwork::design {
 /// The best painting so far, while the search goes on.
 struct DesignProgress {
     int solutions = 0;     ///< number of nonlinear solutions so far
+    int most = 0;          ///< largest number of nonlinear solutions of the search
     double seconds = 0.0;  ///< time since the search began, s
     /// Misfit of the reduced model: the root of the weighted mean square distance to the target, as a share
     /// of the largest wanted displacement.
@@ -106,6 +107,10 @@ std::string_view design_end_name(DesignEnd end);
 
 /// The relative gain below which a gain counts as rounding or chance.
 inline constexpr double kLeastDesignGain = 0.01;
+/// The load is too small for a target if DesignReport::wanted_of_softest exceeds this ratio.
+inline constexpr double kLoadTooSmall = 2.0;
+/// The load is too large for a target if DesignReport::wanted_of_stiffest is below this ratio.
+inline constexpr double kLoadTooLarge = 0.5;
 
 /// The report of design().
 struct DesignReport {
@@ -142,7 +147,8 @@ struct DesignReport {
     double wanted_of_stiffest = 0.0;  ///< the same ratio for the stiffest uniform painting
     bool nothing_moves = false;       ///< true if the load cases displace no uniform painting
     /// The largest displacement of the softest uniform painting under ten times the loads, as a share of the
-    /// largest wanted displacement. None unless wanted_of_softest is above two and the load cases have loads.
+    /// largest wanted displacement. None unless wanted_of_softest is above kLoadTooSmall and the load cases
+    /// have loads.
     std::optional<double> reach_of_ten_loads{};
     double model_error = 0.0;  ///< mean distance between the reduced model and the full model, as a share of
                                ///< the largest wanted displacement

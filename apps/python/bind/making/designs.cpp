@@ -150,6 +150,7 @@ void bind_report(py::module_& m) {
     bind_enum<DesignEnd>(m);
     Record<DesignProgress>(m, "DesignProgress", "The best painting so far.")
         .constant("solutions", &DesignProgress::solutions, "nonlinear ones so far")
+        .constant("most", &DesignProgress::most, "largest number of nonlinear solutions of the search")
         .constant("seconds", &DesignProgress::seconds, "")
         .constant("misfit", &DesignProgress::misfit, "of the reduced model, a share of the largest wanted")
         .done(Made::ByFunctions);

@@ -11,8 +11,6 @@ using mechanics::NodeValues;
 using Places = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 using tiling::Tessellation;
 
-/// Below this multiple of the softest painting's displacement more load is not asked for.
-constexpr double kFarBeyond = 2.0;
 constexpr double kMoreLoad = 10.0;
 /// Of what is wanted: smaller displacements are none.
 constexpr double kNothing = 1e-9;
@@ -71,7 +69,7 @@ std::optional<double> reach_of_ten_loads(Trials& trials, const std::vector<Solve
     const bool is_loaded = std::ranges::any_of(parts.cases, [](const DesignCase& own) {
         return !own.load_case.loads.empty() || !own.load_case.area_loads.empty();
     });
-    if (!is_loaded || report.wanted_of_softest <= kFarBeyond || parts.free.factor) return std::nullopt;
+    if (!is_loaded || report.wanted_of_softest <= kLoadTooSmall || parts.free.factor) return std::nullopt;
     const Point& softest = softest_of(uniform).point;
     double largest = 0.0;
     for (std::size_t c = 0; c < parts.cases.size(); ++c) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/random.hpp>
 #include <fretwork/design/search/search.hpp>
-#include <fretwork/design/search/uniform_guess.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -43,16 +42,28 @@ constexpr std::size_t kSmallTable = 300;
 /// Changes of one group, and so many of two, that are solved around one painting.
 constexpr std::size_t kMostNeighbours = 60;
 
-/// The weighted sum of the displacements of solutions.
-std::vector<mechanics::NodeValues> superposed(const std::vector<Solved>& solved,
-                                              const Eigen::VectorXd& weights) {
-    std::vector<mechanics::NodeValues> sum = solved.front().trial.displacements;
-    for (std::size_t c = 0; c < sum.size(); ++c) {
-        sum[c] *= weights[0];
-        for (std::size_t i = 1; i < solved.size(); ++i)
-            sum[c] += weights[static_cast<Eigen::Index>(i)] * solved[i].trial.displacements[c];
-    }
-    return sum;
+/// Place of each pattern in the columns, which are sorted and have all of them.
+std::vector<std::size_t> places_of(const std::vector<std::size_t>& patterns,
+                                   const std::vector<std::size_t>& columns) {
+    std::vector<std::size_t> places;
+    for (const std::size_t pattern : patterns)
+        places.push_back(
+            static_cast<std::size_t>(std::ranges::lower_bound(columns, pattern) - columns.begin()));
+    return places;
+}
+
+/// The point with a choice's patterns.
+Point painted(Point point, const Choice& choice, const std::vector<std::size_t>& columns) {
+    for (std::size_t g = 0; g < choice.columns.size(); ++g) point.patterns[g] = columns[choice.columns[g]];
+    return point;
+}
+
+/// The radius of the next step: larger if this one gained what was promised, smaller if it gained little of
+/// it.
+double adapted(double radius, double gained, double promised) {
+    if (gained > 0.75 * promised) radius = std::min(kLargestRadius, 2.0 * radius);
+    if (gained < 0.25 * promised) radius *= 0.5;
+    return radius;
 }
 
 }  // namespace
@@ -84,67 +95,9 @@ void Search::note(const Solved& solved) {
     if (best_ >= 0.0 && solved.trial.objective >= best_) return;
     best_ = solved.trial.objective;
     best_point_ = solved.point;
-    const DesignProgress progress{trials_.solutions(), watch_.seconds(), std::sqrt(best_)};
+    const DesignProgress progress{trials_.solutions(), most_solutions_, watch_.seconds(), std::sqrt(best_)};
     report_.history.push_back(progress);
     if (options_.on_better) options_.on_better(progress);
-}
-
-void Search::try_one_uniform(std::size_t pattern, std::vector<Solved>& found) {
-    const Point point = trials_.uniform(pattern);
-    Trial trial = solve(point);
-    ++report_.uniform_tried;
-    if (!trial.is_found) return;
-    found.push_back({point, std::move(trial)});
-    note(found.back());
-}
-
-std::vector<Solved> Search::try_uniform(const std::vector<std::size_t>& palette,
-                                        const Eigen::MatrixXd& coordinates) {
-    std::vector<Solved> found;
-    const auto has_time = [&] { return found.empty() || watch_.has_left(0.7 * options_.seconds); };
-    const std::size_t most = std::min(palette.size(), options_.uniform_paintings);
-    const std::size_t spread = std::min(most, std::max<std::size_t>(2, (2 * most) / 3));
-    std::vector<bool> is_tried(palette.size(), false);
-    for (std::size_t p = 0; p < most && (p < spread || found.size() < 2) && has_time(); ++p) {
-        try_one_uniform(palette[p], found);
-        is_tried[p] = true;
-    }
-    while (report_.uniform_tried < most && has_time()) {
-        const std::size_t next = predicted_best(found, palette, coordinates, is_tried);
-        if (next == palette.size()) break;
-        try_one_uniform(palette[next], found);
-        is_tried[next] = true;
-    }
-    std::ranges::stable_sort(found, {}, [](const Solved& solved) { return solved.trial.objective; });
-    if (options_.max_mass > 0.0)
-        std::ranges::stable_partition(found, [this](const Solved& solved) {
-            return trials_.mass_of(solved.point) <= options_.max_mass;
-        });
-    return found;
-}
-
-/// The place of the palette's member whose uniform painting is predicted to be the best of those that are not
-/// tried; the palette's size if there is none.
-std::size_t Search::predicted_best(const std::vector<Solved>& found, const std::vector<std::size_t>& palette,
-                                   const Eigen::MatrixXd& coordinates,
-                                   const std::vector<bool>& is_tried) const {
-    std::vector<Eigen::Index> places;
-    for (const Solved& solved : found)
-        places.push_back(std::ranges::find(palette, solved.point.patterns.front()) - palette.begin());
-    const Eigen::MatrixXd known = coordinates(Eigen::all, places);
-    std::size_t best = palette.size();
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t p = 0; p < static_cast<std::size_t>(coordinates.cols()) && p < palette.size(); ++p) {
-        if (is_tried[p]) continue;
-        const Eigen::VectorXd weights =
-            prediction_weights(known, coordinates.col(static_cast<Eigen::Index>(p)));
-        const double misfit = trials_.misfit(superposed(found, weights));
-        if (misfit < least) {
-            least = misfit;
-            best = p;
-        }
-    }
-    return best;
 }
 
 /// The first round takes the shortlist; later ones take others at random, beside those that are used.
@@ -206,25 +159,25 @@ void Search::limit_patterns(const Point& point, const SwapTable& table, const st
     limited_.assign(chosen.begin(), chosen.end());
 }
 
+/// The columns whose patterns may be used.
+std::vector<bool> Search::allowed_of(const std::vector<std::size_t>& columns) const {
+    std::vector<bool> allowed(columns.size(), limited_.empty());
+    for (const std::size_t place : places_of(limited_, columns)) allowed[place] = true;
+    return allowed;
+}
+
 Search::Step Search::step(Solved& current, double& radius, int round, const Demand& demand) {
     const std::vector<std::size_t> columns = columns_for(current.point, round);
-    const auto column_of = [&columns](std::size_t pattern) {
-        return static_cast<std::size_t>(std::ranges::lower_bound(columns, pattern) - columns.begin());
-    };
-    std::vector<std::size_t> start;
-    for (const std::size_t pattern : current.point.patterns) start.push_back(column_of(pattern));
+    const std::vector<std::size_t> start = places_of(current.point.patterns, columns);
     const SwapTable table =
         trials_.table(current.point, current.trial, columns,
                       options_.seed + static_cast<std::uint64_t>(round), options_.control);
     report_.swaps_scored += static_cast<long>(table.groups() * table.columns());
-    SweepOptions sweeps{.allowed = std::vector<bool>(columns.size(), true),
+    if (options_.max_patterns > 0 && limited_.empty()) limit_patterns(current.point, table, start, columns);
+    SweepOptions sweeps{.allowed = allowed_of(columns),
                         .most_mass = mass_for_groups(current.point, table, start),
                         .control = options_.control.silent()};
-    if (options_.max_patterns > 0 && limited_.empty()) limit_patterns(current.point, table, start, columns);
-    if (!limited_.empty()) {
-        std::fill(sweeps.allowed.begin(), sweeps.allowed.end(), false);
-        for (const std::size_t pattern : limited_) sweeps.allowed[column_of(pattern)] = true;
-    }
+    const bool is_too_heavy = options_.max_mass > 0.0 && trials_.mass_of(current.point) > options_.max_mass;
     for (int proposal = 0; proposal < kMostProposals && radius >= kLeastRadius; ++proposal) {
         options_.control.check();
         sweeps.radius = radius;
@@ -232,21 +185,17 @@ Search::Step Search::step(Solved& current, double& radius, int round, const Dema
         const Choice choice = sweep(table, start, sweeps);
         report_.swaps_scored += choice.scored;
         const double promised = current.trial.objective - choice.objective;
-        const bool is_too_heavy =
-            options_.max_mass > 0.0 && trials_.mass_of(current.point) > options_.max_mass;
         if (!is_too_heavy && !(promised > demand.gain * current.trial.objective)) return Step::NoBetter;
         if (round > 1 && demand.rival > 0.0 && choice.objective > kHopelessPromise * demand.rival)
             return Step::Hopeless;
-        Point next = current.point;
-        for (std::size_t g = 0; g < start.size(); ++g) next.patterns[g] = columns[choice.columns[g]];
+        Point next = painted(current.point, choice, columns);
         next.unknowns = trials_.bounded(next.unknowns + choice.steps);
         radius = std::min(radius, kLargestRadius);
         Trial trial;
         if (!is_seen(next)) trial = solve(next);
         const double gained = trial.is_found ? current.trial.objective - trial.objective : -1.0;
         if (gained > 0.5 * demand.gain * current.trial.objective || (is_too_heavy && trial.is_found)) {
-            if (gained > 0.75 * promised) radius = std::min(kLargestRadius, 2.0 * radius);
-            if (gained < 0.25 * promised) radius *= 0.5;
+            radius = adapted(radius, gained, promised);
             current = {std::move(next), std::move(trial)};
             note(current);
             return Step::Better;
@@ -330,16 +279,12 @@ Solved Search::try_neighbours(Solved best, double reserve, int last_solution) {
         if (!trials_.is_at(best.point)) best.trial = solve(best.point);
         std::vector<std::size_t> columns = all_;
         std::ranges::sort(columns);
-        std::vector<std::size_t> start;
-        for (const std::size_t pattern : best.point.patterns)
-            start.push_back(
-                static_cast<std::size_t>(std::ranges::lower_bound(columns, pattern) - columns.begin()));
+        const std::vector<std::size_t> start = places_of(best.point.patterns, columns);
         const SwapTable table =
             trials_.table(best.point, best.trial, columns, options_.seed, options_.control);
         for (const Choice& choice :
              neighbours(table, start, allowed, kMostNeighbours, options_.control.silent())) {
-            Point next = best.point;
-            for (std::size_t g = 0; g < start.size(); ++g) next.patterns[g] = columns[choice.columns[g]];
+            Point next = painted(best.point, choice, columns);
             if (is_seen(next)) continue;
             if (!has_budget()) break;
             if (options_.max_mass > 0.0 && trials_.mass_of(next) > options_.max_mass) continue;

@@ -85,6 +85,7 @@ class Search {
                                              const Eigen::MatrixXd& coordinates,
                                              const std::vector<bool>& is_tried) const;
     [[nodiscard]] std::vector<std::size_t> columns_for(const Point& point, int round) const;
+    [[nodiscard]] std::vector<bool> allowed_of(const std::vector<std::size_t>& columns) const;
     [[nodiscard]] Point kicked(const Point& point, double share, std::uint64_t number) const;
     /// The improvement that a descent must promise to continue.
     struct Demand {

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/design/design.hpp>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fretwork::design {
+
+/// The reason for which a search ended, in words that follow "the design ended:".
+std::string_view design_end_words(DesignEnd end);
+
+/// One reason why a design falls short of what was asked for.
+struct DesignWarning {
+    std::string text;              ///< one line without a full stop
+    bool factor_may_help = false;  ///< true if another factor on the loads, which was not free, may help
+};
+
+/// The reasons why a design falls short, the load first: loads that do not fit the target, the warnings of
+/// the search, a target out of reach, and limits of the options that no checked painting keeps.
+std::vector<DesignWarning> design_warnings(const DesignReport& report, const DesignOptions& options);
+
+}  // namespace fretwork::design

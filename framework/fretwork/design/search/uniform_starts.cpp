@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The uniform paintings with which a search begins.
+#include <fretwork/design/search/search.hpp>
+#include <fretwork/design/search/uniform_guess.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace fretwork::design::detail {
+namespace {
+
+/// The weighted sum of the displacements of solutions.
+std::vector<mechanics::NodeValues> superposed(const std::vector<Solved>& solved,
+                                              const Eigen::VectorXd& weights) {
+    std::vector<mechanics::NodeValues> sum = solved.front().trial.displacements;
+    for (std::size_t c = 0; c < sum.size(); ++c) {
+        sum[c] *= weights[0];
+        for (std::size_t i = 1; i < solved.size(); ++i)
+            sum[c] += weights[static_cast<Eigen::Index>(i)] * solved[i].trial.displacements[c];
+    }
+    return sum;
+}
+
+}  // namespace
+
+void Search::try_one_uniform(std::size_t pattern, std::vector<Solved>& found) {
+    const Point point = trials_.uniform(pattern);
+    Trial trial = solve(point);
+    ++report_.uniform_tried;
+    if (!trial.is_found) return;
+    found.push_back({point, std::move(trial)});
+    note(found.back());
+}
+
+std::vector<Solved> Search::try_uniform(const std::vector<std::size_t>& palette,
+                                        const Eigen::MatrixXd& coordinates) {
+    std::vector<Solved> found;
+    const auto has_time = [&] { return found.empty() || watch_.has_left(0.7 * options_.seconds); };
+    const std::size_t most = std::min(palette.size(), options_.uniform_paintings);
+    const std::size_t spread = std::min(most, std::max<std::size_t>(2, (2 * most) / 3));
+    std::vector<bool> is_tried(palette.size(), false);
+    for (std::size_t p = 0; p < most && (p < spread || found.size() < 2) && has_time(); ++p) {
+        try_one_uniform(palette[p], found);
+        is_tried[p] = true;
+    }
+    while (report_.uniform_tried < most && has_time()) {
+        const std::size_t next = predicted_best(found, palette, coordinates, is_tried);
+        if (next == palette.size()) break;
+        try_one_uniform(palette[next], found);
+        is_tried[next] = true;
+    }
+    std::ranges::stable_sort(found, {}, [](const Solved& solved) { return solved.trial.objective; });
+    if (options_.max_mass > 0.0)
+        std::ranges::stable_partition(found, [this](const Solved& solved) {
+            return trials_.mass_of(solved.point) <= options_.max_mass;
+        });
+    return found;
+}
+
+/// The place of the palette's member whose uniform painting is predicted to be the best of those that are not
+/// tried; the palette's size if there is none.
+std::size_t Search::predicted_best(const std::vector<Solved>& found, const std::vector<std::size_t>& palette,
+                                   const Eigen::MatrixXd& coordinates,
+                                   const std::vector<bool>& is_tried) const {
+    std::vector<Eigen::Index> places;
+    for (const Solved& solved : found)
+        places.push_back(std::ranges::find(palette, solved.point.patterns.front()) - palette.begin());
+    const Eigen::MatrixXd known = coordinates(Eigen::all, places);
+    std::size_t best = palette.size();
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t p = 0; p < static_cast<std::size_t>(coordinates.cols()) && p < palette.size(); ++p) {
+        if (is_tried[p]) continue;
+        const Eigen::VectorXd weights =
+            prediction_weights(known, coordinates.col(static_cast<Eigen::Index>(p)));
+        const double misfit = trials_.misfit(superposed(found, weights));
+        if (misfit < least) {
+            least = misfit;
+            best = p;
+        }
+    }
+    return best;
+}
+
+}  // namespace fretwork::design::detail
