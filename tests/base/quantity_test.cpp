@@ -9,11 +9,15 @@ namespace fretwork::base {
 namespace THIS_TEST {
 
 TEST(Quantity, LengthsComeOutInMetres) {
-    EXPECT_DOUBLE_EQ(parse_length("26mm"), 0.026);
-    EXPECT_DOUBLE_EQ(parse_length("2.6 cm"), 0.026);
-    EXPECT_DOUBLE_EQ(parse_length("0.026m"), 0.026);
-    EXPECT_DOUBLE_EQ(parse_length("0.026"), 0.026);
-    EXPECT_DOUBLE_EQ(parse_length("26000um"), 0.026);
+    EXPECT_EQ(parse_length("26mm"), 0.026);
+    EXPECT_EQ(parse_length("2.6 cm"), 0.026);
+    EXPECT_EQ(parse_length("0.026m"), 0.026);
+    EXPECT_EQ(parse_length("0.026"), 0.026);
+    EXPECT_EQ(parse_length("26000um"), 0.026);
+    EXPECT_EQ(parse_length("2.6e+1mm"), 0.026);
+    EXPECT_EQ(parse_length("260e-1 mm"), 0.026);
+    EXPECT_EQ(parse_length("-0mm"), 0.0);
+    EXPECT_EQ(parse_length("1e-320mm"), 1e-323);
 }
 
 TEST(Quantity, AnglesComeOutInRadians) {

@@ -2,6 +2,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/quantity.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <numbers>
@@ -13,12 +14,27 @@ namespace {
 
 struct Unit {
     std::string_view name;
-    double factor;
+    double factor = 1.0;
+    int power = 0;  ///< of ten, besides the factor
 };
 
-constexpr Unit kLengths[] = {{"", 1.0}, {"um", 1e-6}, {"mm", 1e-3}, {"cm", 1e-2}, {"m", 1.0}};
+constexpr Unit kLengths[] = {{""}, {"um", 1.0, -6}, {"mm", 1.0, -3}, {"cm", 1.0, -2}, {"m"}};
 constexpr Unit kAngles[] = {{"", std::numbers::pi / 180}, {"deg", std::numbers::pi / 180}, {"rad", 1.0}};
-constexpr Unit kNone[] = {{"", 1.0}};
+constexpr Unit kNone[] = {{""}};
+
+/// The number times a power of ten, rounded once: 26mm is exactly 0.026, which 26 * 0.001 is not.
+double shifted(std::string_view number, int power) {
+    const std::size_t mark = std::min(number.find_first_of("eE"), number.size());
+    int exponent = 0;
+    if (mark < number.size()) {
+        const char* digits = number.data() + mark + 1;
+        std::from_chars(*digits == '+' ? digits + 1 : digits, number.data() + number.size(), exponent);
+    }
+    const std::string text = std::string(number.substr(0, mark)) + "e" + std::to_string(exponent + power);
+    double value = 0.0;
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+}
 
 double parse_quantity(std::string_view text, std::span<const Unit> units, std::string_view wanted) {
     double number = 0.0;
@@ -28,7 +44,9 @@ double parse_quantity(std::string_view text, std::span<const Unit> units, std::s
         std::string_view rest(result.ptr, end - result.ptr);
         while (rest.starts_with(' ')) rest.remove_prefix(1);
         for (const Unit& unit : units) {
-            if (unit.name == rest) return number * unit.factor;
+            if (unit.name != rest) continue;
+            const std::string_view digits(text.data(), static_cast<std::size_t>(result.ptr - text.data()));
+            return unit.power == 0 ? number * unit.factor : shifted(digits, unit.power);
         }
     }
     throw InputError("'" + std::string(text) + "' is not " + std::string(wanted));
