@@ -128,8 +128,8 @@ void time_edits(benchmark::State& state, Lattice lattice, const Edit& edit) {
         edit(session, ++round);
         benchmark::DoNotOptimize(session.solve());
     }
-    state.counters["tiles_built"] = static_cast<double>(session.last_work().tiles_built);
-    state.counters["factors_updated"] = session.last_work().factors == Session::Work::Factors::Updated;
+    state.counters["tiles_built"] = static_cast<double>(session.last_report().tiles_built);
+    state.counters["factors_updated"] = session.last_report().factors == Session::Report::Factors::Updated;
 }
 
 void from_nothing(benchmark::State& state, Lattice lattice) {
@@ -138,7 +138,7 @@ void from_nothing(benchmark::State& state, Lattice lattice) {
     for (auto _ : state) {
         Session session(surface, load_case, {.model = "condensed"});
         benchmark::DoNotOptimize(session.solve());
-        state.counters["tiles_built"] = static_cast<double>(session.last_work().tiles_built);
+        state.counters["tiles_built"] = static_cast<double>(session.last_report().tiles_built);
     }
 }
 
@@ -274,7 +274,7 @@ void time_bent_edits(benchmark::State& state, const char* model, const Edit& edi
     for (auto _ : state) {
         edit(session, ++round);
         benchmark::DoNotOptimize(session.solve({}, check));
-        from_last += session.last_work().starting_point == mechanics::StartingPoint::LastEquilibrium;
+        from_last += session.last_report().starting_point == mechanics::StartingPoint::LastEquilibrium;
     }
     state.counters["from_last"] = from_last / round;
     count_factorizations(state, model, start);
@@ -298,7 +298,7 @@ void bent_little_load(benchmark::State& state, const char* model) {
 /// The same while it is dragged: nothing is asked of stability.
 void bent_dragged_load(benchmark::State& state, const char* model) {
     time_bent_edits(state, model, move_load(bending_force(irregular(state)), 0.01),
-                    mechanics::StabilityCheck::Left);
+                    mechanics::StabilityCheck::Skipped);
 }
 
 void bent_repainted_tile(benchmark::State& state, const char* model) {

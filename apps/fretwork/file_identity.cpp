@@ -86,7 +86,7 @@ std::string content_of(const fs::path& path) {
     if (start.starts_with(kDatabase)) return std::string(kLibraryContent);
     stream.clear();
     stream.seekg(0);
-    const std::string format = (stream >> std::ws).peek() == '{' ? format_in(stream) : "";
+    std::string format = (stream >> std::ws).peek() == '{' ? format_in(stream) : "";
     if (format == "frame" && !is_frame_as_written(path)) return std::string(kOtherContent);
     if (!format.empty()) return format;
     const auto table =

@@ -118,7 +118,7 @@ simulation::Project lattice(int columns, int rows) {
 }
 
 std::vector<pattern::NamedPattern> palette(const std::string& count, std::uint64_t seed) {
-    const pattern::NodeLayout layout = pattern::paper_layout();
+    const pattern::NodeLayout& layout = pattern::paper_layout();
     std::vector<pattern::Pattern> all =
         pattern::enumerate_patterns(layout, {.edges = pattern::default_edge_range(layout)});
     if (count != "all") {

@@ -155,7 +155,7 @@ Stresses Recoveries::following(const SurfaceResult& result, Answer answer) const
     for (const TileIndex tile : session_.surface().tessellation.tiles.indices()) {
         const auto motion = session_.beam_motion(tile, result.solution);
         if (!motion) throw base::NumericalError("a tile has no frame");
-        write(tile, motion->in_frame, answer, stresses);
+        write(tile, motion->in_axes, answer, stresses);
     }
     return stresses;
 }

@@ -24,7 +24,7 @@ TEST(Sheets, ASurfaceThatFitsTheBedIsOnePartWithoutJoints) {
     const SheetSet set = cut_into_sheets(wide_surface(), {}, {.width = 0.6, .height = 0.4});
     EXPECT_EQ(set.sheets.size(), 1U);
     EXPECT_EQ(set.parts, 1U);
-    EXPECT_EQ(set.joints, 0U);
+    EXPECT_EQ(set.connectors, 0U);
     EXPECT_NEAR(material(set.sheets[0]), area(make_shape(wide_surface())), 1e-9);
 }
 
@@ -32,7 +32,7 @@ TEST(Sheets, PartsLieOnTheBedWithinItsMargins) {
     const Bed bed{.width = 0.2, .height = 0.15};
     const SheetSet set = cut_into_sheets(wide_surface(), {}, bed);
     EXPECT_GT(set.parts, 3U);
-    EXPECT_GT(set.joints, 5U);
+    EXPECT_GT(set.connectors, 5U);
     for (const CutSheet& sheet : set.sheets) {
         const Box box = box_of(sheet);
         EXPECT_GE(box.xmin, bed.margin - 1e-9);
@@ -76,7 +76,7 @@ TEST(Sheets, JointsLeaveTheFitAroundKnobsAndNothingElseIsLost) {
     const Bed bed{.width = 0.0704, .height = 0.0704, .margin = 1e-3, .fit = 1e-4};
     const SheetSet set = cut_into_sheets(surface, {}, bed);
     ASSERT_EQ(set.parts, 2U);
-    ASSERT_EQ(set.joints, 1U);
+    ASSERT_EQ(set.connectors, 1U);
     double sum = 0.0;
     for (const CutSheet& sheet : set.sheets) sum += material(sheet);
     const SheetSet tight =

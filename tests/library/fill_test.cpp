@@ -156,7 +156,7 @@ TEST_F(Fill, ASearchAllOfWhoseStartsDiedIsAFailureAndNoCalibration) {
         EXPECT_EQ(report.failed, 2U);
         EXPECT_TRUE(library.calibrations("0-1+1-6").empty());
         ASSERT_EQ(library.failures().size(), 2U);
-        EXPECT_EQ(library.failures()[0].stage, calibration_stage(options.key()));
+        EXPECT_EQ(library.failures()[0].computation, calibration_computation(options.key()));
         EXPECT_THAT(library.failures()[0].reason, HasSubstr(reason));
     }
 }
@@ -253,7 +253,7 @@ TEST_F(Fill, APatternThatFailsIsRecordedAndDoesNotStopTheRest) {
     EXPECT_EQ(report.done, 0U);
     EXPECT_EQ(report.failed, 2U);
     ASSERT_EQ(library.failures().size(), 2U);
-    EXPECT_EQ(library.failures()[0].stage, calibration_stage(options.key()));
+    EXPECT_EQ(library.failures()[0].computation, calibration_computation(options.key()));
     EXPECT_THAT(library.failures()[0].reason, HasSubstr("there is no such tile"));
     EXPECT_EQ(library.responses("0-1+1-6").size(), 5U) << "what worked is kept";
     EXPECT_EQ(fill_all(library, options).open, 0U) << "it is not tried again";

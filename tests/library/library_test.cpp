@@ -268,8 +268,8 @@ TEST_F(LibraryTest, PatternsLeftToComputeShrinkAsResultsAndFailuresAreStored) {
     EXPECT_THAT(library.patterns_without_responses(), SizeIs(4));
     EXPECT_THAT(library.patterns_without_calibration(key), SizeIs(4));
     library.store(std::vector{sample_data("0-1+1-6", 1.0)},
-                  std::vector<Failure>{{"1-6+3-6", responses_stage(), "too soft"},
-                                       {"0-6+1-6+3-6", calibration_stage(key), "no start converged"}});
+                  std::vector<Failure>{{"1-6+3-6", responses_computation(), "too soft"},
+                                       {"0-6+1-6+3-6", calibration_computation(key), "no start converged"}});
     EXPECT_EQ(ids_of(library.patterns_without_responses()),
               (std::vector<std::string>{"0-6+1-6+3-6", "0-1+1-5+3-6+5-6"}));
     EXPECT_EQ(ids_of(library.patterns_without_calibration(key)),
@@ -284,9 +284,9 @@ TEST_F(LibraryTest, PatternsLeftToComputeShrinkAsResultsAndFailuresAreStored) {
 TEST_F(LibraryTest, StoringAResultForgetsTheFailureRecordedForIt) {
     Library library = make_library(path());
     const CalibrationKey key = sample_calibration(1).key();
-    library.store({}, std::vector<Failure>{{"0-1+1-6", responses_stage(), "once"},
-                                           {"0-1+1-6", calibration_stage(key), "once"},
-                                           {"1-6+3-6", responses_stage(), "for good"}});
+    library.store({}, std::vector<Failure>{{"0-1+1-6", responses_computation(), "once"},
+                                           {"0-1+1-6", calibration_computation(key), "once"},
+                                           {"1-6+3-6", responses_computation(), "for good"}});
     library.store(std::vector{sample_data("0-1+1-6", 1.0)});
     EXPECT_EQ(library.failures(), (std::vector<Failure>{{"1-6+3-6", "responses", "for good"}}));
 }

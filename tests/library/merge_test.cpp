@@ -78,9 +78,9 @@ TEST_F(Merge, AFailureIsDroppedIfAnotherInputHasTheResult) {
     const CalibrationKey key = sample_calibration(1.0).key();
     const auto a = shard("a.db", {sample_data("0-1+1-6", 1.0)});
     const auto b = shard("b.db", {},
-                         {{"0-1+1-6", responses_stage(), "killed"},
-                          {"0-1+1-6", calibration_stage(key), "killed"},
-                          {"1-6+3-6", calibration_stage(key), "killed"}});
+                         {{"0-1+1-6", responses_computation(), "killed"},
+                          {"0-1+1-6", calibration_computation(key), "killed"},
+                          {"1-6+3-6", calibration_computation(key), "killed"}});
     merge(path("ab.db"), Paths{a, b});
     const auto failures = Library::open(path("ab.db")).failures();
     ASSERT_EQ(failures.size(), 1U);

@@ -13,14 +13,14 @@
 namespace fretwork::mechanics::sparse {
 
 // tests/mechanics/CMakeLists.txt compiles dense_ldlt.cpp three times under these names.
-#define FRETWORK_KERNELS(set)                                                                  \
-    Pivots eliminate_##set(const Front&, const ZeroPivot&, std::vector<double>&, const Crew&); \
-    void substitute_forward_##set(const Front&, double*, double*);                             \
-    void substitute_back_##set(const Front&, double*, const double*);                          \
+#define FRETWORK_KERNELS(set)                                                                         \
+    Pivots eliminate_##set(const Front&, const ZeroPivot&, std::vector<double>&, const Concurrency&); \
+    void substitute_forward_##set(const Front&, double*, double*);                                    \
+    void substitute_back_##set(const Front&, double*, const double*);                                 \
     constexpr Kernels k_##set = {eliminate_##set, substitute_forward_##set, substitute_back_##set};
 
 struct Kernels {
-    Pivots (*eliminate)(const Front&, const ZeroPivot&, std::vector<double>&, const Crew&);
+    Pivots (*eliminate)(const Front&, const ZeroPivot&, std::vector<double>&, const Concurrency&);
     void (*forward)(const Front&, double*, double*);
     void (*back)(const Front&, double*, const double*);
 };

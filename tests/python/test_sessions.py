@@ -33,7 +33,7 @@ class Sessions(unittest.TestCase):
         one = session.solve().displacements
         session.set_load_case(support.tip(-0.002))
         two = session.solve().displacements
-        self.assertEqual(session.last_work.factors, fw.FactorChange.KEPT)
+        self.assertEqual(session.last_report.factors, fw.FactorChange.KEPT)
         np.testing.assert_allclose(two, 2 * one, rtol=0, atol=1e-9 * np.abs(two).max())
 
     def test_an_edit_that_raises_changes_nothing(self):

@@ -339,18 +339,18 @@ TEST(LoadCaseText, TellsHowManyNodesEachEntryPicked) {
 TEST(LoadCaseText, DoubtsWhatIsAThousandTimesOff) {
     const Surface surface = make_surface(test::honeycomb(4, 3, {"0-1+1-6"}), nullptr);
     LoadCase load_case = test::cantilever({0, 0, 0.1});
-    EXPECT_TRUE(doubts_about(load_case, surface).empty());
+    EXPECT_TRUE(warnings_about(load_case, surface).empty());
     load_case.loads.push_back({NodesNearest{{{280, 190}}}, {0, 0, 0.1}});
     load_case.prescribed = {{NodesById{{4}}, mechanics::Dof::uz, 2.0},
                             {NodesById{{5}}, mechanics::Dof::rx, 15.0}};
     load_case.gravity = {0, 0, -9810};
-    const auto doubts = doubts_about(load_case, surface);
+    const auto doubts = warnings_about(load_case, surface);
     ASSERT_EQ(doubts.size(), 4U);
     EXPECT_THAT(doubts[0], HasSubstr("(280, 190)"));
     EXPECT_THAT(doubts[1], HasSubstr("metres"));
     EXPECT_THAT(doubts[2], HasSubstr("radians"));
     EXPECT_THAT(doubts[3], HasSubstr("gravity"));
-    EXPECT_THAT(doubts_about(test::cantilever({0, 0, 1000}), surface).front(), HasSubstr("newtons"));
+    EXPECT_THAT(warnings_about(test::cantilever({0, 0, 1000}), surface).front(), HasSubstr("newtons"));
 }
 
 // ---- combinations ----

@@ -104,7 +104,7 @@ TEST(MixedModel, ASessionAnswersEditsAsTheEditedSurfaceIsAnswered) {
     expect_as_from_nothing("first");
     session.set_load(0, cantilever({0, 0, -0.33}).loads[0]);
     expect_as_from_nothing("another load");
-    EXPECT_EQ(session.last_work().starting_point, mechanics::StartingPoint::LastEquilibrium);
+    EXPECT_EQ(session.last_report().starting_point, mechanics::StartingPoint::LastEquilibrium);
     session.paint(std::vector{TileIndex(5)}, "0-5+5-6");
     expect_as_from_nothing("a repainted tile");
     session.set_tile_model(std::vector{session.full_tiles()[0]}, "condensed");

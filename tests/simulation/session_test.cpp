@@ -45,11 +45,11 @@ simulation::SurfaceResult from_nothing(const Session& session) {
 TEST(Session, KeepsTheFactorsUnderANewLoad) {
     Session session(sample_surface(), cantilever({0.1, 0.05, -0.2}), condensed());
     (void)session.solve();
-    EXPECT_EQ(session.last_work().factors, Session::Work::Factors::Refactorized);
+    EXPECT_EQ(session.last_report().factors, Session::Report::Factors::Refactorized);
     session.set_load_case(cantilever({0.0, 0.3, 0.1}));
     const auto result = session.solve();
-    EXPECT_EQ(session.last_work().factors, Session::Work::Factors::Kept);
-    EXPECT_EQ(session.last_work().tiles_built, 0U);
+    EXPECT_EQ(session.last_report().factors, Session::Report::Factors::Kept);
+    EXPECT_EQ(session.last_report().tiles_built, 0U);
     EXPECT_EQ(largest_difference(result.solution.displacements, from_nothing(session).solution.displacements),
               0.0);
 }
@@ -59,10 +59,10 @@ TEST(Session, BuildsOnlyTheTileThatIsRepainted) {
     (void)session.solve();
     session.paint(tiles({7}), "1-6+3-6");
     (void)session.solve();
-    EXPECT_EQ(session.last_work().tiles_built, 1U);
+    EXPECT_EQ(session.last_report().tiles_built, 1U);
     session.paint(tiles({7}), kPatterns[0]);
     (void)session.solve();
-    EXPECT_EQ(session.last_work().tiles_built, 0U) << "a congruent tile of that pattern is there";
+    EXPECT_EQ(session.last_report().tiles_built, 0U) << "a congruent tile of that pattern is there";
 }
 
 TEST(Session, CondensesCongruentTilesOnce) {
@@ -70,7 +70,7 @@ TEST(Session, CondensesCongruentTilesOnce) {
         Session session(make_surface(honeycomb(20, 15, kPatterns, first_vertex), nullptr),
                         cantilever({0, 0, -0.1}), condensed());
         (void)session.solve();
-        EXPECT_EQ(session.last_work().tiles_built, kPatterns.size());
+        EXPECT_EQ(session.last_report().tiles_built, kPatterns.size());
     }
 }
 
@@ -79,7 +79,7 @@ TEST(Session, SharesCongruentTilesThatAreTurned) {
     (void)session.solve();
     session.turn(tiles({3, 4, 9}), 2);
     const auto result = session.solve();
-    EXPECT_EQ(session.last_work().tiles_built, 0U);
+    EXPECT_EQ(session.last_report().tiles_built, 0U);
     const auto again = from_nothing(session);
     EXPECT_LT(largest_difference(result.solution.displacements, again.solution.displacements),
               1e-9 * again.solution.displacements.cwiseAbs().maxCoeff());
@@ -91,12 +91,12 @@ TEST(Session, ATurnedTileCostsNoMoreThanARepaintedOne) {
     (void)session.solve();
     session.turn(tiles({3}), 2);
     (void)session.solve();
-    EXPECT_EQ(session.last_work().factors, Session::Work::Factors::Updated);
+    EXPECT_EQ(session.last_report().factors, Session::Report::Factors::Updated);
     std::vector<TileIndex> all;
     for (int t = 0; t < 300; ++t) all.emplace_back(t);
     session.turn(all, 1);
     const auto result = session.solve();
-    EXPECT_EQ(session.last_work().factors, Session::Work::Factors::Refactorized);
+    EXPECT_EQ(session.last_report().factors, Session::Report::Factors::Refactorized);
     EXPECT_EQ(largest_difference(result.solution.displacements, from_nothing(session).solution.displacements),
               0.0);
 }
@@ -157,7 +157,7 @@ TEST(Session, GivesTheAnswerOfTheFinalProjectAfterAnyEdits) {
             EXPECT_LT(largest_difference(edited.solution.displacements, anew.solution.displacements),
                       1e-10 * size);
             EXPECT_LT(edited.solution.residual, 1e-9);
-            if (session.last_work().factors == Session::Work::Factors::Refactorized) {
+            if (session.last_report().factors == Session::Report::Factors::Refactorized) {
                 EXPECT_EQ(largest_difference(edited.solution.displacements, anew.solution.displacements), 0.0)
                     << "run " << run << ", edit " << i;
             }
@@ -169,17 +169,17 @@ TEST(Session, GivesTheAnswerOfTheFinalProjectAfterAnyEdits) {
 TEST(Session, GoesOnFromTheLastNonlinearEquilibrium) {
     Session session(sample_surface(3, 2), cantilever({0.0, 0.0, -0.02}), {.model = "full", .threads = 1});
     (void)session.solve();
-    EXPECT_EQ(session.last_work().starting_point, mechanics::StartingPoint::Rest);
+    EXPECT_EQ(session.last_report().starting_point, mechanics::StartingPoint::Rest);
     session.set_load_case(cantilever({0.002, 0.001, -0.022}));
     const auto result = session.solve();
-    EXPECT_EQ(session.last_work().starting_point, mechanics::StartingPoint::LastEquilibrium);
+    EXPECT_EQ(session.last_report().starting_point, mechanics::StartingPoint::LastEquilibrium);
     const auto anew = from_nothing(session);
     EXPECT_LT(largest_difference(result.solution.displacements, anew.solution.displacements),
               1e-7 * anew.solution.displacements.cwiseAbs().maxCoeff());
     EXPECT_LT(result.solution.iterations, anew.solution.iterations);
     session.paint(tiles({1}), "1-6+3-6");
     (void)session.solve();
-    EXPECT_EQ(session.last_work().starting_point, mechanics::StartingPoint::Rest)
+    EXPECT_EQ(session.last_report().starting_point, mechanics::StartingPoint::Rest)
         << "a full tile has other nodes";
 }
 
@@ -194,7 +194,7 @@ TEST(Session, FailsAgainWhereASolveFailed) {
     (void)session.solve();
     EXPECT_THAT(complaint_of([&] { session.set_calibrations({{}, {}, {}}); }), HasSubstr("no calibration"));
     (void)session.solve();
-    EXPECT_EQ(session.last_work().factors, Session::Work::Factors::Kept)
+    EXPECT_EQ(session.last_report().factors, Session::Report::Factors::Kept)
         << "what was refused changed nothing";
     calibration.parameters[0].value = 0.0;
     session.set_calibrations(std::vector<std::vector<reduction::Calibration>>(
@@ -224,7 +224,7 @@ TEST(Session, AnEditThatIsRefusedChangesNothing) {
     without_thickness.tile_side = -1.0;
     EXPECT_THROW(session.set_setting(without_thickness), base::Error);
     const auto after = session.solve();
-    EXPECT_EQ(session.last_work().factors, Session::Work::Factors::Kept);
+    EXPECT_EQ(session.last_report().factors, Session::Report::Factors::Kept);
     EXPECT_EQ(largest_difference(before.solution.displacements, after.solution.displacements), 0.0);
 }
 
@@ -271,8 +271,8 @@ TEST(Session, SolvesAdjointSystems) {
     units(6 * 30 + 2, 0) = 1.0;
     units(6 * 40 + 4, 1) = 1.0;
     const Eigen::MatrixXd answers = session.solve_adjoint(units);
-    EXPECT_EQ(session.last_work().factors, Session::Work::Factors::Kept);
-    EXPECT_EQ(session.last_work().tiles_built, 0U);
+    EXPECT_EQ(session.last_report().factors, Session::Report::Factors::Kept);
+    EXPECT_EQ(session.last_report().tiles_built, 0U);
     EXPECT_NEAR(answers(6 * 40 + 4, 0), answers(6 * 30 + 2, 1), 1e-9 * answers.cwiseAbs().maxCoeff());
     session.set_load_case([] {
         LoadCase load_case = cantilever({0, 0, 0});

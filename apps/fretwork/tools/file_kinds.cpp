@@ -98,7 +98,7 @@ constexpr EndingKind kEndingKinds[] = {
 std::string check_json(const fs::path& path, const std::string& layout) {
     const JsonText file{base::read_text_file(path), path.string(), layout};
     const base::JsonReader format = base::JsonReader::from_text(file.text, file.source).at("format");
-    const std::string name = format.string();
+    std::string name = format.string();
     std::vector<std::string> known;
     for (const JsonKind& kind : kJsonKinds) {
         known.emplace_back(kind.name);

@@ -57,7 +57,7 @@ void check_own_result(const simulation::SurfaceResult& result, const simulation:
 void print_stages(const simulation::SurfaceResult& result) {
     if (result.subject->stages_text.empty()) return;
     std::vector<std::string> names;
-    for (const simulation::Stage& stage : simulation::parse_stages(result.subject->stages_text, "stages"))
+    for (const simulation::LoadStage& stage : simulation::parse_stages(result.subject->stages_text, "stages"))
         names.push_back("'" + base::printable(stage.name) + "'");
     names.resize(std::min(names.size(), result.load_steps.size()));
     std::printf("after the stages %s\n", base::join(names, ", ").c_str());

@@ -95,7 +95,7 @@ bool is_papers(const Library& library) {
 
 /// Warns of values that look like errors of units.
 void tell_doubts(const reduction::Setting& setting) {
-    const std::vector<std::string> doubts = reduction::doubts_about(setting);
+    const std::vector<std::string> doubts = reduction::warnings_about(setting);
     if (!doubts.empty())
         std::fprintf(stderr, "fretwork: is that meant? %s\n", base::join(doubts, "; ").c_str());
 }
@@ -108,8 +108,8 @@ std::vector<FailureReason> failure_reasons(const Library& library,
     for (const pattern::NamedPattern& entry : patterns) wanted.insert(entry.id);
     std::vector<FailureReason> reasons;
     for (const library::Failure& failure : library.failures()) {
-        const bool is_stage =
-            failure.stage == library::responses_stage() || failure.stage == library::calibration_stage(key);
+        const bool is_stage = failure.computation == library::responses_computation() ||
+                              failure.computation == library::calibration_computation(key);
         if (!is_stage || !wanted.contains(failure.pattern)) continue;
         auto known = std::ranges::find(reasons, failure.reason, &FailureReason::reason);
         if (known == reasons.end())

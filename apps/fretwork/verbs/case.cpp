@@ -56,7 +56,7 @@ void tell(const LoadCase& load_case, const Project& project, const CaseOptions& 
         for (const std::string& line : simulation::entry_texts(load_case, project.tessellation))
             std::printf("  %s\n", base::printable(line).c_str());
     }
-    const auto doubts = simulation::doubts_about(load_case, simulation::make_surface(project, nullptr));
+    const auto doubts = simulation::warnings_about(load_case, simulation::make_surface(project, nullptr));
     if (!doubts.empty())
         std::fprintf(stderr, "fretwork: %s: is that meant? %s\n", base::printable(load_case.name).c_str(),
                      base::printable(base::join(doubts, "; ")).c_str());

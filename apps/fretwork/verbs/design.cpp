@@ -177,65 +177,82 @@ ExitCode run(DesignArguments arguments) {
                                                                            : ExitCode::DidNotSucceed;
 }
 
+void add_task(CLI::App& verb, DesignArguments& arguments) {
+    design::DesignOptions& options = arguments.design;
+    verb.add_option("project", arguments.project, "Project file")->required();
+    verb.add_option("--target", arguments.target, "Target file with the wanted positions of nodes")
+        ->required();
+    verb.add_option("--case", options.load_case, "Load case for goals that name none (default: the only one)")
+        ->type_name("NAME");
+    verb.add_option("--palette", arguments.palette,
+                    "Patterns to choose from: ids joined by commas, library, all (valid patterns), or "
+                    "sample:N of these")
+        ->capture_default_str();
+    verb.add_option("--max-patterns", options.max_patterns,
+                    "Most different patterns, those of kept tiles included (default: any number)")
+        ->check(CLI::Range(1, 1'000'000));
+    verb.add_option("--keep", arguments.keep, "Tiles that keep their patterns: 3,7-11")->type_name("TILES");
+    verb.add_option(
+            "--free", arguments.free,
+            "Unknowns besides the painting, joined by commas: factor (on the loads, not the weight), "
+            "prescribed (the values of prescribed displacements), width, thickness (of all bars, which "
+            "have to be rectangular: from a third of it to three times)")
+        ->type_name("factor,prescribed,width,thickness");
+}
+
+void add_limits(CLI::App& verb, DesignArguments& arguments) {
+    design::DesignOptions& options = arguments.design;
+    verb.add_option("--symmetry", arguments.symmetry,
+                    "Symmetry of the painting about the middle: mirror:x (left and right), mirror:y, turn:N")
+        ->type_name("SYMMETRY");
+    verb.add_option("--max-mass", options.max_mass, "Most mass of all beams, kg")->check(not_negative());
+    verb.add_option("--max-utilization", options.max_utilization,
+                    "Largest utilization, checked with all beams; the result is the best checked painting "
+                    "that keeps it")
+        ->check(not_negative());
+    verb.add_option(
+            "--clearance", arguments.clearance,
+            "Smallest gap between bars, such as 0.5mm: patterns that do not keep it are left out; the "
+            "result is the best checked painting that keeps it")
+        ->type_name("LENGTH");
+}
+
+void add_effort(CLI::App& verb, DesignArguments& arguments) {
+    design::DesignOptions& options = arguments.design;
+    verb.add_option("--seconds", options.seconds,
+                    "Wall time, checks included (default: until no swap improves)")
+        ->check(not_negative());
+    verb.add_option("--solutions", options.most_solutions,
+                    "Most nonlinear solutions of the search (default: 40, more on fewer than 44 tiles)")
+        ->check(CLI::Range(1, 1'000'000));
+    verb.add_option("--seed", options.seed, "Seed of all random choices")
+        ->check(seed_check())
+        ->capture_default_str();
+    verb.add_option("--threads", options.threads, "Threads to use; 0: one for each processor")
+        ->check(thread_check())
+        ->capture_default_str();
+}
+
+void add_files(CLI::App& verb, DesignArguments& arguments) {
+    verb.add_option("--library", arguments.library,
+                    "Library with patterns and setting (default: the project's)");
+    verb.add_option("--out", arguments.out, "Project file to write")->required();
+    verb.add_option("--report", arguments.report,
+                    "Page to write: the bent surface over the target, errors, painting, course of the "
+                    "search, curvatures; one file for any browser");
+    verb.add_flag("--json", arguments.json, "Print JSON: errors, patterns, history, seconds, solutions");
+}
+
 }  // namespace
 
 void add_design(CLI::App& app, ExitCode& exit_code) {
     CLI::App* verb = app.add_subcommand(
         "design", "Paint the tiles of a project so that its surface takes a wanted shape under its load");
     const auto arguments = std::make_shared<DesignArguments>();
-    design::DesignOptions& options = arguments->design;
-    verb->add_option("project", arguments->project, "Project file")->required();
-    verb->add_option("--target", arguments->target, "Target file with the wanted positions of nodes")
-        ->required();
-    verb->add_option("--case", options.load_case,
-                     "Load case for goals that name none (default: the only one)")
-        ->type_name("NAME");
-    verb->add_option("--palette", arguments->palette,
-                     "Patterns to choose from: ids joined by commas, library, all (valid patterns), or "
-                     "sample:N of these")
-        ->capture_default_str();
-    verb->add_option("--max-patterns", options.max_patterns,
-                     "Most different patterns, those of kept tiles included (default: any number)")
-        ->check(CLI::Range(1, 1'000'000));
-    verb->add_option("--keep", arguments->keep, "Tiles that keep their patterns: 3,7-11")->type_name("TILES");
-    verb->add_option(
-            "--free", arguments->free,
-            "Unknowns besides the painting, joined by commas: factor (on the loads, not the weight), "
-            "prescribed (the values of prescribed displacements), width, thickness (of all bars, which "
-            "have to be rectangular: from a third of it to three times)")
-        ->type_name("factor,prescribed,width,thickness");
-    verb->add_option("--symmetry", arguments->symmetry,
-                     "Symmetry of the painting about the middle: mirror:x (left and right), mirror:y, turn:N")
-        ->type_name("SYMMETRY");
-    verb->add_option("--max-mass", options.max_mass, "Most mass of all beams, kg")->check(not_negative());
-    verb->add_option("--max-utilization", options.max_utilization,
-                     "Largest utilization, checked with all beams; the result is the best checked painting "
-                     "that keeps it")
-        ->check(not_negative());
-    verb->add_option(
-            "--clearance", arguments->clearance,
-            "Smallest gap between bars, such as 0.5mm: patterns that do not keep it are left out; the "
-            "result is the best checked painting that keeps it")
-        ->type_name("LENGTH");
-    verb->add_option("--seconds", options.seconds,
-                     "Wall time, checks included (default: until no swap improves)")
-        ->check(not_negative());
-    verb->add_option("--solutions", options.most_solutions,
-                     "Most nonlinear solutions of the search (default: 40, more on fewer than 44 tiles)")
-        ->check(CLI::Range(1, 1'000'000));
-    verb->add_option("--seed", options.seed, "Seed of all random choices")
-        ->check(seed_check())
-        ->capture_default_str();
-    verb->add_option("--threads", options.threads, "Threads to use; 0: one for each processor")
-        ->check(thread_check())
-        ->capture_default_str();
-    verb->add_option("--library", arguments->library,
-                     "Library with patterns and setting (default: the project's)");
-    verb->add_option("--out", arguments->out, "Project file to write")->required();
-    verb->add_option("--report", arguments->report,
-                     "Page to write: the bent surface over the target, errors, painting, course of the "
-                     "search, curvatures; one file for any browser");
-    verb->add_flag("--json", arguments->json, "Print JSON: errors, patterns, history, seconds, solutions");
+    add_task(*verb, *arguments);
+    add_limits(*verb, *arguments);
+    add_effort(*verb, *arguments);
+    add_files(*verb, *arguments);
     declare_files(*verb, {input("project"), input("--target"), input("--palette"), input("--library"),
                           output("--out", kProjectFile), output("--report", kPageFile)});
     verb->footer(

@@ -93,7 +93,7 @@ Json show_json(const Library& library, const pattern::NamedPattern& entry) {
         document["calibrations"].push_back(calibration_json(record));
     for (const auto& [name, value] : library.properties(entry.id)) document["properties"][name] = value;
     for (const library::Failure& failure : failures_of(library, entry))
-        document["failures"].push_back({{"stage", failure.stage}, {"reason", failure.reason}});
+        document["failures"].push_back({{"stage", failure.computation}, {"reason", failure.reason}});
     return document;
 }
 
@@ -176,7 +176,7 @@ void print_pattern(const Library& library, const pattern::NamedPattern& entry) {
         std::printf("  %-20s %.6g%s\n", base::printable(name).c_str(), value,
                     std::string(unit_of(name)).c_str());
     for (const library::Failure& failure : failures)
-        std::printf("failed, %s: %s\n", base::printable(failure.stage).c_str(),
+        std::printf("failed, %s: %s\n", base::printable(failure.computation).c_str(),
                     base::printable(failure.reason).c_str());
 }
 

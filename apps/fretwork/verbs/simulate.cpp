@@ -251,7 +251,7 @@ simulation::SurfaceResult simulate(const SimulateOptions& options, const Surface
     try {
         if (options.stages.empty())
             return simulation::simulate(surface, load_case, options.simulation, control);
-        const std::vector<simulation::Stage> stages = simulation::read_stages(options.stages);
+        const std::vector<simulation::LoadStage> stages = simulation::read_stages(options.stages);
         return simulation::simulate_stages(surface, {load_case, cases, stages}, options.simulation, control);
     } catch (const base::NumericalError& error) {
         throw base::within(options.project, "", error);

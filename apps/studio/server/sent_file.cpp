@@ -72,7 +72,7 @@ std::string read_name_or_path(const base::JsonReader& json) {
 fs::path read_path(const base::JsonReader& json) {
     const std::string text = read_plain_text(json);
     if (text.empty()) json.fail("is empty, where the path of a file is needed");
-    const fs::path path = fs::absolute(text).lexically_normal();
+    fs::path path = fs::absolute(text).lexically_normal();
     std::error_code error;
     // A missing file is no error here, but a name that the system refuses is one.
     if (fs::status(path, error).type() == fs::file_type::none)

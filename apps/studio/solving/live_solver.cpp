@@ -92,7 +92,7 @@ std::optional<LiveSolver::Attempt> LiveSolver::next_attempt(const std::stop_toke
     }
     if (ending.stop_requested()) return std::nullopt;
     is_shown_ = !has_input();
-    const auto check = has_input() ? mechanics::StabilityCheck::Left : mechanics::StabilityCheck::Made;
+    const auto check = has_input() ? mechanics::StabilityCheck::Skipped : mechanics::StabilityCheck::Made;
     Attempt attempt{std::move(has_input() ? waiting_ : unchecked_).value(), check, {}};
     waiting_.reset();
     unchecked_.reset();
@@ -161,8 +161,8 @@ std::span<const mechanics::BeamSection> LiveSolver::wanted_sections(const Solver
 simulation::SurfaceResult LiveSolver::result_of(const Attempt& attempt) {
     const SolverInput& input = attempt.input;
     const bool is_known = last_solved_ && last_situation_ == input.situation;
-    const bool is_enough =
-        is_known && (attempt.check == mechanics::StabilityCheck::Left || !is_unchecked(last_solved_->result));
+    const bool is_enough = is_known && (attempt.check == mechanics::StabilityCheck::Skipped ||
+                                        !is_unchecked(last_solved_->result));
     if (is_enough) return last_solved_->result;
     last_solved_.reset();
     ShareProgress progress([&](double share) { listener_.progress(input, share); });
@@ -179,7 +179,7 @@ simulation::SurfaceResult LiveSolver::result_of(const Attempt& attempt) {
     };
     simulation::SurfaceResult result = session.solve(
         {.stop = attempt.stop, .progress = &progress}, attempt.check,
-        attempt.check == mechanics::StabilityCheck::Left ? tell_first : mechanics::FirstIterate());
+        attempt.check == mechanics::StabilityCheck::Skipped ? tell_first : mechanics::FirstIterate());
     if (result.solver != "linear" && result.solution.converged())
         result.model_doubt = simulation::model_doubt(session, result);
     return result;
@@ -204,7 +204,7 @@ void LiveSolver::solve(const Attempt& attempt) {
     auto solved = shown_as(input, result_of(attempt));
     const simulation::SurfaceResult& result = solved->result;
     if (is_unchecked(result) && result.solution.converged() &&
-        attempt.check == mechanics::StabilityCheck::Left)
+        attempt.check == mechanics::StabilityCheck::Skipped)
         unchecked_ = input;
     solved->warnings = warnings_of(result);
     last_solved_ = solved;

@@ -23,7 +23,7 @@ void MakingWatch::begin() {
 }
 
 void MakingWatch::look_at(const Document& document) {
-    const StatePtr state = document.now();
+    const StatePtr& state = document.now();
     if (looked_at_ && is_made_alike(*looked_at_, *state)) return;
     thread_.cancel();
     looked_at_ = state;

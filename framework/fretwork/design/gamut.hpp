@@ -13,8 +13,8 @@ namespace fretwork::design {
 
 /// The principal curvatures of a bent surface at a place, 1/m.
 struct Curvatures {
-    double largest = 0.0;
-    double smallest = 0.0;
+    double largest = 0.0;   ///< larger principal curvature
+    double smallest = 0.0;  ///< smaller principal curvature
 };
 
 /// The principal curvatures of a surface at each tile: the curvatures of the quadric that fits, by least

@@ -38,7 +38,13 @@ struct WriterRow {
     std::string_view description;    ///< description in `--help`
     Written (*write)(const Scene&);  ///< function that makes the text
     /// The kind of members of a scene that a writer reads besides surface and results.
-    enum class Kind { Data, Drawing, Picture, Made } kind = Kind::Data;
+    enum class Kind {
+        Data,     ///< no further members
+        Drawing,  ///< conditions, scale and view
+        Picture,  ///< those of a drawing, and Scene::picture
+        Made      ///< the members for making
+    };
+    Kind kind = Kind::Data;  ///< kind of members
     /// True if the writer reads conditions, scale and view of a scene.
     [[nodiscard]] bool is_drawing() const { return kind == Kind::Drawing || is_picture(); }
     /// True if the writer also reads Scene::picture.

@@ -42,7 +42,10 @@ struct Warning {
 /// gravity on the whole surface is multiplied by `mass` / `beam_mass`. In this way, the weight of a border
 /// and of eyes for bolts is spread over the tiles. The stiffness of border and eyes is ignored.
 struct Facts {
-    std::size_t tiles = 0, bars = 0, pieces = 0, openings = 0;
+    std::size_t tiles = 0;     ///< number of tiles
+    std::size_t bars = 0;      ///< number of bars
+    std::size_t pieces = 0;    ///< number of separate pieces of material
+    std::size_t openings = 0;  ///< number of openings
     /// Treatment of joints in the model for sag and stress.
     reduction::Joints joints = reduction::Joints::Centreline;
     geometry::Box box{};  ///< box around the outline, m

@@ -3,8 +3,8 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/fabrication/detail/assembling.hpp>
 #include <fretwork/fabrication/detail/clipping.hpp>
+#include <fretwork/fabrication/detail/connectors.hpp>
 #include <fretwork/fabrication/detail/fillets.hpp>
-#include <fretwork/fabrication/detail/joints.hpp>
 #include <fretwork/fabrication/detail/length_text.hpp>
 #include <fretwork/fabrication/detail/parts.hpp>
 #include <fretwork/fabrication/sheets.hpp>
@@ -72,19 +72,19 @@ class SheetCutter {
           part_of_tile_(parts_of_tiles(surface.tessellation, bed, reach())) {}
 
     SheetSet run() {
-        find_joints();
+        find_connectors();
         const std::size_t count = 1 + *std::ranges::max_element(part_of_tile_);
         std::vector<Part> parts;
         for (std::size_t p = 0; p < count; ++p) {
             options_.control.check();
             parts.push_back(make_part(p));
         }
-        SheetSet set{nest(parts), assembly(parts), parts.size(), joints_.size()};
+        SheetSet set{nest(parts), assembly(parts), parts.size(), connectors_.size()};
         return set;
     }
 
   private:
-    /// How far material lies beyond the tiles of a part: plates of joints, half a frame, eyes.
+    /// How far material lies beyond the tiles of a part: plates of connectors, half a frame, eyes.
     [[nodiscard]] double reach() const {
         double farthest = std::max(size_.plate, 0.5 * (options_.frame_width + options_.kerf));
         if (!options_.bolts.empty() && options_.bolt_diameter > 0.0)
@@ -93,7 +93,7 @@ class SheetCutter {
     }
 
     /// The sides that two parts share.
-    void find_joints() {
+    void find_connectors() {
         struct Side {
             std::size_t tile;
             std::size_t side;
@@ -109,12 +109,12 @@ class SheetCutter {
                 if (other == sides.end())
                     sides[{from, to}] = {t, s};
                 else if (part_of_tile_[other->second.tile] != part_of_tile_[t])
-                    add_joints(other->second.tile, other->second.side, t);
+                    add_connectors(other->second.tile, other->second.side, t);
             }
         }
     }
 
-    void add_joints(std::size_t first, std::size_t side, std::size_t second) {
+    void add_connectors(std::size_t first, std::size_t side, std::size_t second) {
         const tiling::Tile& tile = surface_.tessellation.tiles[first];
         const std::size_t per_side = tile.interface_nodes.size() / tile.vertices.size();
         const Polygon polygon = tiling::tile_polygon(surface_.tessellation, TileIndex(first));
@@ -126,16 +126,17 @@ class SheetCutter {
             const auto node = tile.interface_nodes[side * per_side + i];
             const Point2 place = surface_.tessellation.interface_nodes[node];
             require_room(place, {from, to}, node);
-            joints_.push_back({joints_.size() + 1, place, knob_first ? outward : -1.0 * outward,
-                               part_of_tile_[knob_first ? first : second],
-                               part_of_tile_[knob_first ? second : first]});
+            connectors_.push_back({connectors_.size() + 1, place, knob_first ? outward : -1.0 * outward,
+                                   part_of_tile_[knob_first ? first : second],
+                                   part_of_tile_[knob_first ? second : first]});
         }
     }
 
-    /// A joint's plate must end before the ends of its side, and before the next joint's.
+    /// A connector's plate must end before the ends of its side, and before the next connector's.
     void require_room(const Point2& place, const std::array<Point2, 2>& ends, int node) const {
         double room = std::min(distance(place, ends[0]), distance(place, ends[1]));
-        for (const Joint& joint : joints_) room = std::min(room, 0.5 * distance(place, joint.place));
+        for (const Connector& connector : connectors_)
+            room = std::min(room, 0.5 * distance(place, connector.place));
         if (room > size_.plate + bed_.fit) return;
         throw base::InputError("the connector at node " + std::to_string(node) + ", " + place_text(place) +
                                ", has no room: its plate takes " + base::format_number(1e3 * size_.plate) +
@@ -153,15 +154,15 @@ class SheetCutter {
         std::set<int> nodes;
         for (const Bar& bar : plan.bars) nodes.insert({bar.nodes[0], bar.nodes[1]});
         ShapeOptions options = options_;
-        options.fillet = 0.0;  // joints come first
+        options.fillet = 0.0;  // connectors come first
         std::erase_if(options.bolts, [&](TessellationNodeIndex node) { return !nodes.contains(node); });
         const Shape shape = make_shape(plan, options);
         Part part{joined_pieces(shape, number, plan), {}, {}};
-        for (const Joint& joint : joints_) {
-            for (const JointSide side : {JointSide::Knob, JointSide::Socket}) {
-                if (part_of_side(joint, side) != number) continue;
-                part.engraved.push_back(
-                    {name_place(joint, side, size_), std::to_string(joint.number), 0.9 * plan_.width});
+        for (const Connector& connector : connectors_) {
+            for (const ConnectorSide side : {ConnectorSide::Knob, ConnectorSide::Socket}) {
+                if (part_of_side(connector, side) != number) continue;
+                part.engraved.push_back({name_place(connector, side, size_), std::to_string(connector.number),
+                                         0.9 * plan_.width});
             }
         }
         const auto tiles = tile_labels(surface_.tessellation);
@@ -172,21 +173,22 @@ class SheetCutter {
         return part;
     }
 
-    static std::size_t part_of_side(const Joint& joint, JointSide side) {
-        return side == JointSide::Knob ? joint.knob_part : joint.socket_part;
+    static std::size_t part_of_side(const Connector& connector, ConnectorSide side) {
+        return side == ConnectorSide::Knob ? connector.knob_part : connector.socket_part;
     }
 
-    /// Cut the joints of a part into its contours; those away from joints stay as they are.
+    /// Cut the connectors of a part into its contours; those away from connectors stay as they are.
     [[nodiscard]] std::vector<Piece> joined_pieces(const Shape& shape, std::size_t number,
                                                    const BarPlan& plan) const {
-        JointCut cut;
+        ConnectorCut cut;
         std::vector<Box> plates;
-        for (const Joint& joint : joints_) {
-            for (const JointSide side : {JointSide::Knob, JointSide::Socket}) {
-                if (part_of_side(joint, side) != number) continue;
-                add_side(cut, joint, side, {size_, bed_.fit, 0.5 * options_.kerf});
-                plates.push_back(geometry::grown({joint.place.x, joint.place.y, joint.place.x, joint.place.y},
-                                                 1.5 * size_.plate));
+        for (const Connector& connector : connectors_) {
+            for (const ConnectorSide side : {ConnectorSide::Knob, ConnectorSide::Socket}) {
+                if (part_of_side(connector, side) != number) continue;
+                add_side(cut, connector, side, {size_, bed_.fit, 0.5 * options_.kerf});
+                plates.push_back(geometry::grown(
+                    {connector.place.x, connector.place.y, connector.place.x, connector.place.y},
+                    1.5 * size_.plate));
             }
         }
         std::vector<Contour> contours;
@@ -207,13 +209,14 @@ class SheetCutter {
         for (const Patch& patch : bar_patches(plan, options_.kerf))
             if (patch.disc) cut.discs.push_back(*patch.disc);
         add_bolts(cut);
-        for (const Polygon& polygon : with_joints(touched, cut))
-            contours.push_back(fillets_away_from_joints(with_arcs(polygon, near_discs(polygon, cut.discs))));
+        for (const Polygon& polygon : with_connectors(touched, cut))
+            contours.push_back(
+                fillets_away_from_connectors(with_arcs(polygon, near_discs(polygon, cut.discs))));
         return assembled(contours);
     }
 
     /// Eyes and holes are circles to be found again.
-    void add_bolts(JointCut& cut) const {
+    void add_bolts(ConnectorCut& cut) const {
         if (options_.bolt_diameter == 0.0) return;
         for (const TessellationNodeIndex node : options_.bolts) {
             const Point2& place = plan_.nodes[node];
@@ -232,7 +235,8 @@ class SheetCutter {
         return near;
     }
 
-    static std::vector<Polygon> with_joints(const std::vector<Polygon>& touched, const JointCut& cut) {
+    static std::vector<Polygon> with_connectors(const std::vector<Polygon>& touched,
+                                                const ConnectorCut& cut) {
         if (cut.added.empty()) return touched;
         std::vector<Polygon> all = without(touched, united(cut.beyond));
         const std::vector<Polygon> added = united(cut.added);
@@ -240,11 +244,11 @@ class SheetCutter {
         return cut.sockets.empty() ? all : without(all, united(cut.sockets));
     }
 
-    /// Corners of knobs and sockets must stay as they fit; so contours with a joint keep their corners.
-    [[nodiscard]] Contour fillets_away_from_joints(const Contour& contour) const {
+    /// Corners of knobs and sockets must stay as they fit; so contours with a connector keep their corners.
+    [[nodiscard]] Contour fillets_away_from_connectors(const Contour& contour) const {
         for (const ContourPoint& point : contour) {
-            for (const Joint& joint : joints_)
-                if (distance(point.place, joint.place) < size_.plate + bed_.fit) return contour;
+            for (const Connector& connector : connectors_)
+                if (distance(point.place, connector.place) < size_.plate + bed_.fit) return contour;
         }
         return with_fillets(contour, options_.contour_fillet());
     }
@@ -292,9 +296,9 @@ class SheetCutter {
     const ShapeOptions& options_;
     const Bed& bed_;
     BarPlan plan_;
-    JointSize size_;
+    ConnectorSize size_;
     base::IndexVector<TileIndex, std::size_t> part_of_tile_;
-    std::vector<Joint> joints_;
+    std::vector<Connector> connectors_;
 };
 
 }  // namespace
@@ -322,7 +326,7 @@ CutSheet side_by_side(const SheetSet& set, const Bed& bed) {
     constexpr double kApart = 0.02;   // m
     constexpr double kTitle = 0.008;  // m
     CutSheet drawing{.title = std::to_string(set.parts) + " parts on " + std::to_string(set.sheets.size()) +
-                              " sheets, " + std::to_string(set.joints) + " joints",
+                              " sheets, " + std::to_string(set.connectors) + " connectors",
                      .pieces = {},
                      .engraved = {},
                      .labels = {}};

@@ -29,8 +29,8 @@ struct SheetSet {
     /// The plan of assembly: the outlines of the parts at their places as guides, and the numbers of parts
     /// and tiles as labels.
     CutSheet assembly;
-    std::size_t parts = 0;   ///< number of parts
-    std::size_t joints = 0;  ///< number of connectors
+    std::size_t parts = 0;       ///< number of parts
+    std::size_t connectors = 0;  ///< number of connectors
 };
 
 /// Cut a surface into parts on sheets. Throws as make_shape(). Throws InputError if a tile does not fit the

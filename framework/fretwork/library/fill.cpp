@@ -131,16 +131,16 @@ class Filling {
             const std::lock_guard lock(library_mutex_);
             stored = library_.responses(task.entry.id);
         }
-        std::string stage = responses_stage();
+        std::string computation = responses_computation();
         try {
             if (task.needs_responses) respond(task.entry.pattern, outcome.data);
-            stage = calibration_stage(key_);
+            computation = calibration_computation(key_);
             outcome.data.calibrations.push_back(
                 calibrate(task.entry.pattern, task.needs_responses ? outcome.data.responses : stored));
         } catch (const base::Stopped&) {
             return std::nullopt;
         } catch (const base::Error& error) {
-            outcome.failure = Failure{task.entry.id, stage, one_line(error.what())};
+            outcome.failure = Failure{task.entry.id, computation, one_line(error.what())};
         }
         return outcome;
     }

@@ -85,11 +85,11 @@ CalibrationKey CalibrationRecord::key() const {
     return {calibration.model, calibration.optimizer, calibration.seed, calibration.starts, budget};
 }
 
-std::string responses_stage() {
+std::string responses_computation() {
     return "responses";
 }
 
-std::string calibration_stage(const CalibrationKey& key) {
+std::string calibration_computation(const CalibrationKey& key) {
     return "calibration " + key.model + " " + key.optimizer + " seed " + std::to_string(key.seed) +
            " starts " + std::to_string(key.starts) + " budget " + std::to_string(key.budget);
 }

@@ -20,7 +20,11 @@
 
 namespace fretwork::library {
 
-enum class Access { ReadOnly, ReadWrite };
+/// The access to a library's file.
+enum class Access {
+    ReadOnly,  ///< the file is not changed
+    ReadWrite  ///< the file may be changed, and is made if it does not exist
+};
 
 /// True if `left` comes before `right` in the order of Library::patterns(): by number of edges, then by the
 /// edges.
@@ -75,14 +79,15 @@ struct PatternSummary {
 /// patterns.
 struct Failure {
     std::string pattern;  ///< pattern id
-    std::string stage;    ///< the failed computation: responses_stage(), or calibration_stage(key)
-    std::string reason;   ///< one line
+    std::string
+        computation;     ///< the failed computation: responses_computation(), or calibration_computation(key)
+    std::string reason;  ///< one line
     friend bool operator==(const Failure&, const Failure&) = default;
 };
-/// The name of the computation of responses, for Failure::stage.
-std::string responses_stage();
-/// The name of the computation of a calibration, for Failure::stage.
-std::string calibration_stage(const CalibrationKey& key);
+/// The name of the computation of responses, for Failure::computation.
+std::string responses_computation();
+/// The name of the computation of a calibration, for Failure::computation.
+std::string calibration_computation(const CalibrationKey& key);
 
 /// The pattern library: one setting, patterns of one node layout, their responses, calibrations and
 /// properties, in one SQLite file (tables and columns: schema.md).

@@ -150,19 +150,19 @@ pattern::NamedPattern Library::find_pattern(std::string_view id) const {
 
 std::vector<pattern::NamedPattern> Library::patterns_without_responses() const {
     Statement ids(impl_->database, kWithoutResponses);
-    ids.bind_all(responses_stage());
+    ids.bind_all(responses_computation());
     return impl_->select_patterns(ids);
 }
 
 bool Library::lacks_responses(std::string_view pattern_id) const {
     Statement ids(impl_->database, std::string(kWithoutResponses) + "AND id = ?");
-    return ids.bind_all(responses_stage(), pattern_id).step();
+    return ids.bind_all(responses_computation(), pattern_id).step();
 }
 
 std::vector<pattern::NamedPattern> Library::patterns_without_calibration(const CalibrationKey& key) const {
     Statement ids(impl_->database, kWithoutCalibration);
     ids.bind_all(key.model, key.optimizer, static_cast<std::int64_t>(key.seed), key.starts, key.budget,
-                 responses_stage(), calibration_stage(key));
+                 responses_computation(), calibration_computation(key));
     return impl_->select_patterns(ids);
 }
 
@@ -170,7 +170,7 @@ bool Library::lacks_calibration(std::string_view pattern_id, const CalibrationKe
     Statement ids(impl_->database, std::string(kWithoutCalibration) + "AND id = ?");
     return ids
         .bind_all(key.model, key.optimizer, static_cast<std::int64_t>(key.seed), key.starts, key.budget,
-                  responses_stage(), calibration_stage(key), pattern_id)
+                  responses_computation(), calibration_computation(key), pattern_id)
         .step();
 }
 

@@ -80,12 +80,12 @@ std::optional<CorotationalMotion> corotational_motion(const CorotationalBody& bo
                                                       std::span<const NodeState> states) {
     const Eigen::Quaterniond turned(turn);
     elements::CorotationalPose pose(body, turned, states);
-    if (!pose.has_frame()) return std::nullopt;
+    if (!pose.has_axes()) return std::nullopt;
     CorotationalMotion motion{Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero(),
                               NodeValues(body.arms().cols(), kDofsPerNode)};
     for (std::size_t i = 0; i < pose.count(); ++i) {
         motion.shift += states[i].displacement / static_cast<double>(pose.count());
-        auto row = motion.in_frame.row(static_cast<Eigen::Index>(i));
+        auto row = motion.in_axes.row(static_cast<Eigen::Index>(i));
         row.head<3>() = (pose.arm(i) - pose.rest_arm(i)).transpose();
         row.tail<3>() = pose.rotation(i).transpose();
     }

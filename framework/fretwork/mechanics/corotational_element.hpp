@@ -54,7 +54,7 @@ struct CorotationalMotion {
     Eigen::Matrix3d axes;   ///< rotation from the corotating axes to the structure's axes
     Eigen::Vector3d shift;  ///< displacement of the nodes' mean, m, in the structure's axes
     /// Displacements and rotation vectors of the nodes relative to the corotating axes, in these axes.
-    NodeValues in_frame{};
+    NodeValues in_axes{};
 };
 /// The motion of a corotational element in given states of its nodes. Nothing if no corotating axes exist:
 /// the nodes are then too far from every rigid motion of their rest positions.

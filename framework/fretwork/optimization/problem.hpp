@@ -9,7 +9,12 @@
 namespace fretwork::optimization {
 
 /// The kinds of evaluation that a problem may offer.
-enum class Evaluation { Value, Gradient, Residuals, Curvature };
+enum class Evaluation {
+    Value,      ///< the objective
+    Gradient,   ///< the objective and its gradient
+    Residuals,  ///< the residuals and their Jacobian matrix
+    Curvature   ///< the objective, its gradient and its Hessian matrix
+};
 /// The word for a kind of evaluation in tables.
 std::string_view evaluation_name(Evaluation kind);
 

@@ -20,7 +20,12 @@ struct FabricationScale {
 };
 
 /// The kind of number that sets a filter.
-enum class FilterParameter { None, Angle, Count, Length };
+enum class FilterParameter {
+    None,   ///< the filter has no number
+    Angle,  ///< an angle, rad
+    Count,  ///< a whole number
+    Length  ///< a length, m
+};
 
 /// A row of the catalogue: one reason to reject a pattern.
 struct FilterKind {

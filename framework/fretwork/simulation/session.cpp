@@ -72,8 +72,8 @@ std::optional<mechanics::NodeValues> Session::motion_gradient(tiling::TileIndex 
                                                               const mechanics::NodeValues& by_beams) const {
     return answering().motion_gradient(tile, solution, by_beams);
 }
-const Session::Work& Session::last_work() const {
-    return mixture_ ? mixture_->last_work() : impl_->last_work();
+const Session::Report& Session::last_report() const {
+    return mixture_ ? mixture_->last_report() : impl_->last_report();
 }
 
 void Session::paint(std::span<const TileIndex> tiles, const std::string& pattern) {

@@ -110,8 +110,8 @@ class Session {
     /// cannot be built after the edits, NumericalError if the structure has too few supports, and
     /// base::Stopped. After an error, all edits are kept, and the next call continues.
     ///
-    /// @param check  whether to check the stability; StabilityCheck::Left is for loads that a user drags in
-    /// small steps, and is ignored by linear solutions and by paths of several load steps
+    /// @param check  whether to check the stability; StabilityCheck::Skipped is for loads that a user drags
+    /// in small steps, and is ignored by linear solutions and by paths of several load steps
     /// @param first_iterate  receiver of the first iterate of a nonlinear solution that starts from the last
     /// equilibrium; not called for mixed models and linear solutions; may be empty
     SurfaceResult solve(const base::Control& control = {},
@@ -159,7 +159,7 @@ class Session {
         const mechanics::NodeValues& by_beams) const;
 
     /// The report of the last solve() or solve_adjoint() about what was computed and what was reused.
-    struct Work {
+    struct Report {
         std::size_t tiles_built = 0;  ///< number of tiles built; a shared tile counts once
         /// The effect on the factors.
         using Factors = mechanics::FactorChange;
@@ -168,7 +168,7 @@ class Session {
         mechanics::StartingPoint starting_point = mechanics::StartingPoint::Rest;
     };
     /// The report of the last solve() or solve_adjoint().
-    [[nodiscard]] const Work& last_work() const;
+    [[nodiscard]] const Report& last_report() const;
 
   private:
     class Impl;

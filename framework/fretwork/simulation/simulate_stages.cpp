@@ -39,7 +39,7 @@ class Stages {
         supports_ = resolve(supports, surface).supports;
     }
 
-    mechanics::StageTarget target(const Stage& stage, const mechanics::NodeValues& displacements) {
+    mechanics::StageTarget target(const LoadStage& stage, const mechanics::NodeValues& displacements) {
         for (const LoadCase::Share& share : stage.loads) factors_[share.load_case] = share.factor;
         for (const Place& place : places_of(stage.free)) held_.erase(place);
         for (const Place& place : places_of(stage.keep))
@@ -96,10 +96,10 @@ class Stages {
 };
 
 /// The load cases that stages name, as files, in the order of their names.
-std::vector<std::string> named_cases(std::span<const Stage> stages, std::span<const LoadCase> cases,
+std::vector<std::string> named_cases(std::span<const LoadStage> stages, std::span<const LoadCase> cases,
                                      const LoadCase& own) {
     std::map<std::string, std::string> texts;
-    for (const Stage& stage : stages) {
+    for (const LoadStage& stage : stages) {
         for (const LoadCase::Share& share : stage.loads) {
             const bool is_own = share.load_case == own.name;
             texts[share.load_case] =
@@ -169,7 +169,7 @@ class StagedSimulation {
         mechanics::NodeValues displacements =
             mechanics::NodeValues::Zero(assembly.reported_nodes, mechanics::kDofsPerNode);
         std::vector<mechanics::Solution> ends;
-        for (const Stage& stage : plan_.stages) {
+        for (const LoadStage& stage : plan_.stages) {
             ends.push_back(path.advance(state.target(stage, displacements)));
             if (!ends.back().converged()) break;
             displacements = ends.back().displacements;

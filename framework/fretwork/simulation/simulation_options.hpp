@@ -10,10 +10,11 @@
 
 namespace fretwork::simulation {
 
-/// The analysis of a surface. OfTheModel: the analysis is nonlinear if the model of any tile is for large
-/// displacements, and linear otherwise. Linear: the analysis is linear for every model, with equilibrium in
-/// the flat state.
-enum class Analysis { OfTheModel, Linear };
+/// The analysis of a surface.
+enum class Analysis {
+    OfTheModel,  ///< nonlinear if the model of any tile is for large displacements, and linear otherwise
+    Linear       ///< linear for every model, with equilibrium in the flat state
+};
 
 /// Options of simulate() and of a session.
 struct SimulationOptions {

@@ -25,9 +25,9 @@ LoadCase lists_of(const JsonReader& stage, const char* supports) {
     }
 }
 
-Stage read_stage(const JsonReader& json) {
+LoadStage read_stage(const JsonReader& json) {
     json.allow_only({"name", "loads", "prescribed", "keep", "free"});
-    Stage stage;
+    LoadStage stage;
     stage.name = json.at("name").string();
     if (const auto loads = json.find("loads")) {
         for (const JsonReader& share : loads->elements()) {
@@ -44,7 +44,7 @@ Stage read_stage(const JsonReader& json) {
     return stage;
 }
 
-Json stage_json(const Stage& stage) {
+Json stage_json(const LoadStage& stage) {
     Json json = {{"name", stage.name}};
     for (const LoadCase::Share& share : stage.loads)
         json["loads"].push_back({{"load_case", share.load_case}, {"factor", share.factor}});
@@ -64,23 +64,23 @@ Json stage_json(const Stage& stage) {
 
 }  // namespace
 
-std::vector<Stage> parse_stages(std::string_view text, const std::string& source) {
+std::vector<LoadStage> parse_stages(std::string_view text, const std::string& source) {
     const JsonReader json = JsonReader::from_text(text, source);
     json.expect_format("stages");
     json.allow_only({"format", "stages"});
-    std::vector<Stage> stages;
+    std::vector<LoadStage> stages;
     for (const JsonReader& stage : json.at("stages").elements()) stages.push_back(read_stage(stage));
     if (stages.empty()) json.at("stages").fail("is empty, where at least one stage is needed");
     return stages;
 }
 
-std::string stages_text(std::span<const Stage> stages) {
+std::string stages_text(std::span<const LoadStage> stages) {
     Json json = {{"format", "fretwork/stages/1"}, {"stages", Json::array()}};
-    for (const Stage& stage : stages) json["stages"].push_back(stage_json(stage));
+    for (const LoadStage& stage : stages) json["stages"].push_back(stage_json(stage));
     return base::json_text(json);
 }
 
-std::vector<Stage> read_stages(const std::filesystem::path& path) {
+std::vector<LoadStage> read_stages(const std::filesystem::path& path) {
     return parse_stages(base::read_text_file(path), path.string());
 }
 

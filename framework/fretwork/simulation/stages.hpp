@@ -18,7 +18,7 @@ namespace fretwork::simulation {
 
 /// A load stage, as the changes that it makes. All loads, supports and prescribed displacements that the load
 /// stage does not name stay as the previous load stage left them.
-struct Stage {
+struct LoadStage {
     std::string name;  ///< name in reports
     /// Load cases, each with the factor to which its loads change; 0 removes the loads.
     std::vector<LoadCase::Share> loads{};
@@ -40,18 +40,18 @@ struct Stage {
 ///         { "name": "let go", "free": [{ "side": "right", "fixed": ["uz"] }] } ] }
 ///
 /// Nodes are selected as in load cases. Throws InputError with source and place.
-std::vector<Stage> parse_stages(std::string_view text, const std::string& source);
+std::vector<LoadStage> parse_stages(std::string_view text, const std::string& source);
 /// The text of a file of load stages.
-std::string stages_text(std::span<const Stage> stages);
+std::string stages_text(std::span<const LoadStage> stages);
 /// Read a file of load stages. Throws as parse_stages.
-std::vector<Stage> read_stages(const std::filesystem::path& path);
+std::vector<LoadStage> read_stages(const std::filesystem::path& path);
 
 /// Load stages with the load cases that they need.
 struct StagePlan {
     base::Borrowed<LoadCase>
         supports;  ///< load case whose supports hold the surface; its loads act only if a load stage names it
-    std::span<const LoadCase> cases;  ///< the load cases that load stages may name
-    std::span<const Stage> stages;    ///< load stages, one after the other
+    std::span<const LoadCase> cases;    ///< the load cases that load stages may name
+    std::span<const LoadStage> stages;  ///< load stages, one after the other
 };
 
 /// Simulate load stages one after the other with a model for large displacements. Each load stage starts from

@@ -134,7 +134,7 @@ void bind_sheets(py::module_& m) {
         .def_property_readonly("sheets", [](const SheetSet& self) { return self.sheets; })
         .def_property_readonly("assembly", [](const SheetSet& self) { return self.assembly; })
         .def_property_readonly("parts", [](const SheetSet& self) { return self.parts; })
-        .def_property_readonly("joints", [](const SheetSet& self) { return self.joints; });
+        .def_property_readonly("connectors", [](const SheetSet& self) { return self.connectors; });
     m.def(
         "cut_into_sheets",
         [](const simulation::Surface& surface, const Bed& bed, const py::kwargs& named) {

@@ -56,7 +56,7 @@ void bind_rows(py::module_& m) {
         .done(Made::ByFunctions);
     Record<Failure>(m, "Failure", "A pattern on which a computation failed.")
         .field("pattern", &Failure::pattern, "id")
-        .field("stage", &Failure::stage, "")
+        .field("computation", &Failure::computation, "")
         .field("reason", &Failure::reason, "one line")
         .done();
     Record<PatternData>(m, "PatternData", "The data to store for one pattern.")

@@ -87,7 +87,7 @@ void bind_setting(py::module_& m) {
     m.def("without_stresses", &without_stresses, "setting"_a, "All that responses depend on.");
     m.def("setting_difference", &setting_difference, "wanted"_a, "present"_a,
           "In one line, the first difference between two settings, or ''.");
-    m.def("doubts_about", py::overload_cast<const Setting&>(&reduction::doubts_about), "setting"_a,
+    m.def("warnings_about", py::overload_cast<const Setting&>(&reduction::warnings_about), "setting"_a,
           "Values that look like errors of units, one line each.");
 }
 

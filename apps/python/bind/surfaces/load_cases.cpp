@@ -99,16 +99,16 @@ void bind_load_case(py::module_& m) {
 }
 
 void bind_stages(py::module_& m) {
-    Record<Stage>(m, "Stage", "The changes in one stage of loading. All else stays as it was.")
-        .field("name", &Stage::name, "")
-        .field("loads", &Stage::loads, "load cases whose loads come to this factor")
-        .field("prescribed", &Stage::prescribed, "these components come to these values")
-        .field("keep", &Stage::keep, "these stay where they are")
-        .field("free", &Stage::free, "released, if they were prescribed or kept")
+    Record<LoadStage>(m, "LoadStage", "The changes in one stage of loading. All else stays as it was.")
+        .field("name", &LoadStage::name, "")
+        .field("loads", &LoadStage::loads, "load cases whose loads come to this factor")
+        .field("prescribed", &LoadStage::prescribed, "these components come to these values")
+        .field("keep", &LoadStage::keep, "these stay where they are")
+        .field("free", &LoadStage::free, "released, if they were prescribed or kept")
         .done();
     m.def("parse_stages", &parse_stages, "text"_a, "source"_a = "text", "Read the text of a stages file.");
     m.def(
-        "stages_text", [](const std::vector<Stage>& stages) { return stages_text(stages); }, "stages"_a);
+        "stages_text", [](const std::vector<LoadStage>& stages) { return stages_text(stages); }, "stages"_a);
     m.def("read_stages", &read_stages, "path"_a);
 }
 

@@ -104,10 +104,10 @@ SessionClass bind_session(py::module_& m) {
                       ">>> session.paint([0, 1, 2], '0-5+5-6')\n"
                       ">>> session.solve().largest_displacement < before\n"
                       "True\n");
-    Record<Session::Work>(type, "Work", "What the last solution computed, and what it reused.")
-        .constant("tiles_built", &Session::Work::tiles_built, "shared ones once")
-        .constant("factors", &Session::Work::factors, "of a linear solution")
-        .constant("starting_point", &Session::Work::starting_point, "of a nonlinear solution")
+    Record<Session::Report>(type, "Report", "What the last solution computed, and what it reused.")
+        .constant("tiles_built", &Session::Report::tiles_built, "shared ones once")
+        .constant("factors", &Session::Report::factors, "of a linear solution")
+        .constant("starting_point", &Session::Report::starting_point, "of a nonlinear solution")
         .done(Made::ByFunctions);
     type.def(py::init(&make_session), "surface"_a, "load_case"_a, "library"_a = py::none(),
              "`library` gives the calibrations of patterns that come in by painting; `models` are tile "
@@ -118,8 +118,8 @@ SessionClass bind_session(py::module_& m) {
             "surface", [](SessionObject& self) { return self.use()->session.surface(); }, "a copy")
         .def_property_readonly(
             "load_case", [](SessionObject& self) { return self.use()->session.load_case(); }, "a copy")
-        .def_property_readonly("last_work",
-                               [](SessionObject& self) { return self.use()->session.last_work(); })
+        .def_property_readonly("last_report",
+                               [](SessionObject& self) { return self.use()->session.last_report(); })
         .def_property_readonly(
             "full_tiles", [](SessionObject& self) { return self.use()->session.full_tiles(); },
             "that a mixed model has put in full, after solve()");
@@ -252,7 +252,7 @@ void bind_simulate(py::module_& m) {
     m.def(
         "simulate_stages",
         [](const Surface& surface, const LoadCase& supports, const std::vector<LoadCase>& cases,
-           const std::vector<Stage>& stages, const py::kwargs& named) {
+           const std::vector<LoadStage>& stages, const py::kwargs& named) {
             SimulationKeywords keywords(named);
             surface.setting.validate();
             return run_long(keywords.progress, [&](const base::Control& control) {

@@ -659,8 +659,8 @@ export const W = {
     betweenDAndD: 'Between 3D and 2D',
   },
   number: {
-    atMost: (a: Text) => `At most ${a}.`,
-    atLeast: (a: Text) => `At least ${a}.`,
+    notAbove: (a: Text) => `At most ${a}.`,
+    notBelow: (a: Text) => `At least ${a}.`,
     inWords: (a: Text) => `, in ${a}`,
     notANumber: (unit: string) => `Not a number${unit && ` in ${unit}`}.`,
     withEscape: (advice: string, before: string | undefined) => `${advice} Esc ${before === undefined ? 'clears the field' : `restores ${before}`}.`,

@@ -123,7 +123,7 @@ void CaseGoals::add_nodes(const Goal& goal, const Tessellation& tessellation) {
         });
     } else {
         const auto& own_mesh = std::get<MeshGoal>(goal.what);
-        const auto mesh = std::make_shared<const SpaceMesh>(own_mesh.mesh);
+        auto mesh = std::make_shared<const SpaceMesh>(own_mesh.mesh);
         const auto nodes = simulation::select_nodes(own_mesh.where, tessellation);
         for (const InterfaceIndex node : nodes) {
             const Eigen::Vector3d place = place_of(tessellation, node);
@@ -134,10 +134,10 @@ void CaseGoals::add_nodes(const Goal& goal, const Tessellation& tessellation) {
 }
 
 bool CaseGoals::slides() const {
-    return std::ranges::any_of(goals_, [](const NodeWish& wish) { return wish.what.index() == 1; });
+    return std::ranges::any_of(goals_, [](const NodeGoal& wish) { return wish.what.index() == 1; });
 }
 
-void CaseGoals::observe(const NodeWish& wish, const NodeValues& displacements, const Eigen::Vector3d& aim,
+void CaseGoals::observe(const NodeGoal& wish, const NodeValues& displacements, const Eigen::Vector3d& aim,
                         std::vector<Observation>& list) const {
     const auto row = displacements.row(wish.node);
     if (const auto* components = std::get_if<Components>(&wish.what)) {
@@ -164,7 +164,7 @@ void CaseGoals::observe(const NodeWish& wish, const NodeValues& displacements, c
 
 std::vector<Observation> CaseGoals::observe(const NodeValues& displacements, const NodeValues& aim) const {
     std::vector<Observation> list;
-    for (const NodeWish& wish : goals_) {
+    for (const NodeGoal& wish : goals_) {
         const Eigen::Vector3d own_aim = aim.rows() == 0
                                             ? Eigen::Vector3d::Zero()
                                             : Eigen::Vector3d(aim.row(wish.node).head<3>().transpose());
@@ -176,7 +176,7 @@ std::vector<Observation> CaseGoals::observe(const NodeValues& displacements, con
 std::vector<double> CaseGoals::distances(const NodeValues& displacements) const {
     std::vector<double> result;
     std::vector<Observation> own;
-    for (const NodeWish& wish : goals_) {
+    for (const NodeGoal& wish : goals_) {
         own.clear();
         observe(wish, displacements, Eigen::Vector3d::Zero(), own);
         double square = 0.0;

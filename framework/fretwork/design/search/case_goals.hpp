@@ -73,7 +73,7 @@ class CaseGoals {
         bool is_rotation = false;
     };
     /// The goal of one node.
-    struct NodeWish {
+    struct NodeGoal {
         Eigen::Index node = 0;
         Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< position at rest, m
         std::variant<Components, std::shared_ptr<const SpaceMesh>> what;
@@ -84,10 +84,10 @@ class CaseGoals {
     /// Check that no two goals want different values of one component of a node. Throws InputError.
     void require_agreement() const;
     void add_nodes(const Goal& goal, const tiling::Tessellation& tessellation);
-    void observe(const NodeWish& wish, const mechanics::NodeValues& displacements, const Eigen::Vector3d& aim,
+    void observe(const NodeGoal& wish, const mechanics::NodeValues& displacements, const Eigen::Vector3d& aim,
                  std::vector<Observation>& list) const;
 
-    std::vector<NodeWish> goals_;
+    std::vector<NodeGoal> goals_;
     double length_ = 0.0;  ///< distance at which the displacement by a rotation is measured, m
     double largest_ = 0.0;
 };

@@ -50,7 +50,7 @@ void CaseGoals::require_agreement() const {
         std::size_t goal = 0;
     };
     std::map<std::pair<Eigen::Index, std::size_t>, Wanted> known;
-    for (const NodeWish& wish : goals_) {
+    for (const NodeGoal& wish : goals_) {
         const auto* components = std::get_if<Components>(&wish.what);
         if (components == nullptr) continue;
         for (std::size_t c = 0; c < 3; ++c) {
@@ -76,7 +76,7 @@ std::vector<std::string> CaseGoals::against(const simulation::Conditions& held) 
     };
     std::map<std::size_t, Conflict> conflicts;
     const auto values = held_values(held);
-    for (const NodeWish& wish : goals_) {
+    for (const NodeGoal& wish : goals_) {
         const auto* components = std::get_if<Components>(&wish.what);
         if (components == nullptr) continue;
         for (std::size_t c = 0; c < 3; ++c) {
@@ -106,7 +106,7 @@ std::vector<std::string> CaseGoals::against(const simulation::Conditions& held) 
 std::vector<CaseGoals::Place> CaseGoals::places(const NodeValues& displacements) const {
     std::vector<Place> result;
     std::vector<Observation> own;
-    for (const NodeWish& wish : goals_) {
+    for (const NodeGoal& wish : goals_) {
         own.clear();
         observe(wish, displacements, Eigen::Vector3d::Zero(), own);
         Place place{.node = wish.node,

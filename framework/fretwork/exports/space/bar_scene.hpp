@@ -37,7 +37,13 @@ struct BarScene {
     /// The support of a node.
     struct Support {
         int node = 0;  ///< the node
-        enum class Kind { Clamped, Pinned, Other } kind = Kind::Other;
+        /// The kind of support.
+        enum class Kind {
+            Clamped,  ///< all components are fixed
+            Pinned,   ///< all displacements are fixed, and no rotation
+            Other     ///< any other set of components is fixed
+        };
+        Kind kind = Kind::Other;  ///< kind of the support
     };
     std::vector<Support> supports;  ///< supports of the load case
     /// The sum of all loads on a node, with the node's share of the weight.

@@ -17,7 +17,10 @@ LineSet pattern_lines(const pattern::NodeLayout& layout, const pattern::Pattern&
                       const reduction::Setting& setting);
 
 /// Kinds of files for meshes of lines.
-enum class MeshKind { Obj, Ply };
+enum class MeshKind {
+    Obj,  ///< Wavefront .obj
+    Ply   ///< Stanford .ply
+};
 
 /// Options of export_meshes().
 struct MeshOptions {

@@ -99,7 +99,7 @@ void require_tiles_fit(const std::vector<Box>& boxes, const Bed& bed, double rea
         throw base::InputError("tile " + std::to_string(t) + " needs " +
                                mm(around.width() + 2.0 * bed.margin) + " x " +
                                mm(around.height() + 2.0 * bed.margin) +
-                               " mm with its joints and margins, and does not fit the bed");
+                               " mm with its connectors and margins, and does not fit the bed");
     }
 }
 

@@ -119,7 +119,7 @@ void Library::Impl::store_responses(const std::string& pattern,
         throw base::InputError(database.path().string(), "pattern " + pattern,
                                "has other responses than those which are to be stored");
     }
-    forget_failure(pattern, responses_stage());
+    forget_failure(pattern, responses_computation());
 }
 
 void Library::Impl::store_calibration(const std::string& pattern, const CalibrationRecord& record) {
@@ -132,9 +132,9 @@ void Library::Impl::store_calibration(const std::string& pattern, const Calibrat
     } else if (!detail::are_equal(*same, record)) {
         throw base::InputError(
             database.path().string(), "pattern " + pattern,
-            "has another " + calibration_stage(key) + " than the one which is to be stored");
+            "has another " + calibration_computation(key) + " than the one which is to be stored");
     }
-    forget_failure(pattern, calibration_stage(key));
+    forget_failure(pattern, calibration_computation(key));
 }
 
 void Library::Impl::store_property(const std::string& pattern,
@@ -158,7 +158,7 @@ void Library::Impl::store(const PatternData& data) {
 void Library::Impl::store(const Failure& failure) {
     require_pattern(failure.pattern);
     Statement(database, "INSERT OR REPLACE INTO failure VALUES (?, ?, ?)")
-        .bind_all(failure.pattern, failure.stage, failure.reason)
+        .bind_all(failure.pattern, failure.computation, failure.reason)
         .run();
 }
 

@@ -76,7 +76,7 @@ class CorotationalElement final : public Element {
     void evaluate(std::span<const NodeState> states, Demand demand,
                   ElementResponse& response) const override {
         Pose pose(*body_, turn_, states);
-        if (!pose.has_frame()) return refuse(response);
+        if (!pose.has_axes()) return refuse(response);
         const VectorXd stress = write_energy(pose, response);
         pose.turn_into_structure(turn_);
         balance(pose, stress, response.force);
@@ -88,7 +88,7 @@ class CorotationalElement final : public Element {
     void evaluate_mixed(std::span<const NodeState> states, Demand demand, const ElementStresses& stresses,
                         MixedResponse& response) const override {
         Pose pose(*body_, turn_, states);
-        if (!pose.has_frame()) {
+        if (!pose.has_axes()) {
             refuse(response);
             response.given_force = response.force;
             return;
@@ -111,7 +111,7 @@ class CorotationalElement final : public Element {
     /// The largest rotation of a node against the frame.
     [[nodiscard]] double relative_turn(std::span<const NodeState> states) const override {
         const Pose pose(*body_, turn_, states);
-        if (!pose.has_frame()) return std::numeric_limits<double>::infinity();
+        if (!pose.has_axes()) return std::numeric_limits<double>::infinity();
         double largest = 0.0;
         for (std::size_t i = 0; i < pose.count(); ++i) largest = std::max(largest, pose.rotation(i).norm());
         return largest;

@@ -77,7 +77,7 @@ void CorotationalPose::fit() {
         measure();
         if (spin.norm() < kSmallStep) return;
     }
-    has_frame_ = false;
+    has_axes_ = false;
 }
 
 void CorotationalPose::measure() {

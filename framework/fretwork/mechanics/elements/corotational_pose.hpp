@@ -32,7 +32,7 @@ class CorotationalPose {
 
     /// False if no corotating axes were found: the nodes are then too far from every rigid motion of their
     /// rest positions.
-    [[nodiscard]] bool has_frame() const { return has_frame_; }
+    [[nodiscard]] bool has_axes() const { return has_axes_; }
     [[nodiscard]] std::size_t count() const { return nodes_.size(); }
     /// The rotation from the corotating axes to the structure's axes.
     [[nodiscard]] const Eigen::Matrix3d& axes() const { return axes_; }
@@ -68,7 +68,7 @@ class CorotationalPose {
     Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity();
     Eigen::Vector3d offset_;
     Eigen::Matrix3d inverse_slope_;
-    bool has_frame_ = true;
+    bool has_axes_ = true;
 };
 
 }  // namespace fretwork::mechanics::elements

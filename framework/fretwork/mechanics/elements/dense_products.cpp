@@ -13,7 +13,7 @@ using Strip8 = double __attribute__((vector_size(64), aligned(8), may_alias));
 using Strip4 = double __attribute__((vector_size(32), aligned(8), may_alias));
 using Strip2 = double __attribute__((vector_size(16), aligned(8), may_alias));
 
-template <class Strip>
+template <class Strip>  // NOLINTNEXTLINE(bugprone-sizeof-expression): a vector of the compiler, no pointer
 constexpr Index kRowsOf = sizeof(Strip) / sizeof(double);
 
 /// Rows [i, i + Strips * kRowsOf<Strip>) of A x. The sums of several strips are made side by side: one alone

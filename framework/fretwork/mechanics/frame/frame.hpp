@@ -19,7 +19,7 @@ using NodeIndex = base::Index<struct NodeTag>;
 using BeamIndex = base::Index<struct BeamTag>;
 
 /// The six components of a node's displacement, in the order of every table and file.
-// NOLINTNEXTLINE(readability-identifier-naming): as files and tables call them
+// NOLINTBEGIN(readability-identifier-naming): as files and tables call them
 enum class Dof {
     ux,  ///< displacement along x
     uy,  ///< displacement along y
@@ -28,6 +28,7 @@ enum class Dof {
     ry,  ///< y component of the rotation vector
     rz   ///< z component of the rotation vector
 };
+// NOLINTEND(readability-identifier-naming)
 /// The number of components of a node's displacement.
 inline constexpr int kDofsPerNode = 6;
 /// The names of the components in files, in the order of Dof.

@@ -21,7 +21,7 @@ enum class StabilityCheck {
     Made,  ///< the stability is checked
     /// The stability is not checked, and Solution::stability is None, for loads that a user drags. If the
     /// next check finds an unstable equilibrium, the equilibrium is computed again from rest.
-    Left
+    Skipped
 };
 
 /// A function that receives the first iterate on the way to an equilibrium, which is the prediction by the

@@ -36,14 +36,16 @@ class SectionPoints {
 
     /// The sum over the points of (von Mises stress / reference)^exponent.
     struct PowerSum {
-        double value = 0.0;
+        double value = 0.0;  ///< the sum
         /// The derivatives of the sum with respect to N, V2, V3, T, M2, M3 (1/N and 1/(N m)).
         Eigen::Vector<double, 6> gradient = Eigen::Vector<double, 6>::Zero();
     };
+    /// The exponent of the sum and the stress by which it is divided.
     struct Power {
         double reference = 1.0;  ///< reference stress, Pa, positive
         double exponent = 2.0;   ///< exponent, at least 2, so that the sum is smooth where the stress is zero
     };
+    /// The sum and its derivatives. The cost is linear in the number of points.
     [[nodiscard]] PowerSum power_sum(const SectionForces& forces, const Power& power) const;
 
   private:

@@ -12,7 +12,12 @@ namespace fretwork::mechanics {
 
 /// The way in which the search for a solution ended. A solution that has not converged is an outcome, not an
 /// error.
-enum class Termination { Converged, LimitLoad, Diverged, IterationsSpent };
+enum class Termination {
+    Converged,       ///< the solution is an equilibrium
+    LimitLoad,       ///< the path turns back at a load below the wanted load
+    Diverged,        ///< no equilibrium was found
+    IterationsSpent  ///< the iterations were used up
+};
 /// The word for a termination in files and messages.
 std::string_view termination_name(Termination termination);
 

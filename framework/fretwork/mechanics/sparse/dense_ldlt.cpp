@@ -63,7 +63,7 @@ bool has_many_registers() {
 }
 const bool kPairsStrips = has_many_registers();
 
-template <class Strip>
+template <class Strip>  // NOLINTNEXTLINE(bugprone-sizeof-expression): a vector of the compiler, no pointer
 constexpr Index kRowsOf = sizeof(Strip) / sizeof(double);
 
 template <class Strip>
@@ -236,18 +236,18 @@ FRETWORK_CLONES void update_strip(const Front& front, Index row, const Slice& sl
 }
 
 /// Subtract L D L^T over a slice from all columns after it.
-void update_later(const Front& front, const Slice& slice, double* packed, const Crew& crew) {
+void update_later(const Front& front, const Slice& slice, double* packed, const Concurrency& concurrency) {
     const Index stride = front.width + front.rows;
     pack_later(front, slice, packed);
     const Index strips = (stride - slice.to + kStrip - 1) / kStrip;
     const auto update = [&](std::size_t strip) {
-        crew.control.check();
+        concurrency.control.check();
         update_strip(front, slice.to + static_cast<Index>(strip) * kStrip, slice, packed);
     };
-    if (crew.threads == 1) {
+    if (concurrency.threads == 1) {
         for (Index strip = 0; strip < strips; ++strip) update(strip);
     } else {
-        base::parallel_for(strips, crew.threads, update);
+        base::parallel_for(strips, concurrency.threads, update);
     }
 }
 
@@ -350,7 +350,8 @@ void require_finite(std::span<const double> diagonal) {
         throw base::NumericalError("the stiffness holds a number that is not finite");
 }
 
-Pivots eliminate(const Front& front, const ZeroPivot& zero, std::vector<double>& scratch, const Crew& crew) {
+Pivots eliminate(const Front& front, const ZeroPivot& zero, std::vector<double>& scratch,
+                 const Concurrency& concurrency) {
     const Index stride = front.width + front.rows;
     const Index blocks = stride / kBlock + 2;
     const Index packed_size = std::min(front.width, kDepth) * blocks * kBlock;
@@ -359,12 +360,12 @@ Pivots eliminate(const Front& front, const ZeroPivot& zero, std::vector<double>&
     double* least_pivot = scratch.data() + packed_size;
     for (int j = 0; j < front.width; ++j) least_pivot[j] = zero.share * std::abs(zero.diagonal[j]);
     const bool is_large = 0.5 * front.width * static_cast<double>(stride * stride) >= kLargeFront;
-    const Crew useful{is_large ? crew.threads : 1, crew.control};
+    const Concurrency useful{is_large ? concurrency.threads : 1, concurrency.control};
     Pivots pivots;
     for (Index from = 0; from < front.width; from += kDepth) {
         const Slice slice{from, std::min<Index>(from + kDepth, front.width)};
         for (Index first = from; first < slice.to; first += kBlock) {
-            crew.control.check();
+            concurrency.control.check();
             const Pivots found =
                 eliminate_block(front, slice, static_cast<int>(first), least_pivot, scratch.data());
             pivots.negative += found.negative;

@@ -65,7 +65,7 @@ struct ZeroPivot {
 };
 
 /// The threads that eliminate a front.
-struct Crew {
+struct Concurrency {
     /// Number of threads for large fronts; 0: one for each processor. The number does not change a bit of a
     /// result.
     int threads = 1;
@@ -77,7 +77,7 @@ struct Crew {
 /// `scratch` grows as needed. The kernels are compiled for several instruction sets, and the machine picks
 /// one at run time. Throws Stopped.
 Pivots eliminate(const Front& front, const ZeroPivot& zero, std::vector<double>& scratch,
-                 const Crew& crew = {});
+                 const Concurrency& concurrency = {});
 
 /// Compute x = L^-1 x for the panel's own columns, and below += L x for the rows below these columns.
 void substitute_forward(const Front& front, double* x, double* below);

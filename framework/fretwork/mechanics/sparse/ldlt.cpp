@@ -81,7 +81,7 @@ Ldlt::Outcome Ldlt::factorize(std::span<const double> values, const base::Contro
 void Ldlt::eliminate_task(std::size_t task, std::span<const double> values, const base::Control& control) {
     // A thread's own, and kept by the caller's: small systems are factorized a thousand times a second.
     thread_local std::vector<double> scratch;
-    const Crew crew{analysis_->threads, control};
+    const Concurrency concurrency{analysis_->threads, control};
     for (const int supernode : analysis_->plan.supernodes_of(task)) {
         control.check();
         const auto s = at(supernode);
@@ -98,7 +98,7 @@ void Ldlt::eliminate_task(std::size_t task, std::span<const double> values, cons
         assemble(own, values, front);
         for (const int child : children) add_to_panel(remainder_of(at(child)), front);
         const auto diagonal = std::span(diagonal_).subspan(at(own.first), at(own.width));
-        pivots_[s] = eliminate(front, {diagonal, kZeroPivot}, scratch, crew);
+        pivots_[s] = eliminate(front, {diagonal, kZeroPivot}, scratch, concurrency);
         if (pivots_[s].zero >= 0) continue;
         for (const int child : children) add_to_rest(remainder_of(at(child)), front);
     }

@@ -60,12 +60,12 @@ class CorotationalTile final : public BodyTile {
         const auto moved =
             mechanics::corotational_motion(*body(), motion.turn, mechanics::node_states(motion.nodes));
         if (!moved) return std::nullopt;
-        const NodeValues followed = inner_->follow(moved->in_frame);
+        const NodeValues followed = inner_->follow(moved->in_axes);
         const Eigen::Index own = motion.nodes.rows();
         BeamMotion beams{NodeValues(own + followed.rows(), kDofsPerNode),
                          NodeValues(own + followed.rows(), kDofsPerNode)};
         beams.nodes << motion.nodes, carried(followed, *moved, motion.turn);
-        beams.in_frame << turned(moved->in_frame, motion.turn), turned(followed, motion.turn);
+        beams.in_axes << turned(moved->in_axes, motion.turn), turned(followed, motion.turn);
         return beams;
     }
 

@@ -42,13 +42,19 @@ struct TileParameter {
 };
 
 /// The role of a tile model: reduced models are compared with the reference, the full model.
-enum class Role { Reference, Reduced };
+enum class Role {
+    Reference,  ///< the full model
+    Reduced     ///< any other model
+};
 
 /// The choice whether congruent tiles of a surface are built once. With Congruent, a tile is built in its own
 /// axes from its polygon, whose coordinates are rounded to a tolerance. The origin of these axes is the
 /// centroid of the polygon, x runs along the first side (from vertex 0 to vertex 1), and y points into the
 /// tile. With None, each tile is built in the surface's axes from its exact polygon.
-enum class Sharing { None, Congruent };
+enum class Sharing {
+    None,      ///< each tile is built by itself
+    Congruent  ///< congruent tiles are built once
+};
 
 /// A tile model, which turns a painted tile into elements between its interface nodes. Each tile model is a
 /// row of the catalogue.

@@ -31,7 +31,10 @@ struct TilePlace {
 
 /// The size of displacements: the size for which a tile model is made, or the size that the theory of a
 /// solution allows.
-enum class Displacements { Small, Large };
+enum class Displacements {
+    Small,  ///< linear theory
+    Large   ///< displacements and rotations of any size
+};
 
 /// The motion of a tile's own nodes in a solution.
 struct TileMotion {
@@ -48,8 +51,8 @@ struct BeamMotion {
     mechanics::NodeValues nodes;  ///< one row for each node, in the surface's axes
     /// For a tile that is linear in corotating axes: one row for each node with its small displacements
     /// relative to these axes, given in the surface's axes at rest. The strains of the beams follow from
-    /// `in_frame`; if it is empty, they follow from `nodes`.
-    mechanics::NodeValues in_frame{};
+    /// `in_axes`; if it is empty, they follow from `nodes`.
+    mechanics::NodeValues in_axes{};
     /// Theory by which the strains of the beams follow from the rows.
     Displacements displacements = Displacements::Small;
 };
@@ -74,7 +77,7 @@ class TileStructure {
 
     /// The gradient of a function of beam_motion() with respect to the rows of `motion.nodes`. `by_beams` is
     /// the gradient of the function with respect to the rows from which the strains of the beams follow:
-    /// BeamMotion::in_frame, or BeamMotion::nodes if `in_frame` is empty. Nothing if the tile model does not
+    /// BeamMotion::in_axes, or BeamMotion::nodes if `in_axes` is empty. Nothing if the tile model does not
     /// know this gradient.
     [[nodiscard]] virtual std::optional<mechanics::NodeValues> motion_gradient(
         const TileMotion& /*motion*/, const mechanics::NodeValues& /*by_beams*/) const {
@@ -86,9 +89,11 @@ class TileStructure {
     [[nodiscard]] virtual const mechanics::CorotationalBody* corotational_body() const { return nullptr; }
 };
 
-/// The meaning of a tile's beams: OfThePattern are the beams of its pattern in the order of its fan;
-/// Substitutes are other beams in their place.
-enum class TileBeams { OfThePattern, Substitutes };
+/// The meaning of a tile's beams.
+enum class TileBeams {
+    OfThePattern,  ///< beams of the pattern, in the order of its fan
+    Substitutes    ///< other beams in their place
+};
 
 /// A tile of beams. The first `interface_nodes` nodes of the frame are the tile's interface nodes. The
 /// frame's supports and loads are ignored.

@@ -60,7 +60,7 @@ void check_quantities(const Setting& setting, const std::string& source) {
 
 }  // namespace
 
-std::vector<std::string> doubts_about(const Setting& setting) {
+std::vector<std::string> warnings_about(const Setting& setting) {
     constexpr double kSoftest = 1e4;  // Pa; foams are stiffer
     constexpr double kWeakest = 1e3;  // Pa
     constexpr double kLargest = 10;   // m

@@ -64,7 +64,7 @@ struct Setting {
 };
 
 /// Warnings, one line each, about values of a setting that look like errors of units.
-std::vector<std::string> doubts_about(const Setting& setting);
+std::vector<std::string> warnings_about(const Setting& setting);
 
 /// The paper's setting: a hexagon inscribed in a circle of diameter 0.03 sqrt(3) m, bars of 2 x 2 mm, 1 GPa,
 /// nu 0.3, and the five scenarios. One value differs from the paper: each beam has two elements, where the

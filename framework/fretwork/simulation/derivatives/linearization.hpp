@@ -26,7 +26,10 @@ struct TileLinearization {
 };
 
 /// The quantities of tiles in a linearization. Flexibilities take about as long as three factorizations.
-enum class TileQuantities { Strains, StrainsAndFlexibilities };
+enum class TileQuantities {
+    Strains,                 ///< strains of each tile
+    StrainsAndFlexibilities  ///< strains and flexibilities of each tile
+};
 
 /// A surface, linearized at a nonlinear equilibrium. The linearization is valid until the next solution or
 /// edit of its session.

@@ -7,6 +7,7 @@
 
 namespace fretwork::simulation {
 
+/// Options of the smooth largest stress.
 struct SmoothStressOptions {
     /// Exponent p, at least 2; a larger exponent brings the value nearer to the largest stress.
     double exponent = 32.0;

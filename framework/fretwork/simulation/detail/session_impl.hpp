@@ -33,7 +33,7 @@ class Session::Impl {
     [[nodiscard]] const LoadCase& load_case() const { return load_case_; }
     [[nodiscard]] const SimulationOptions& options() const { return options_; }
     [[nodiscard]] const CalibrationSource& calibration_source() const { return calibration_source_; }
-    [[nodiscard]] const Work& last_work() const { return work_; }
+    [[nodiscard]] const Report& last_report() const { return report_; }
 
     void paint(std::span<const tiling::TileIndex> tiles, const std::string& id);
     void turn(std::span<const tiling::TileIndex> tiles, int vertices);
@@ -107,7 +107,7 @@ class Session::Impl {
     std::size_t tile_supports_ = 0;  ///< of the assembly: those inside of tiles come first
     std::optional<mechanics::LinearSolver> solver_;
     std::optional<mechanics::EquilibriumSolver> equilibrium_solver_;
-    Work work_;
+    Report report_;
     bool is_at_equilibrium_ = false;              ///< one of the surface as it is now, found in one step
     mechanics::NodeValues linear_displacements_;  ///< of all nodes of the assembly, at a linear one
     reduction::Displacements solved_in_ = reduction::Displacements::Small;  ///< the last solution

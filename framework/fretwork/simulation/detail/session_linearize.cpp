@@ -22,7 +22,7 @@ TileLinearization Session::Impl::linearized_tile(TileIndex tile,
     for (const tiling::InterfaceIndex node : result.nodes) states.push_back(tangent.states()[node]);
     const auto moved = mechanics::corotational_motion(*body, tiles_[t].turn, states);
     if (!moved) return result;
-    result.strains = moved->in_frame.transpose().reshaped();
+    result.strains = moved->in_axes.transpose().reshaped();
     result.slopes = tangent.strain_slopes(element);
     result.forces = tangent.internal_forces(element);
     result.energy = 0.5 * result.strains.dot(body->stiffness() * result.strains);

@@ -34,15 +34,15 @@ SurfaceResult Session::Mixture::solve(Impl& plain, const base::Control& control,
                                       mechanics::StabilityCheck check) {
     full_tiles_.clear();
     corotational_ = plain.solve(control, check);
-    work_ = plain.last_work();
+    report_ = plain.last_report();
     if (!corotational_.solution.converged()) return corotational_;
     choose(plain);
     if (full_tiles_.empty()) return corotational_;
     SurfaceResult mixed = impl_.solve(control, check);
     mixed.seconds += corotational_.seconds;
-    work_.tiles_built += impl_.last_work().tiles_built;
-    if (impl_.last_work().starting_point == mechanics::StartingPoint::Rest)
-        work_.starting_point = mechanics::StartingPoint::Rest;
+    report_.tiles_built += impl_.last_report().tiles_built;
+    if (impl_.last_report().starting_point == mechanics::StartingPoint::Rest)
+        report_.starting_point = mechanics::StartingPoint::Rest;
     return mixed;
 }
 

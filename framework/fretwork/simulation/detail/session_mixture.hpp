@@ -18,7 +18,7 @@ class Session::Mixture {
     [[nodiscard]] Impl& impl() { return impl_; }
     [[nodiscard]] const std::vector<tiling::TileIndex>& full_tiles() const { return full_tiles_; }
     [[nodiscard]] const SurfaceResult& corotational() const { return corotational_; }
-    [[nodiscard]] const Work& last_work() const { return work_; }
+    [[nodiscard]] const Report& last_report() const { return report_; }
 
     /// Its `seconds` are those of both solutions. The solution with corotational tiles if it has not
     /// converged, or if no tile is put in full.
@@ -32,7 +32,7 @@ class Session::Mixture {
     Impl impl_;
     SurfaceResult corotational_;
     std::vector<tiling::TileIndex> full_tiles_;
-    Work work_;
+    Report report_;
 };
 
 }  // namespace fretwork::simulation

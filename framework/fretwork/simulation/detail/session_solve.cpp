@@ -79,16 +79,16 @@ void Session::Impl::update(const base::Control& control) {
     const std::size_t built_before = builder_.built_count();
     update_tiles(control);
     update_conditions();
-    work_ = {.tiles_built = builder_.built_count() - built_before};
+    report_ = {.tiles_built = builder_.built_count() - built_before};
 }
 
 const mechanics::LinearSolver& Session::Impl::updated_solver(const base::Control& control) {
     if (!solver_) {
-        work_.factors = Work::Factors::Refactorized;
+        report_.factors = Report::Factors::Refactorized;
         return solver_.emplace(assembly_,
                                mechanics::LinearOptions{.threads = options_.threads, .control = control});
     }
-    work_.factors = solver_->update(assembly_, control);
+    report_.factors = solver_->update(assembly_, control);
     return *solver_;
 }
 
@@ -124,7 +124,7 @@ void Session::Impl::solve_equilibrium(SurfaceResult& result, const base::Control
     result.solution = equilibrium_solver_->solve(assembly_, control, check, first_iterate);
     result.load_steps = {result.solution};
     is_at_equilibrium_ = result.solution.converged();
-    work_.starting_point = equilibrium_solver_->starting_point();
+    report_.starting_point = equilibrium_solver_->starting_point();
 }
 
 void Session::Impl::solve_linear(SurfaceResult& result, const base::Control& control) {

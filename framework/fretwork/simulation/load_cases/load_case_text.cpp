@@ -198,7 +198,7 @@ std::vector<std::string> entry_texts(const LoadCase& load_case, const Tessellati
     return EntryTexts(load_case, tessellation).run();
 }
 
-std::vector<std::string> doubts_about(const LoadCase& load_case, const Surface& surface) {
+std::vector<std::string> warnings_about(const LoadCase& load_case, const Surface& surface) {
     return Doubts(load_case, surface).run();
 }
 

@@ -16,6 +16,6 @@ std::vector<std::string> entry_texts(const LoadCase& load_case, const tiling::Te
 /// Warnings, one line each, about values that look like errors of units: points away from the surface,
 /// displacements larger than the surface, rotations of more than a turn, loads of more than three hundred
 /// times the surface's weight, and gravity of more than ten times the earth's gravity.
-std::vector<std::string> doubts_about(const LoadCase& load_case, const Surface& surface);
+std::vector<std::string> warnings_about(const LoadCase& load_case, const Surface& surface);
 
 }  // namespace fretwork::simulation

@@ -32,7 +32,7 @@ std::string better_model(const std::string& model, const ModelDoubt& doubt = {})
 
 /// A solution of corotational tiles, where the worst tiles have all of their beams.
 struct BetterSolution {
-    SurfaceResult result;
+    SurfaceResult result;                       ///< the solution
     std::vector<tiling::TileIndex> full_tiles;  ///< tiles with all of their beams, ascending
 };
 /// Solve a session of corotational or mixed tiles again by the model better_model(), where more tiles have

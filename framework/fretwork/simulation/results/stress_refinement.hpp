@@ -10,8 +10,8 @@ namespace fretwork::simulation {
 
 /// A solution in which all tiles around the largest stress have all of their beams.
 struct RefinedStress {
-    SurfaceResult result;  ///< solution with the full tiles
-    BeamTable table{};
+    SurfaceResult result;                         ///< solution with the full tiles
+    BeamTable table{};                            ///< forces and stresses of the beams in this solution
     std::vector<tiling::TileIndex> full_tiles{};  ///< tiles with all of their beams, ascending
     int solutions = 0;                            ///< number of solutions that the refinement took
     /// True if all tiles around the most stressed beam have all of their beams. False if an equilibrium was

@@ -96,7 +96,7 @@ class StateWriter {
     void write_forces(std::size_t tile, const reduction::BeamMotion& motion) const {
         const detail::TileRows row_of(tessellation_.tiles[tile].interface_nodes,
                                       {beams_.interface_nodes, beams_.starts[tile].inner_node});
-        const NodeValues& rows = motion.in_frame.rows() > 0 ? motion.in_frame : motion.nodes;
+        const NodeValues& rows = motion.in_axes.rows() > 0 ? motion.in_axes : motion.nodes;
         for (std::size_t b = beams_.starts[tile].beam; b < beams_.starts[tile + 1].beam; ++b) {
             const Eigen::Index from = row_of(beams_.ends[b][0]);
             const Eigen::Index to = row_of(beams_.ends[b][1]);

@@ -16,7 +16,10 @@ struct GradedPattern {
 
 /// The choice whether a tile passes its error to its neighbours that are not painted yet. The error is the
 /// wanted value minus the pattern's value.
-enum class Dithering { None, ErrorDiffusion };
+enum class Dithering {
+    None,           ///< each tile is painted by itself
+    ErrorDiffusion  ///< the error is passed on
+};
 
 /// Paint some tiles, in order, with the patterns whose values are nearest to the wanted values.
 ///

@@ -44,7 +44,7 @@ export function NumberField({ label, value, quantity, onChange, onClear, empty =
     setDraft(null);
   };
   const bound = (limit: number) => `${short(limit * unit.per)} ${unit.name}`;
-  const advice = typeof read !== 'number' ? W.number.notANumber(unit.name) : most !== undefined && read > most ? W.number.atMost(bound(most)) : W.number.atLeast(bound(least ?? 0));
+  const advice = typeof read !== 'number' ? W.number.notANumber(unit.name) : most !== undefined && read > most ? W.number.notAbove(bound(most)) : W.number.notBelow(bound(least ?? 0));
   const keys = (event: KeyboardEvent) => {
     if (event.key === 'Enter') commit();
     if (event.key === 'Escape') setDraft(null);

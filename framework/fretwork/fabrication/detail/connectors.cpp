@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/fabrication/detail/joints.hpp>
+#include <fretwork/fabrication/detail/connectors.hpp>
 #include <fretwork/geometry/plane.hpp>
 
 namespace fretwork::fabrication::detail {
@@ -20,43 +20,45 @@ geometry::Polygon disc_beyond(const Disc& disc, const Point2& normal, double off
 }
 
 /// The neck from behind the seam to the middle of the knob.
-geometry::Polygon neck(const Joint& joint, const JointMaking& making, double growth) {
-    const Point2 aside = (making.size.neck + growth) * left_of(joint.normal);
-    const Point2 from = joint.place - making.size.neck * joint.normal;
-    const Point2 to = joint.place + making.size.reach * joint.normal;
+geometry::Polygon neck(const Connector& connector, const ConnectorMaking& making, double growth) {
+    const Point2 aside = (making.size.neck + growth) * left_of(connector.normal);
+    const Point2 from = connector.place - making.size.neck * connector.normal;
+    const Point2 to = connector.place + making.size.reach * connector.normal;
     return {from - aside, to - aside, to + aside, from + aside};
 }
 
 }  // namespace
 
-void add_side(JointCut& cut, const Joint& joint, JointSide side, const JointMaking& making) {
-    const JointSize& size = making.size;
-    const Disc plate{joint.place, size.plate + making.growth};
-    const Point2 knob_center = joint.place + size.reach * joint.normal;
-    const Point2 back = -1.0 * joint.normal;
+void add_side(ConnectorCut& cut, const Connector& connector, ConnectorSide side,
+              const ConnectorMaking& making) {
+    const ConnectorSize& size = making.size;
+    const Disc plate{connector.place, size.plate + making.growth};
+    const Point2 knob_center = connector.place + size.reach * connector.normal;
+    const Point2 back = -1.0 * connector.normal;
     cut.discs.push_back(plate);
-    if (side == JointSide::Knob) {
+    if (side == ConnectorSide::Knob) {
         const double seam = making.growth;
         const Disc knob{knob_center, size.knob + making.growth};
-        cut.beyond.push_back(disc_beyond(plate, joint.normal, seam));
+        cut.beyond.push_back(disc_beyond(plate, connector.normal, seam));
         cut.added.push_back(disc_beyond(plate, back, -seam));
         cut.added.push_back(disc_patch(knob).polygon);
-        cut.added.push_back(neck(joint, making, making.growth));
+        cut.added.push_back(neck(connector, making, making.growth));
         cut.discs.push_back(knob);
     } else {
         const double seam = making.fit - making.growth;
         const Disc socket{knob_center, size.knob + seam};
         cut.beyond.push_back(disc_beyond(plate, back, -seam));
-        cut.added.push_back(disc_beyond(plate, joint.normal, seam));
+        cut.added.push_back(disc_beyond(plate, connector.normal, seam));
         cut.sockets.push_back(disc_patch(socket).polygon);
-        cut.sockets.push_back(neck(joint, making, seam));
+        cut.sockets.push_back(neck(connector, making, seam));
         cut.discs.push_back(socket);
     }
 }
 
-Point2 name_place(const Joint& joint, JointSide side, const JointSize& size) {
-    const double along = side == JointSide::Knob ? -0.35 : 0.35;
-    return joint.place + along * size.plate * joint.normal + 0.62 * size.plate * left_of(joint.normal);
+Point2 name_place(const Connector& connector, ConnectorSide side, const ConnectorSize& size) {
+    const double along = side == ConnectorSide::Knob ? -0.35 : 0.35;
+    return connector.place + along * size.plate * connector.normal +
+           0.62 * size.plate * left_of(connector.normal);
 }
 
 }  // namespace fretwork::fabrication::detail
