@@ -48,6 +48,18 @@ const std::vector<Sample>& samples() {
          "fretwork/target/1"},
         {"outline.json", R"({"format":"fretwork/outline/1","boundary":[[0,0],[0.4,0],[0,0.3]]})",
          "fretwork/outline/1"},
+        {"beams.json",
+         R"({"format":"fretwork/beams/2","joints":"stiff","strength":null,"utilization_formula":"none",
+            "unknown_beams":0,"beams":[]})",
+         "fretwork/beams/2"},
+        {"facts.json",
+         R"({"format":"fretwork/facts/2","joints":"stiff","tiles":1,"bars":6,"pieces":1,"openings":0,
+            "size":[0.1,0.1,0.002],"area":0.001,"volume":2e-6,"mass":0,"beam_mass":0,"cut_length":0.5,
+            "contours":1,"layers":10,"wall_length":5,"sharpest_angle":1,"smallest_inner_radius":0,
+            "warnings":[]})",
+         "fretwork/facts/2"},
+        {"json_of_another_ending.txt", R"({"format":"fretwork/setting/2","tile_side":0.02})",
+         "fretwork/setting/2"},
         {"outline.svg",
          R"(<svg xmlns="http://www.w3.org/2000/svg" width="200mm" height="200mm" viewBox="0 0 200 200"><path d="M0 0H200V200H0Z"/></svg>)",
          "outline (svg)"},
@@ -102,10 +114,10 @@ TEST(Check, RefusesAnUnknownKeyInEveryKindOfJson) {
 TEST(Check, TakesTheFilesThatTheProgramWrites) {
     const TemporaryFolder folder;
     write(folder.path() / "frame.json", samples()[1].text);
-    write(folder.path() / "square.svg", samples()[9].text);
+    write(folder.path() / "square.json", samples()[8].text);
     const auto made = run_command(
         "fretwork solve frame.json --out frame_result.json && "
-        "fretwork tile square.svg --patterns 0-1+1-6 --edge-length 40mm --out project.json && "
+        "fretwork tile square.json --patterns 0-1+1-6 --edge-length 40mm --out project.json && "
         "fretwork simulate project.json --case experiments/cases/cantilever.json --model full --linear "
         "--out result.json && "
         "fretwork enumerate --layout faces5 --library made.db",
@@ -124,6 +136,35 @@ TEST(Check, TakesTheFilesThatTheProgramWrites) {
         folder.path());
     EXPECT_EQ(broken.exit_code, 0) << broken.out;
     EXPECT_EQ(std::ranges::count(broken.err, '\n'), 4) << broken.err;
+}
+
+TEST(Check, TakesTheReportsThatTheProgramWrites) {
+    const TemporaryFolder folder;
+    const auto made = run_command(
+        "fretwork tile experiments/outlines/specimen.svg --patterns 0-1+1-6 --out project.json && "
+        "fretwork case add project.json experiments/cases/own_weight.json && "
+        "fretwork simulate project.json --model corotational --out result.json && "
+        "fretwork beams project.json result.json --strength 40MPa --out beams.json && "
+        "fretwork export project.json --content facts --case own-weight --to facts.json && "
+        "fretwork export project.json --to picture.png",
+        folder.path());
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+    const auto outcome = run_command("fretwork check beams.json facts.json picture.png", folder.path());
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out,
+              "beams.json: valid fretwork/beams/2\nfacts.json: valid fretwork/facts/2\n"
+              "picture.png: valid image (png)\n");
+}
+
+TEST(Check, NamesThePlaceInAReport) {
+    const TemporaryFolder folder;
+    const std::string beam =
+        R"({"format":"fretwork/beams/2","joints":"stiff","strength":null,"utilization_formula":"none",
+            "unknown_beams":0,"beams":[{"beam":-1}]})";
+    write(folder.path() / "beams.json", beam);
+    const auto outcome = run_command("fretwork check beams.json", folder.path());
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("/beams/0"));
 }
 
 TEST(Check, OneBadFileFailsAllAndTheRestIsChecked) {

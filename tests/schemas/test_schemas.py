@@ -47,6 +47,12 @@ def run(folder, *arguments):
     return subprocess.run([PROGRAM, *arguments], cwd=folder, capture_output=True, text=True)
 
 
+def autosave(project):
+    """As the studio writes it around a project; the test StudioRecovery holds the studio's own against its reader."""
+    document = json.loads(project.read_text())
+    return json.dumps({"format": "fretwork/autosave/1", "name": "square", "document": None, "tiles": len(document["tessellation"]["tiles"]), "project": document})
+
+
 def made_documents():
     """Files of the program, and those written here, which the program must find valid, too."""
     case = str(ROOT / "experiments" / "cases" / "cantilever.json")
@@ -60,11 +66,16 @@ def made_documents():
                     ("case", "add", "project.json", case),
                     ("simulate", "project.json", "--case", "cantilever", "--model", "full", "--steps", "2", "--out", "full.json"),
                     ("simulate", "project.json", "--case", "cantilever", "--model", "corotational", "--estimate-model-error", "--out", "tiles.json"),
-                    ("simulate", "project.json", "--case", "cantilever", "--model", "condensed", "--linear", "--modes", "1", "--out", "linear.json"))
+                    ("simulate", "project.json", "--case", "cantilever", "--model", "condensed", "--linear", "--modes", "1", "--out", "linear.json"),
+                    ("beams", "project.json", "tiles.json", "--out", "beams.json"),
+                    ("beams", "project.json", "tiles.json", "--strength", "40MPa", "--out", "beams_with_strength.json"),
+                    ("export", "project.json", "--content", "facts", "--to", "facts.json"),
+                    ("export", "project.json", "--content", "facts", "--case", "cantilever", "--result", "full.json", "--clearance", "5mm", "--to", "facts_of_result.json"))
         for command in commands:
             done = run(folder, *command)
             if done.returncode != 0:
                 raise AssertionError(f"{' '.join(command)}: {done.stderr}")
+        (folder / "autosave.json").write_text(autosave(folder / "project.json"))
         files = sorted(folder.glob("*.json"))
         checked = run(folder, "check", *(file.name for file in files))
         if checked.returncode != 0:

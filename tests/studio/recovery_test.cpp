@@ -4,6 +4,7 @@
 
 #include <fretwork/base/files/base64.hpp>
 #include <fretwork/base/files/file.hpp>
+#include <studio/document/autosave.hpp>
 
 #include <gmock/gmock.h>
 
@@ -72,6 +73,23 @@ TEST_F(StudioRecovery, OffersEveryDocumentThatWasNotSaved) {
     ASSERT_TRUE(client.ask("undo")["ok"].get<bool>());
     EXPECT_EQ(text_of(client), base::read_text_file(file_)) << "to what lies in the file";
     ASSERT_EQ(recoverable(client).size(), 1U) << "what is shown is not offered";
+}
+
+TEST_F(StudioRecovery, AutosavesAreReadStrictly) {
+    {
+        Client client(studio_.address());
+        open(client);
+        paint(client);
+    }
+    studio_.restart();
+    const auto found = find_recoverable(studio_.folder() / "state");
+    ASSERT_EQ(found.size(), 1U);
+    const std::string text = base::read_text_file(found[0].file);
+    const auto project = parse_autosave(text, "kept.json");
+    EXPECT_EQ(project.tessellation.tiles.size(), found[0].tiles);
+    const std::string more = "{\"surprise\": 1, " + text.substr(1);
+    EXPECT_THROW((void)parse_autosave(more, "kept.json"), base::InputError);
+    EXPECT_THROW((void)parse_autosave(text.substr(0, text.size() / 2), "kept.json"), base::InputError);
 }
 
 TEST_F(StudioRecovery, NewDocumentsDoNotOverwriteOneAnother) {

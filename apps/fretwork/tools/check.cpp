@@ -73,7 +73,8 @@ ExitCode run(const CheckOptions& options) {
 void add_check(CLI::App& app, ExitCode& exit_code) {
     CLI::App* verb = app.add_subcommand("check", "Check that files are valid files of their kinds");
     const auto options = std::make_shared<CheckOptions>();
-    verb->add_option("file", options->files, "Files: JSON, library, outline, mesh or deck")->required();
+    verb->add_option("file", options->files, "Files: JSON, library, outline, mesh, deck or image")
+        ->required();
     verb->add_option("--layout", options->layout,
                      "Node layout of paintings: a name or a file (default: the one they name)");
     verb->add_flag("--json", options->json, "Print JSON");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/file_kinds.hpp"
+#include "tools/report_files.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/file.hpp>
@@ -19,7 +20,9 @@
 #include <fretwork/simulation/project/project_file.hpp>
 #include <fretwork/simulation/results/surface_result.hpp>
 #include <fretwork/simulation/stages.hpp>
+#include <fretwork/tiling/painting/field.hpp>
 #include <fretwork/tiling/painting/painting.hpp>
+#include <studio/document/autosave.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -69,6 +72,9 @@ constexpr JsonKind kJsonKinds[] = {
     {"stages", [](const JsonText& f) { (void)simulation::parse_stages(f.text, f.source); }},
     {"target", [](const JsonText& f) { (void)design::parse_target(f.text, f.source); }},
     {"outline", [](const JsonText& f) { (void)outlines::parse_outline(f.text, f.source); }},
+    {"beams", [](const JsonText& f) { check_beam_table(f.text, f.source); }},
+    {"facts", [](const JsonText& f) { check_facts(f.text, f.source); }},
+    {"autosave", [](const JsonText& f) { (void)studio::parse_autosave(f.text, f.source); }},
 };
 
 struct EndingKind {
@@ -86,12 +92,18 @@ void read_mesh(const fs::path& path) {
     (void)outlines::read_space_mesh(path);
 }
 
+/// Paintings and fields take their values from images.
+void read_image(const fs::path& path) {
+    (void)tiling::image_values(path, {}, {});
+}
+
 constexpr EndingKind kEndingKinds[] = {
     {".svg", "outline", read_outlines},
     {".dxf", "outline", read_outlines},
     {".obj", "mesh", read_mesh},
     {".ply", "mesh", read_mesh},
     {".off", "mesh", read_mesh},
+    {".png", "image", read_image},
     {".inp", "deck", [](const fs::path& p) { (void)mechanics::read_calculix(p); }},
 };
 
@@ -117,6 +129,13 @@ bool is_database(const fs::path& path) {
     return start == kStart;
 }
 
+/// JSON readers do not look at endings: what begins as an object is one of theirs.
+bool begins_as_json(const fs::path& path) {
+    char first = '\0';
+    std::ifstream(path) >> first;
+    return first == '{';
+}
+
 std::string check_library(const fs::path& path) {
     (void)library::Library::open(path).summaries();
     return "library";
@@ -136,10 +155,11 @@ std::string check_file(const fs::path& path, const std::string& layout) {
         kind.read(path);
         return std::string(kind.name) + " (" + ending.substr(1) + ")";
     }
+    if (begins_as_json(path)) return check_json(path, layout);
     (void)base::read_text_file(path);  // says if there is no such file
-    throw base::InputError(
-        path.string(), "",
-        "is of no kind that can be checked: a library, or a file that ends in " + base::join(known, ", "));
+    throw base::InputError(path.string(), "",
+                           "is of no kind that can be checked: a library, JSON, or a file that ends in " +
+                               base::join(known, ", "));
 }
 
 }  // namespace fretwork::app

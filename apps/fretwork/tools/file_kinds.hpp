@@ -7,9 +7,10 @@
 namespace fretwork::app {
 
 /// Read a file as the stage that owns its kind reads it, and name the kind: "fretwork/project/3", "library",
-/// "outline (svg)", "mesh (obj)", "deck (inp)". A JSON file says its kind itself, a library begins as a
-/// database does, and other files have an ending. Throws as the reader does; InputError if the file is of no
-/// kind that fretwork reads.
+/// "outline (svg)", "mesh (obj)", "deck (inp)", "image (png)". A JSON file says its kind itself, whatever its
+/// ending, and a library begins as a database does. Drawings, meshes, decks and images are told apart by
+/// their endings, as in every command that reads them. Throws as the reader does; InputError if the file is
+/// of no kind that fretwork reads or writes as JSON.
 ///
 /// @param layout  a painting's node layout, a name or a file; empty: the one that the painting names
 std::string check_file(const std::filesystem::path& path, const std::string& layout);

@@ -52,22 +52,30 @@ std::string autosave_text(const State& state, const AutosaveLabel& label, const 
            ", \"project\": " + simulation::project_text(make_project(state, file.parent_path())) + "}\n";
 }
 
-JsonReader open_autosave(const fs::path& file) {
-    auto json = JsonReader::from_file(file);
+void expect_autosave(const JsonReader& json) {
     json.expect_format("autosave");
     json.allow_only({"format", "name", "document", "tiles", "project"});
-    return json;
+}
+
+std::size_t tiles_of(const JsonReader& json) {
+    return static_cast<std::size_t>(json.at("tiles").integer(0, 1LL << 40));
+}
+
+AutosaveLabel label_of(const JsonReader& json) {
+    AutosaveLabel label{.name = json.at("name").string()};
+    const JsonReader document = json.at("document");
+    if (document.text() != "null") label.document = document.string();
+    return label;
 }
 
 Recoverable read_label(const fs::path& file) {
-    const JsonReader json = open_autosave(file);
-    Recoverable found{.key = file.stem().string(),
-                      .file = file,
-                      .label = {.name = json.at("name").string()},
-                      .time = std::chrono::file_clock::to_sys(fs::last_write_time(file)),
-                      .tiles = static_cast<std::size_t>(json.at("tiles").integer(0, 1LL << 40))};
-    if (json.at("document").is_string()) found.label.document = json.at("document").string();
-    return found;
+    const JsonReader json = JsonReader::from_file(file);
+    expect_autosave(json);
+    return {.key = file.stem().string(),
+            .file = file,
+            .label = label_of(json),
+            .time = std::chrono::file_clock::to_sys(fs::last_write_time(file)),
+            .tiles = tiles_of(json)};
 }
 
 }  // namespace
@@ -109,9 +117,16 @@ std::vector<Recoverable> find_recoverable(const fs::path& folder) {
     return found;
 }
 
+simulation::Project parse_autosave(std::string_view text, const std::string& source) {
+    const JsonReader json = JsonReader::from_text(text, source);
+    expect_autosave(json);
+    (void)label_of(json);
+    (void)tiles_of(json);
+    return simulation::parse_project(json.at("project").text(), source);
+}
+
 State read_autosave(const fs::path& file) {
-    const auto text = open_autosave(file).at("project").text();
-    return make_state(simulation::parse_project(text, file.string()), file.parent_path());
+    return make_state(parse_autosave(base::read_text_file(file), file.string()), file.parent_path());
 }
 
 Autosave::Autosave(std::function<void(const std::string& error)> failed)

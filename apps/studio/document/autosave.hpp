@@ -13,6 +13,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -56,6 +57,8 @@ struct Recoverable {
 /// studio shows now.
 std::vector<Recoverable> find_recoverable(const std::filesystem::path& folder);
 
+/// The project in the text of an autosave, whose other keys are checked. Throws InputError with its place.
+simulation::Project parse_autosave(std::string_view text, const std::string& source);
 /// The state that lies in an autosave. Throws InputError if it cannot be read.
 State read_autosave(const std::filesystem::path& file);
 

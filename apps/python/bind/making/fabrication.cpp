@@ -180,7 +180,7 @@ void bind_facts(py::module_& m) {
             "text", [](const Facts& self) { return exports::facts_text(self); },
             "a table for people, with sag, stress and warnings")
         .def_property_readonly(
-            "json", [](const Facts& self) { return exports::facts_json(self); }, "'fretwork/facts/1'");
+            "json", [](const Facts& self) { return exports::facts_json(self); }, "'fretwork/facts/2'");
     m.def(
         "facts",
         [](const simulation::Surface& surface, const ShapeOptions& shape,
