@@ -4,9 +4,16 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 get_property(stages GLOBAL PROPERTY FRETWORK_STAGES)
-install(TARGETS ${stages} EXPORT fretworkTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} FILE_SET HEADERS)
+if(FRETWORK_SHARED_LIBRARY)
+  include(SharedLibrary)
+  fretwork_add_shared_library(${stages})
+  install(TARGETS ${stages} ARCHIVE EXCLUDE_FROM_ALL COMPONENT archives FILE_SET HEADERS)
+else()
+  install(TARGETS ${stages} EXPORT fretworkTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} FILE_SET HEADERS)
+endif()
 if(TARGET fretwork)
   install(TARGETS fretwork RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(DIRECTORY docs/schemas DESTINATION ${CMAKE_INSTALL_DATADIR}/fretwork FILES_MATCHING PATTERN "*.schema.json")
 endif()
 
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/fretwork)
@@ -15,5 +22,7 @@ configure_package_config_file(cmake/fretworkConfig.cmake.in "${PROJECT_BINARY_DI
                               INSTALL_DESTINATION ${config_dir})
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/fretworkConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/fretworkConfig.cmake" "${PROJECT_BINARY_DIR}/fretworkConfigVersion.cmake"
-              cmake/Dependencies.cmake cmake/FindCHOLMOD.cmake
         DESTINATION ${config_dir})
+if(NOT FRETWORK_SHARED_LIBRARY)
+  install(FILES cmake/Dependencies.cmake cmake/FindCHOLMOD.cmake DESTINATION ${config_dir})
+endif()

@@ -4,6 +4,11 @@
 
 # fretwork_add_studio_page(<source folder>): the target fretwork_studio_page, part of `all`.
 function(fretwork_add_studio_page source)
+  include(GNUInstallDirs)
+  if(FRETWORK_STUDIO_PAGE)  # built before, where there is a network
+    install(FILES "${FRETWORK_STUDIO_PAGE}" DESTINATION "${CMAKE_INSTALL_DATADIR}/fretwork" RENAME studio.html)
+    return()
+  endif()
   find_program(FRETWORK_NODE NAMES node nodejs)
   find_program(FRETWORK_NPM npm)
   if(NOT FRETWORK_NODE OR NOT FRETWORK_NPM)
@@ -27,7 +32,6 @@ function(fretwork_add_studio_page source)
     DEPENDS ${files} "${PROJECT_SOURCE_DIR}/cmake/build_studio_page.cmake"
     COMMENT "Building the studio's page" VERBATIM)
   add_custom_target(fretwork_studio_page ALL DEPENDS "${page}")
-  include(GNUInstallDirs)
   install(FILES "${page}" DESTINATION "${CMAKE_INSTALL_DATADIR}/fretwork" OPTIONAL)
 endfunction()
 

@@ -11,7 +11,7 @@ endfunction()
 
 file(REMOVE_RECURSE "${WORK}")
 run("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${WORK}/prefix")
-foreach(file man/man1/fretwork.1 bash-completion/completions/fretwork zsh/vendor-completions/_fretwork fish/vendor_completions.d/fretwork.fish)
+foreach(file man/man1/fretwork.1 bash-completion/completions/fretwork zsh/vendor-completions/_fretwork fish/vendor_completions.d/fretwork.fish fretwork/schemas/project.schema.json)
   if(NOT EXISTS "${WORK}/prefix/share/${file}")
     message(FATAL_ERROR "share/${file} is not installed")
   endif()
