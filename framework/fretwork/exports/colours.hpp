@@ -8,21 +8,22 @@
 
 namespace fretwork::exports {
 
-/// The colour of the i-th pattern of a palette, as "#rrggbb". All colours are light, so that beams stand out.
-/// The first nine colours are distinct under a colour vision deficiency. Further colours are far apart in hue
-/// (golden angle) and differ in lightness. The colour of a negative index (not painted) is nearly white.
+/// The colour of tiles with the pattern of this index, from 0, as "#rrggbb". All colours are light, so that
+/// beams stand out. The first nine colours are distinct under a colour vision deficiency. Further colours are
+/// far apart in hue (golden angle) and differ in lightness. The colour of a negative index (not painted) is
+/// nearly white.
 std::string pattern_colour(int index);
 
-/// The colour of a value on a perceptually even scale, after viridis: dark blue (0), green, yellow (1).
-/// Values outside [0, 1] are clamped.
+/// The colour of a value on a perceptually even scale, after viridis: dark purple (0), blue, green,
+/// yellow (1). Values outside [0, 1] are clamped.
 std::string scale_colour(double share);
 
 /// The colour of a value on a scale for both signs, after ColorBrewer's RdBu: dark blue (0), nearly white
 /// (0.5), dark red (1). Values outside [0, 1] are clamped.
 std::string signed_colour(double share);
 
-/// The colours of scale_colour() at equally spaced values, as "#rrggbb". The scale is linear between two of
-/// these colours, so a page can draw with the samples.
+/// The colours of scale_colour() at equally spaced values, as "#rrggbb". The scale is linear between two
+/// neighbouring colours, so that a program without scale_colour() can draw with them.
 std::vector<std::string> scale_samples();
 /// The colours of signed_colour() at equally spaced values, as "#rrggbb".
 std::vector<std::string> signed_samples();
@@ -34,10 +35,11 @@ struct ValueRange {
 };
 /// The range from the lowest to the highest value. NaN is ignored.
 ValueRange whole_range(std::span<const double> values);
-/// A range that starts at zero or, if values have both signs, is symmetric about zero. A few values far above
-/// all others are ignored, because otherwise only these values would be visible.
+/// A range that starts at zero or, if any value is negative, is symmetric about zero. A few values whose
+/// absolute values are far above all others do not count, because otherwise only these values would be
+/// visible.
 ValueRange value_range(std::span<const double> values);
-/// The colour of values beyond the range. Neither scale has this colour, so that overloaded bars stand out.
+/// The colour of values beyond the range. Neither scale has this colour, so that overloaded beams stand out.
 inline constexpr const char* kBeyondColour = "#f018b4";
 /// The largest absolute value beyond a range; nothing if no value is beyond it.
 std::optional<double> largest_beyond(std::span<const double> values, const ValueRange& range);

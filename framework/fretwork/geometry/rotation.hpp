@@ -23,7 +23,8 @@ Eigen::Vector3d logarithm(const Eigen::Quaterniond& rotation);
 /// turns. Along a path of small steps, this vector has no jumps and counts the turns.
 Eigen::Vector3d logarithm_near(const Eigen::Quaterniond& rotation, const Eigen::Vector3d& reference);
 
-/// The matrix T with spin = T d(rotation vector): exp(v + dv) = exp(T dv) exp(v).
+/// The matrix T that maps a small change dv of a rotation vector v to the infinitesimal rotation T dv about
+/// fixed axes. To first order in dv, exp(v + dv) = exp(T dv) exp(v).
 Eigen::Matrix3d spin_map(const Eigen::Vector3d& rotation_vector);
 
 /// The inverse of spin_map(), for rotations below a whole turn.

@@ -18,11 +18,12 @@ std::string count_text(GraphCount count);
 /// A row of the census: the graphs with one number of edges.
 struct CensusRow {
     int edges = 0;            ///< number of edges
-    GraphCount patterns = 0;  ///< number of all graphs with this number of candidate edges
-    /// For each filter, the number of graphs that break its rule, whether or not they break other rules. An
-    /// entry is empty if only a walk over all graphs could count these graphs.
+    GraphCount patterns = 0;  ///< number of all graphs with this number of edges, valid or not
+    /// For each filter, the number of graphs that it rejects, whether or not other filters reject them, too.
+    /// An entry is empty if no closed form counts these graphs and the layout has more than kMostEdgesWalked
+    /// candidate edges.
     std::vector<std::optional<GraphCount>> rejected;
-    GraphCount valid = 0;  ///< number of graphs that keep every rule
+    GraphCount valid = 0;  ///< number of graphs that all filters accept
 };
 
 /// The paper's Table 1, for any layout.
@@ -37,10 +38,10 @@ struct Census {
 /// graphs.
 inline constexpr int kMostEdgesWalked = 20;
 
-/// Count the graphs that each filter rejects, and the graphs that all filters accept. With up to
-/// kMostEdgesWalked candidate edges, every graph is walked. With more candidate edges, a search counts the
-/// valid patterns, and closed forms count the rejections by rules about pairs, loads and groups of edges; the
-/// columns of all other filters stay empty.
+/// Count the graphs that each filter rejects, and the valid graphs, which all filters accept. If the layout
+/// has up to kMostEdgesWalked candidate edges, every graph is walked. If the layout has more candidate edges,
+/// a search counts the valid graphs, and closed forms count the graphs that filters about pairs, loads and
+/// groups of edges reject; the columns of all other filters stay empty.
 Census take_census(const NodeLayout& layout, const EnumerationOptions& options = {});
 /// Take the census with the `valid` counts of an earlier search under the same options.
 Census take_census(const NodeLayout& layout, const EnumerationOptions& options, const PatternCount& valid);

@@ -16,12 +16,13 @@ enum class CeresStep {
     SubspaceDogleg,  ///< a step anywhere in the plane of these two steps [Byrd1988]
 };
 
-/// The method that keeps variables within their bounds.
+/// The way in which variables are kept within their bounds.
 enum class CeresBounds {
     /// Ceres' own method, which projects the steps of its trust region; it converges slowly if a bound is
     /// active.
     Projection,
-    /// X = middle + half width * sin(u): u has no bounds, but the slope dx/du vanishes on the bounds of x.
+    /// A variable is written x = middle + half width * sin(u). The new variable u has no bounds, but the
+    /// slope dx/du vanishes on the bounds of x.
     Sine,
 };
 
@@ -39,7 +40,7 @@ struct CeresResidualsOptions {
 };
 
 /// Descents by Ceres on the problem's residuals, from low-discrepancy starts. By default, kinks of the
-/// objective are not smoothed. This method is the straightforward use of Ceres.
+/// objective are not smoothed.
 std::unique_ptr<Optimizer> make_ceres_residuals(const CeresResidualsOptions& options);
 
 }  // namespace fretwork::optimization

@@ -8,14 +8,15 @@
 
 namespace fretwork::outlines::detail {
 
-/// The parts that the filled faces of a map form: faces that share a side belong to one part. A part that
+/// The parts of a map. Filled faces that share a side belong to the same part. A part that
 /// touches itself at a point is opened at that point, so that every part is an outline.
 Region region_of_map(LineMap& lines, double tolerance);
 
 /// The points along a closed chain of halfedges.
 geometry::Polygon polygon_around(PlanarMap::Ccb_halfedge_const_circulator first);
 
-/// The lower left and the upper right corner of polygons; both are the origin if there are no points.
+/// The lower left and the upper right corner of the box around all polygons; both are the origin if there are
+/// no points.
 std::array<geometry::Point2, 2> box_of(const std::vector<geometry::Polygon>& polygons);
 
 }  // namespace fretwork::outlines::detail

@@ -8,7 +8,8 @@
 
 namespace fretwork::pattern::detail {
 
-// A set of candidate edges as one machine word. The layout decides which of the two widths is needed.
+// A set of candidate edges as one unsigned integer, with a bit for each edge. The number of candidate edges
+// of the layout decides whether 64 or 128 bits are needed.
 // __extension__ because ISO C++ has no integer of 128 bits.
 using Word64 = std::uint64_t;
 __extension__ using Word128 = unsigned __int128;

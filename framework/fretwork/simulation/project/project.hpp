@@ -20,10 +20,10 @@ struct Project {
     /// Outlines of the other parts, if the surface has several.
     std::vector<outlines::Outline> further_outlines{};
     tiling::Tessellation tessellation;  ///< tiles with their painting
-    std::vector<LoadCase> load_cases;   ///< load cases, each with another name
+    std::vector<LoadCase> load_cases;   ///< load cases with distinct names
     /// The setting, taken from the library or chosen when the project was made. A project with a setting
-    /// gives the same results without its library. None, as in older files: the present setting of the
-    /// library or, without a library, the paper's setting.
+    /// gives the same results without its library. If there is none, as in older files, the
+    /// present setting of the library is used or, without a library, the paper's setting.
     std::optional<reduction::Setting> setting{};
     /// A tile model for some tiles.
     struct TileModelChoice {
@@ -37,10 +37,12 @@ struct Project {
 };
 
 /// The load case with this name, merged with the load cases that it combines. The name "" stands for the only
-/// load case of a project. Throws InputError that lists the names, and as combined().
+/// load case of a project. Throws InputError if the project has no load case, if no load case has this
+/// name, or if the name is "" and the project has several load cases. Throws the errors of combined(), too.
 LoadCase find_load_case(const Project& project, const std::string& name);
 
-/// The name of each tile's own tile model, "" for tiles without one; empty if no tile has one.
+/// The name of each tile's own tile model, "" for tiles without one. The vector is empty if no tile has
+/// one.
 std::vector<std::string> models_by_tile(const Project& project);
 
 }  // namespace fretwork::simulation

@@ -16,19 +16,20 @@ using Cell = std::vector<DualVertexIndex>;
 /// A vertex of the dual.
 struct DualVertex {
     geometry::Point2 place;
-    LoopIndex loop{};       ///< the loop of the outline on which the vertex lies; invalid: it lies inside
+    LoopIndex loop{};  ///< the loop that carries the vertex; invalid if the vertex lies inside the outline
     bool is_fixed = false;  ///< true if the vertex is a corner of the outline
     double along = 0.0;     ///< arc length of the vertex on the loop's curve, m
-    /// True if the vertex divides a long side on the rim. Such a vertex lies on the outline or, if the
-    /// outline runs inside the tile, on the straight line between its neighbours.
+    /// True if the vertex divides a long side of a tile along the outline. The vertex lies on the outline. If
+    /// the tile would then not be convex, because the outline bends into the tile, the vertex lies on the
+    /// straight line between the two vertices beside it.
     bool divides_side = false;
 };
 
-/// The tiles of a triangulation, one for each site: polygons that share vertices and whole sides, closed
-/// along the outline.
+/// The dual of a triangulation: a tile for each site. Tiles are polygons that share vertices and whole sides.
+/// Tiles at the rim end on the outline.
 struct Dual {
     base::IndexVector<DualVertexIndex, DualVertex> vertices;
-    std::vector<Cell> cells;  ///< one for each site
+    std::vector<Cell> cells;  ///< tiles, one for each site
 };
 
 /// The dual of a triangulation. A triangle of three sites gives an inner vertex: the circumcenter, or the
@@ -37,7 +38,7 @@ struct Dual {
 /// stays convex. Pre: ears have been flipped (flip_ears).
 Dual dual_of(const Rim& rim, const Triangulation& triangulation, const Work& work);
 
-/// The polygon of a cell.
+/// The polygon of a tile.
 geometry::Polygon polygon_of(const Dual& dual, std::size_t cell);
 
 }  // namespace fretwork::tiling::detail
