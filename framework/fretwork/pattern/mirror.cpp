@@ -9,7 +9,7 @@ namespace {
 std::optional<LayoutNodeIndex> twin_of(const NodeLayout& layout, LayoutNodeIndex node) {
     const auto& place = layout.nodes()[node].place;
     const std::array<Rational, 3> reflected{place[0], place[2], place[1]};
-    const auto nodes = layout.nodes();
+    const auto& nodes = layout.nodes();
     const auto twin = std::find_if(nodes.begin(), nodes.end(),
                                    [&](const LayoutNode& other) { return other.place == reflected; });
     if (twin == nodes.end()) return std::nullopt;
@@ -30,7 +30,7 @@ std::optional<EdgeIndex> edge_image(const NodeLayout& layout, const Edge& edge) 
     const auto second = twin_of(layout, edge.second);
     if (!first || !second) return std::nullopt;
     const Edge image = moved_to_left_side(layout, {std::min(*first, *second), std::max(*first, *second)});
-    const auto candidates = layout.candidate_edges();
+    const auto& candidates = layout.candidate_edges();
     const auto found = std::lower_bound(candidates.begin(), candidates.end(), image);
     // A face node without a twin may lie on the image and not on the edge.
     if (found == candidates.end() || *found != image) return std::nullopt;

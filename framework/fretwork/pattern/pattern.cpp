@@ -56,7 +56,7 @@ EdgeIndex find_edge(const NodeLayout& layout, std::string_view text) {
         throw base::InputError("'" + std::string(text) +
                                "' is not an edge: expected two nodes joined by '-', as in 0-1");
     }
-    const auto candidates = layout.candidate_edges();
+    const auto& candidates = layout.candidate_edges();
     const auto found = std::lower_bound(candidates.begin(), candidates.end(), *edge);
     if (found == candidates.end() || *found != *edge) {
         throw base::InputError("'" + std::string(text) + "' is not a candidate edge of the layout '" +

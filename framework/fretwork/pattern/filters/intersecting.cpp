@@ -40,7 +40,7 @@ bool intersect(const NodeLayout& layout, const Edge& left, const Edge& right) {
 // crosses, crosses inside one base triangle.
 Rule make_intersecting(const NodeLayout& layout, double, const FabricationScale&) {
     ConflictTable table(layout);
-    const auto edges = layout.candidate_edges();
+    const auto& edges = layout.candidate_edges();
     for (std::size_t e = 0; e < edges.size(); ++e) {
         for (std::size_t f = e + 1; f < edges.size(); ++f) {
             if (intersect(layout, edges[e], edges[f])) table.add(EdgeIndex(e), EdgeIndex(f));
