@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fretwork/base/control.hpp>
+#include <fretwork/library/pattern_query.hpp>
 #include <fretwork/pattern/node_layout.hpp>
 #include <fretwork/pattern/pattern.hpp>
 #include <fretwork/reduction/calibration/calibration.hpp>
@@ -150,6 +151,10 @@ class Library {
         std::span<const pattern::NamedPattern> patterns) const;
     /// The patterns with a calibration of a model that has parameters, in the order of patterns().
     [[nodiscard]] std::vector<pattern::NamedPattern> fitted_patterns() const;
+    /// The patterns with the wanted behaviour. Patterns without properties, which fill() computes, are not
+    /// found. Throws InputError whose source is "where" or "sort", if this expression of the query is none;
+    /// the error names the place in the expression.
+    [[nodiscard]] FoundPatterns find(const PatternQuery& query) const;
     /// The objectives of all calibrations of a key, ascending.
     [[nodiscard]] std::vector<double> objectives(const CalibrationKey& key) const;
     /// The pattern with an id, in any form that pattern::parse_pattern_id accepts. Throws InputError that

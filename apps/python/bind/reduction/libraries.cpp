@@ -54,6 +54,15 @@ void bind_rows(py::module_& m) {
         .constant("best_objective", &PatternSummary::best_objective, "")
         .constant("failures", &PatternSummary::failures, "")
         .done(Made::ByFunctions);
+    Record<FoundPattern>(m, "FoundPattern", "A pattern that Library.find has found.")
+        .constant("id", &FoundPattern::id, "")
+        .constant("mirror", &FoundPattern::mirror, "id of the mirror image; empty: none")
+        .constant("values", &FoundPattern::values, "for each column; None: not known")
+        .done(Made::ByFunctions);
+    Record<FoundPatterns>(m, "FoundPatterns", "The patterns that Library.find has found, in its order.")
+        .constant("columns", &FoundPatterns::columns, "names of the values")
+        .constant("patterns", &FoundPatterns::patterns, "")
+        .done(Made::ByFunctions);
     Record<Failure>(m, "Failure", "A pattern on which a computation failed.")
         .field("pattern", &Failure::pattern, "id")
         .field("computation", &Failure::computation, "")
@@ -199,6 +208,15 @@ void bind_content(LibraryClass& type) {
             "objectives",
             [](LibraryObject& self, const CalibrationKey& key) { return self.use()->objectives(key); },
             "key"_a, "The objectives of all calibrations of a key, ascending.")
+        .def(
+            "find",
+            [](LibraryObject& self, const std::string& where, const std::string& sort, bool descending,
+               std::size_t limit) {
+                return self.use()->find({where, sort, descending, limit});
+            },
+            "where"_a = "", "sort"_a = "", "descending"_a = false, "limit"_a = 0,
+            "The patterns with the wanted behaviour: both are SQL expressions of the columns, such as "
+            "\"bending_poisson < 0\". InputError names the place in an expression that is none.")
         .def(
             "find_pattern",
             [](LibraryObject& self, std::string_view id) { return self.use()->find_pattern(id); }, "id"_a)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verbs/library_show.hpp"
+#include "verbs/library/library_show.hpp"
 #include "verbs/solve_output.hpp"
 
 #include <fretwork/base/internal/json_text.hpp>

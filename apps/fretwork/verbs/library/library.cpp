@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fretwork library: look into a pattern library, merge shards, write its tables and meshes.
+// fretwork library: look into a pattern library, find patterns, merge shards, write tables and meshes.
 #include "interrupt.hpp"
 #include "json_output.hpp"
 #include "options/file_options.hpp"
 #include "options/pattern_choice.hpp"
 #include "verbs.hpp"
-#include "verbs/library_show.hpp"
+#include "verbs/library/library_find.hpp"
+#include "verbs/library/library_show.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/file.hpp>
@@ -32,6 +33,7 @@ using library::PatternSummary;
 constexpr const char* kExamples = R"(
 Examples:
   fretwork library list --library lib.db
+  fretwork library find --library lib.db --where "bending_poisson < 0" --sort mass_per_area --limit 10
   fretwork library show 0-1+1-6 --library lib.db --json
   fretwork library merge all.db shard1.db shard2.db
   fretwork library export --library lib.db --csv tables --meshes meshes --chart chart.svg)";
@@ -52,6 +54,7 @@ struct LibraryOptions {
     std::string scenarios;
     std::string chart;
     std::string patterns = "all";
+    library::PatternQuery query;
     bool ply = false;
     bool json = false;
 };
@@ -139,12 +142,18 @@ void show(const LibraryOptions& options) {
     options.json ? print_pattern_json(library, entry) : print_pattern(library, entry);
 }
 
+// ---- find ----
+
+void find(const LibraryOptions& options) {
+    print_found(open_library(options), options.query, options.json);
+}
+
 // ---- merge and export ----
 
 void merge(const LibraryOptions& options) {
     if (!options.library.empty())
         throw base::InputError("--library", "",
-                               "is for list, show and export: merge OUTPUT INPUT.. names its own");
+                               "is for list, find, show and export: merge OUTPUT INPUT.. names its own");
     LongWork work;
     library::merge(options.output, options.inputs, work.control());
     const Library merged = Library::open(options.output);
@@ -190,7 +199,7 @@ void check_wishes(const LibraryOptions& options) {
     if (options.patterns != "all" && !uses_patterns)
         throw base::InputError("--patterns", "", "is for --svg and --meshes, and neither is given");
     if (options.json)
-        throw base::InputError("--json", "", "is for list, show and merge: export prints nothing");
+        throw base::InputError("--json", "", "is for list, find, show and merge: export prints nothing");
 }
 
 void write_files(const LibraryOptions& options) {
@@ -225,18 +234,35 @@ CLI::App* add_action(CLI::App* verb, const std::shared_ptr<LibraryOptions>& opti
     return action;
 }
 
+void add_find(CLI::App& verb, const std::shared_ptr<LibraryOptions>& options) {
+    CLI::App* finding = add_action(&verb, options, "find",
+                                   {"Find patterns by their behaviour: stiffness, mass, objective", find});
+    finding
+        ->add_option(
+            "--where", options->query.where,
+            "Condition, such as \"bending_stiffness between 0.07 and 0.09 and bending_poisson < 0\": an "
+            "SQL expression of the columns that are printed (default: every pattern)")
+        ->type_name("EXPRESSION");
+    finding->add_option("--sort", options->query.sort, "Expression to sort by (default: the pattern's id)")
+        ->type_name("EXPRESSION");
+    finding->add_flag("--descending", options->query.descending, "Largest first");
+    finding->add_option("--limit", options->query.limit, "Most patterns to print (default: all)")
+        ->check(CLI::Range(1, 1'000'000'000));
+}
+
 }  // namespace
 
 void add_library(CLI::App& app, ExitCode&) {
     const auto options = std::make_shared<LibraryOptions>();
     CLI::App* verb = app.add_subcommand(
-        "library", "List and show the content of a pattern library, merge libraries, write tables");
+        "library", "List, find and show the content of a pattern library, merge libraries, write tables");
     verb->require_subcommand(1);
     verb->footer(kExamples);
-    verb->add_option("--library", options->library, "The library's file (list, show, export)");
-    verb->add_flag("--json", options->json, "Print for programs (list, show, merge)");
+    verb->add_option("--library", options->library, "The library's file (list, find, show, export)");
+    verb->add_flag("--json", options->json, "Print for programs (list, find, show, merge)");
 
     add_action(verb, options, "list", {"List the patterns with a summary of the data of each", list});
+    add_find(*verb, options);
     CLI::App* showing =
         add_action(verb, options, "show", {"Show one pattern with its responses and calibrations", show});
     showing->add_option("--svg", options->svg, "Draw the pattern and its reduced model");

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fretwork::library {
+
+/// A search for patterns by their behaviour. Both expressions are SQL expressions over the columns of
+/// FoundPatterns::columns, with numbers, `pattern_id`, comparison, arithmetic, `between`, `in`, `like`,
+/// `and`, `or`, `not`, `is null`, and SQLite's scalar functions.
+struct PatternQuery {
+    std::string where;        ///< condition, such as `bending_poisson < 0`; empty: every pattern
+    std::string sort;         ///< expression by which the patterns are sorted; empty: by pattern id
+    bool descending = false;  ///< true: the largest value of `sort` comes first
+    std::size_t limit = 0;    ///< largest number of patterns; 0: any number
+};
+
+/// A pattern that a query has found.
+struct FoundPattern {
+    std::string id;                             ///< pattern id
+    std::string mirror;                         ///< id of the mirror image; empty if the layout has none
+    std::vector<std::optional<double>> values;  ///< a value for each column; none if it is not known
+};
+
+/// The patterns that a query has found, in its order.
+struct FoundPatterns {
+    /// Names of the columns with numbers: number of edges, smallest objective of all calibrations, and the
+    /// columns of the view `behaviour` (schema.md).
+    std::vector<std::string> columns;
+    std::vector<FoundPattern> patterns;  ///< the patterns
+};
+
+}  // namespace fretwork::library
