@@ -10,6 +10,8 @@ import warnings
 
 import jsonschema
 
+import studio_autosave
+
 warnings.simplefilter("ignore", DeprecationWarning)  # RefResolver: newer releases have another way; Debian's has not
 
 ROOT = pathlib.Path(os.environ["FRETWORK_SOURCE_DIR"])
@@ -47,12 +49,6 @@ def run(folder, *arguments):
     return subprocess.run([PROGRAM, *arguments], cwd=folder, capture_output=True, text=True)
 
 
-def autosave(project):
-    """As the studio writes it around a project; the test StudioRecovery holds the studio's own against its reader."""
-    document = json.loads(project.read_text())
-    return json.dumps({"format": "fretwork/autosave/1", "name": "square", "document": None, "tiles": len(document["tessellation"]["tiles"]), "project": document})
-
-
 def made_documents():
     """Files of the program, and those written here, which the program must find valid, too."""
     case = str(ROOT / "experiments" / "cases" / "cantilever.json")
@@ -75,7 +71,7 @@ def made_documents():
             done = run(folder, *command)
             if done.returncode != 0:
                 raise AssertionError(f"{' '.join(command)}: {done.stderr}")
-        (folder / "autosave.json").write_text(autosave(folder / "project.json"))
+        (folder / "autosave.json").write_text(studio_autosave.autosave_of(PROGRAM, folder / "project.json", folder / "state"))
         files = sorted(folder.glob("*.json"))
         checked = run(folder, "check", *(file.name for file in files))
         if checked.returncode != 0:
