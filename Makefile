@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The two commands of the README, and what else people here do often. All work is done by CMake and scripts/.
-.PHONY: demo studio python docs test check reproduce bench format clean
+.PHONY: demo studio python docs packages test check reproduce bench format clean
 
 demo:       ## install what is missing, build, and run the main job: out/ holds the result
 	@scripts/install-dependencies.sh demo
@@ -17,6 +17,10 @@ python:     ## install what is missing, build the Python module, and make a whee
 docs:       ## install what is missing, and build the site in build/site
 	@scripts/install-dependencies.sh docs
 	@scripts/docs.sh
+
+packages:   ## install what is missing, build the Debian packages in out/packages, and try them in an empty Debian
+	@scripts/install-dependencies.sh packages
+	@scripts/packages.sh
 
 test:       ## install what is missing, build, and pass the tests
 	@scripts/install-dependencies.sh test

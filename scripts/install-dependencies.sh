@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Install what is missing on Debian 12, and nothing else. Works as root and with sudo; says nothing when all is there.
-# Usage: scripts/install-dependencies.sh [demo|test|check|studio|python|docs]   (test holds demo, check holds test, python and docs; studio, python and docs: demo;
-# studio and check: Node.js with npm, unless there is one that fits; default: test)
+# Usage: scripts/install-dependencies.sh [demo|test|check|studio|python|docs|packages]   (test holds demo; check holds test, python, docs and packages;
+# studio, python, docs and packages hold demo; studio, packages and check: Node.js with npm, unless there is one that fits; default: test)
 set -euo pipefail
 
 demo=(g++ cmake ninja-build git ca-certificates
@@ -12,7 +12,8 @@ demo=(g++ cmake ninja-build git ca-certificates
 test=("${demo[@]}" libgtest-dev libgmock-dev libbenchmark-dev clang-format gringo groff-base python3-jsonschema sqlite3)
 python=("${demo[@]}" pybind11-dev python3-dev python3-numpy python3-pip python3-venv)
 docs=("${demo[@]}" doxygen furo libjs-katex node-normalize.css python3-myst-parser python3-sphinx python3-sphinx-copybutton)
-check=("${test[@]}" "${python[@]}" "${docs[@]}" codespell mypy python3-pandas python3-torch clang-tidy-16 calculix-ccx gmsh python3-gmsh slurm-wlm munge snakemake python3-numpy python3-scipy python3-cvxopt python3-matplotlib python3-ezdxf python3-vtk9 admesh prusa-slicer inkscape chromium)
+packages=("${python[@]}" "${docs[@]}" debhelper dh-python dpkg-dev lintian mmdebstrap reuse)
+check=("${test[@]}" "${packages[@]}" codespell mypy python3-pandas python3-torch clang-tidy-16 calculix-ccx gmsh python3-gmsh slurm-wlm munge snakemake python3-numpy python3-scipy python3-cvxopt python3-matplotlib python3-ezdxf python3-vtk9 admesh prusa-slicer inkscape chromium)
 
 # A Node.js of 18.18 or newer, wherever it comes from, and npm.
 has_fitting_node() {
@@ -26,8 +27,9 @@ case "${1:-test}" in
   check) wanted=("${check[@]}"); has_fitting_node || wanted+=(nodejs npm) ;;
   python) wanted=("${python[@]}") ;;
   docs) wanted=("${docs[@]}") ;;
+  packages) wanted=("${packages[@]}"); has_fitting_node || wanted+=(nodejs npm) ;;
   studio) wanted=("${demo[@]}"); has_fitting_node || wanted+=(nodejs npm) ;;
-  *) echo "install-dependencies.sh: unknown set '$1'; there is: demo, test, check, studio, python, docs" >&2; exit 2 ;;
+  *) echo "install-dependencies.sh: unknown set '$1'; there is: demo, test, check, studio, python, docs, packages" >&2; exit 2 ;;
 esac
 
 if ! command -v apt-get >/dev/null; then
