@@ -330,6 +330,8 @@ export const W = {
     all: 'All',
     clickOrDragA: 'Click or drag a box in 2D, drag along the edge, or click in 3D. Shift adds.',
     selected: (count: number) => `${counted(count, 'node')} selected`,
+    keptAsRule: (where: Text) => `Saved by place: ${where}.`,
+    keptAsNumbers: 'Saved by node number.',
   },
   combination: {
     combineWith: 'Combine with',
@@ -500,6 +502,7 @@ export const W = {
     node: (a: Text) => `node ${a}`,
     tiles: (count: number) => counted(count, 'tile'),
     nodes: (count: number) => counted(count, 'node'),
+    inABox: (count: number) => `in a box, ${counted(count, 'node')}`,
   },
   topBar: {
     notSavedYet: 'Not saved yet',

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Everything that a person can do to the document, one verb each.
 
-import type { Load, LoadCase, Prescribed, SentLoadCase, Setting, Support } from '../protocol/messages';
+import type { Load, LoadCase, Prescribed, Selection, SentLoadCase, Setting, Support } from '../protocol/messages';
 import { Latest } from '../protocol/latest';
 import type { PaintRequest, SentFile } from '../protocol/requests';
+import { isRule } from './picked';
 import { ask, tryAsk } from './studio';
 import { documentNow, loadCase, working } from './store';
 import { timeUntil } from './latency';
@@ -122,16 +123,17 @@ const replaced = <T>(list: readonly T[] | undefined, index: number, entry: T): T
   (list ?? []).map((old, i) => (i === index ? entry : old));
 const without = <T>(list: readonly T[] | undefined, index: number): T[] => (list ?? []).filter((_, i) => i !== index);
 
-/** Hold nodes; what held them before, lets them go. */
-export function hold(nodes: number[], fixed: Support['fixed'], held: readonly number[][]): void {
+/** Hold nodes; what held them before, lets them go. A support on a side or in a box stays that where the new one fixes as much. */
+export function hold({ where, nodes }: { where: Selection; nodes: readonly number[] }, fixed: Support['fixed'], held: readonly number[][]): void {
   const taken = new Set(nodes);
+  const isWithin = (support: Support) => isRule(support) && support.fixed.every((dof) => fixed.includes(dof));
   void editLoadCase(({ supports = [] }) => {
     const rest = supports.flatMap((support, i) => {
       const kept = held[i].filter((node) => !taken.has(node));
-      if (kept.length === held[i].length) return [support];
+      if (kept.length === held[i].length || (kept.length && isWithin(support))) return [support];
       return kept.length ? [{ nodes: kept, fixed: support.fixed }] : [];
     });
-    return { supports: fixed.length ? [...rest, { nodes, fixed }] : rest };
+    return { supports: fixed.length ? [...rest, { ...where, fixed }] : rest };
   });
 }
 export const replaceSupport = (index: number, support: Support): void =>

@@ -2,11 +2,13 @@
 // Which nodes are chosen, and quick ways to choose.
 
 import { X } from 'lucide-preact';
+import { boxOfAll, pickedBy, selectBy } from '../document/picked';
 import { documentNow } from '../document/store';
 import { surface } from '../document/surface';
 import { selectedNodes } from '../document/ui';
 import type { Side } from '../protocol/messages';
 import { Button } from '../widgets/widgets';
+import { selectionWords } from './selection_words';
 import { W } from '../words';
 
 const SIDES: { title: string; side: Side }[] = [
@@ -33,6 +35,11 @@ export function ChosenNodes({ purpose }: { purpose: 'hold' | 'load' | 'design' }
   const take = (nodes: number[]) => (selectedNodes.value = new Set(nodes));
   const now = surface.value;
   if (!now) return null;
+  const rule = pickedBy.value;
+  const takeAll = () => {
+    const box = boxOfAll();
+    if (box) selectBy({ box }, now.nodes.map((_, i) => i));
+  };
   return (
     <div class="chosen-nodes">
       <div class="foot-head">
@@ -41,12 +48,13 @@ export function ChosenNodes({ purpose }: { purpose: 'hold' | 'load' | 'design' }
       </div>
       <div class="chips">
         {SIDES.map(({ title, side }) => (
-          <button key={side} type="button" class="chip" id={`choose-${side}`} onClick={() => take(documentNow.peek()?.sides[side] ?? [])}>{title}</button>
+          <button key={side} type="button" class="chip" id={`choose-${side}`} onClick={() => selectBy({ side }, documentNow.peek()?.sides[side] ?? [])}>{title}</button>
         ))}
         <button type="button" class="chip" onClick={() => take([...now.onRim])}>{W.chosenNodes.wholeEdge}</button>
         {purpose !== 'hold' && <button type="button" class="chip" id="choose-middle" onClick={() => take(middleNodes())}>{W.chosenNodes.middle}</button>}
-        {purpose !== 'hold' && <button type="button" class="chip" onClick={() => take(now.nodes.map((_, i) => i))}>{W.chosenNodes.all}</button>}
+        {purpose !== 'hold' && <button type="button" class="chip" id="choose-all" onClick={takeAll}>{W.chosenNodes.all}</button>}
       </div>
+      {chosen.size > 0 && purpose !== 'design' && <p class="hint" id="kept-as">{rule ? W.chosenNodes.keptAsRule(selectionWords(rule, chosen.size)) : W.chosenNodes.keptAsNumbers}</p>}
       {chosen.size === 0 && <p class="hint">{W.chosenNodes.clickOrDragA}</p>}
     </div>
   );

@@ -3,6 +3,7 @@
 import { Trash2 } from 'lucide-preact';
 import { hold, removeSupport, replaceSupport } from '../document/edits';
 import { HOLD_COLOURS, holdKind, supportNodes } from '../document/marks';
+import { chosenNodes, selectAgain, whereChosen } from '../document/picked';
 import { selectionWords } from './selection_words';
 import { loadCase } from '../document/store';
 import { selectedNodes } from '../document/ui';
@@ -19,8 +20,8 @@ const KINDS: { title: string; tip: string; fixed: Dof[]; colour: string; key: st
 ];
 
 export function holdChosen(fixed: Dof[]): void {
-  const nodes = [...selectedNodes.peek()].sort((a, b) => a - b);
-  if (nodes.length) hold(nodes, fixed, supportNodes.peek());
+  const nodes = chosenNodes();
+  if (nodes.length) hold({ where: whereChosen(), nodes }, fixed, supportNodes.peek());
 }
 
 export function HoldPanel() {
@@ -55,7 +56,7 @@ function SupportRow({ support, index }: { support: Support; index: number }) {
   };
   return (
     <li class="entry">
-      <button type="button" class="entry-title" data-tip={W.holdPanel.selectTheseNodes} onClick={() => (selectedNodes.value = new Set(nodes))}>
+      <button type="button" class="entry-title" data-tip={W.holdPanel.selectTheseNodes} onClick={() => selectAgain(support, nodes)}>
         <i class="ball" style={{ background: `var(${HOLD_COLOURS[holdKind(support.fixed)]})` }} />
         {selectionWords(support, nodes.length)}
       </button>

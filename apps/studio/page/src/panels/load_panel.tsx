@@ -3,9 +3,9 @@
 import { Download, LayoutGrid, MoveVertical, RotateCcw, Weight } from 'lucide-preact';
 import { addLoad, addPrescribed, editLoadCase, setSetting } from '../document/edits';
 import { hasGravity, isLoaded, loadMarks, prescribedMarks } from '../document/marks';
+import { boxOfAll, whereChosen } from '../document/picked';
 import { documentNow, loadCase } from '../document/store';
 import { activeEntry, selectedNodes } from '../document/ui';
-import { surface } from '../document/surface';
 import { STANDARD_GRAVITY } from '../document/units';
 import { Button, Check } from '../widgets/widgets';
 import { NumberField } from '../widgets/number';
@@ -20,35 +20,33 @@ const FIRST_FORCE = -0.1;
 const FIRST_MOMENT = 0.002;
 const FIRST_MOVE = 0.01;
 const FIRST_AREA_LOAD = -2;
-const chosenNodes = (): number[] => [...selectedNodes.peek()].sort((a, b) => a - b);
 
 export function pressChosen(): void {
-  const nodes = chosenNodes();
-  if (!nodes.length) return;
+  if (!selectedNodes.peek().size) return;
   activeEntry.value = { kind: 'load', index: loadMarks.peek().length };
-  addLoad({ nodes, force: [0, 0, FIRST_FORCE], amount: 'total' });
+  addLoad({ ...whereChosen(), force: [0, 0, FIRST_FORCE], amount: 'total' });
   selectedNodes.value = new Set();
 }
 
 function turnChosen(): void {
-  const nodes = chosenNodes();
   activeEntry.value = { kind: 'load', index: loadMarks.peek().length };
-  addLoad({ nodes, moment: [0, FIRST_MOMENT, 0], amount: 'total' });
+  addLoad({ ...whereChosen(), moment: [0, FIRST_MOMENT, 0], amount: 'total' });
   selectedNodes.value = new Set();
 }
 
 function moveChosen(): void {
   activeEntry.value = { kind: 'prescribed', index: prescribedMarks.peek().length };
-  addPrescribed({ nodes: chosenNodes(), uz: FIRST_MOVE });
+  addPrescribed({ ...whereChosen(), uz: FIRST_MOVE });
   selectedNodes.value = new Set();
 }
 
 /** On what is chosen, or on all. */
 function coverChosen(): void {
-  const chosen = chosenNodes();
-  const nodes = chosen.length ? chosen : (surface.peek()?.nodes.map((_, node) => node) ?? []);
+  const box = boxOfAll();
+  if (!box) return;
+  const where = selectedNodes.peek().size ? whereChosen() : { box };
   activeEntry.value = { kind: 'load', index: loadMarks.peek().length };
-  addLoad({ nodes, per_area: [0, 0, FIRST_AREA_LOAD] });
+  addLoad({ ...where, per_area: [0, 0, FIRST_AREA_LOAD] });
   selectedNodes.value = new Set();
 }
 

@@ -4,7 +4,8 @@ import { ArrowDownRight, RotateCcw, Trash2 } from 'lucide-preact';
 import { removeLoad, replaceLoad } from '../document/edits';
 import { size, type LoadMark } from '../document/marks';
 import { selectionWords } from './selection_words';
-import { activeEntry, selectedNodes } from '../document/ui';
+import { selectAgain } from '../document/picked';
+import { activeEntry } from '../document/ui';
 import { shown, type Quantity } from '../document/units';
 import type { Load, Vector } from '../protocol/messages';
 import { Button, Segments } from '../widgets/widgets';
@@ -46,7 +47,7 @@ export function LoadRow({ mark }: { mark: LoadMark }) {
           <div class="field">
             {!spread && <Segments label={W.loadRow.amount} value={load.amount ?? 'each'} onPick={(amount) => replaceLoad(index, { ...load, amount })}
               options={[{ value: 'total', title: W.loadRow.total, tip: W.loadRow.sharedByTheNodes }, { value: 'each', title: W.loadRow.each, tip: W.loadRow.appliedToEveryNode }]} />}
-            <button type="button" class="chip" onClick={() => (selectedNodes.value = new Set(nodes))}>{W.loadRow.selectNodes}</button>
+            <button type="button" class="chip" onClick={() => selectAgain(load, nodes)}>{W.loadRow.selectNodes}</button>
           </div>
         </div>
       )}

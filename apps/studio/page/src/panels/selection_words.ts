@@ -8,6 +8,7 @@ export function selectionWords(selection: Selection, count: number): string {
   if (selection.between) return W.selectionWords.alongTheEdgeNodes(count);
   if (selection.side) return W.selectionWords.sideNodes(selection.side, count);
   if (selection.tiles) return W.selectionWords.tiles(selection.tiles.length);
+  if (selection.box) return W.selectionWords.inABox(count);
   if (count === 1 && selection.nodes) return W.selectionWords.node(selection.nodes[0]);
   return W.selectionWords.nodes(count);
 }

@@ -62,17 +62,31 @@ describe('load cases', () => {
 
 describe('supports', () => {
   it('take nodes from what held them before', () => {
-    edits.hold([1, 2], ['uz'], [[0, 1]]);
+    edits.hold({ where: { nodes: [1, 2] }, nodes: [1, 2] }, ['uz'], [[0, 1]]);
     expect(lastLoadCase().supports).toEqual([{ nodes: [0], fixed: FIXED.fixed }, { nodes: [1, 2], fixed: ['uz'] }]);
   });
   it('that lose no node stay as they were written', () => {
     const side: Support = { side: 'left', fixed: ['uz'] };
     documentNow.value = documentWith({ name: 'side', supports: [side] });
-    edits.hold([4], ['ux'], [[0]]);
+    edits.hold({ where: { nodes: [4] }, nodes: [4] }, ['ux'], [[0]]);
     expect(lastLoadCase().supports).toEqual([side, { nodes: [4], fixed: ['ux'] }]);
   });
+  it('on a side go into the load case as the side', () => {
+    edits.hold({ where: { side: 'bottom' }, nodes: [3, 4] }, ['uz'], [[0, 1]]);
+    expect(lastLoadCase().supports).toEqual([FIXED, { side: 'bottom', fixed: ['uz'] }]);
+  });
+  it('on a side stay on the side where they share nodes with a support that fixes as much, and only there', () => {
+    const left: Support = { side: 'left', fixed: ['ux', 'uz'] };
+    documentNow.value = documentWith({ name: 'corner', supports: [left] });
+    edits.hold({ where: { side: 'bottom' }, nodes: [1, 2] }, ['ux', 'uy', 'uz'], [[0, 1]]);
+    expect(lastLoadCase().supports).toEqual([left, { side: 'bottom', fixed: ['ux', 'uy', 'uz'] }]);
+    edits.hold({ where: { side: 'bottom' }, nodes: [1, 2] }, ['uz'], [[0, 1]]);
+    expect(lastLoadCase().supports).toEqual([{ nodes: [0], fixed: ['ux', 'uz'] }, { side: 'bottom', fixed: ['uz'] }]);
+    edits.hold({ where: { side: 'bottom' }, nodes: [1, 2] }, [], [[0, 1]]);
+    expect(lastLoadCase().supports).toEqual([{ nodes: [0], fixed: ['ux', 'uz'] }]);
+  });
   it('that lose all nodes go; nothing fixed lets the nodes go', () => {
-    edits.hold([0, 1], [], [[0, 1]]);
+    edits.hold({ where: { nodes: [0, 1] }, nodes: [0, 1] }, [], [[0, 1]]);
     expect(lastLoadCase().supports).toEqual([]);
   });
 });

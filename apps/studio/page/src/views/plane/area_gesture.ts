@@ -2,6 +2,7 @@
 // Choose things by click, box or lasso; with Shift they are added to what is chosen, and taken away if they all are.
 
 import type { Point } from '../../protocol/messages';
+import { boxBetween } from '../../document/picked';
 import { inBox, within } from '../../painting/regions';
 import type { Gesture, PlanePointer } from './gesture';
 import { drawing } from './overlay_state';
@@ -11,6 +12,8 @@ interface Choosable {
   /** The one that a click means, or -1. */
   under(pointer: PlanePointer): number;
   chosen: { peek(): ReadonlySet<number>; value: ReadonlySet<number> };
+  /** Takes what a box selects, with the box, where that is remembered. */
+  takeBox?(box: [number, number, number, number], found: readonly number[]): void;
 }
 
 const far = (a: PlanePointer, b: PlanePointer): boolean => Math.hypot(a.at[0] - b.at[0], a.at[1] - b.at[1]) > 0.4 * a.reach;
@@ -27,6 +30,11 @@ export function areaGesture(start: PlanePointer, how: 'box' | 'lasso', things: C
     },
     end(pointer) {
       drawing.value = null;
+      if (dragged && how === 'box' && !start.more && things.takeBox) {
+        const box = boxBetween(start.at, pointer.at);
+        things.takeBox(box, inBox(things.places, [box[0], box[1]], [box[2], box[3]]));
+        return;
+      }
       const found = dragged ? (how === 'box' ? inBox(things.places, start.at, pointer.at) : within(things.places, points)) : [things.under(start)];
       choose(found.filter((one) => one >= 0), start.more, things);
     },

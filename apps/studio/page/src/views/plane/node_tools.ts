@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { nearestNode, surface } from '../../document/surface';
+import { selectBy } from '../../document/picked';
 import { mode, nodeTool, probed, selectedNodes } from '../../document/ui';
 import { areaGesture } from './area_gesture';
 import type { PlanePointer, Tool } from './gesture';
@@ -48,6 +49,7 @@ export const nodesTool: Tool = {
       places: surface.peek()?.nodes ?? [],
       under: nodeUnder,
       chosen: selectedNodes,
+      takeBox: (box, found) => selectBy({ box }, found),
     });
   },
 };
