@@ -448,6 +448,8 @@ export const W = {
     barWidthInPlane: 'Bar width (in plane)',
     barWidth: 'Bar width',
     barHeight: 'Bar height',
+    slideBarWidth: 'Slide the bar width',
+    slideBarHeight: 'Slide the bar height',
     stiffJointsHaveA: 'Stiff: joints have a size, as in printed or cut surfaces. Points: the model of the paper.',
     joints: 'Joints',
     points: 'points',

@@ -96,6 +96,12 @@ const drag = new Latest<{ change: (present: LoadCase) => Partial<LoadCase>; merg
 /** As editLoadCase, while something is dragged: the next one is sent when the last one is seen, be it provisionally. */
 export const dragLoadCase = (change: (present: LoadCase) => Partial<LoadCase>, merge: string): void => drag.push({ change, merge });
 
+const settingDrag = new Latest<{ setting: Setting; merge: string }>(async (request) => {
+  await seen(() => tryAsk('set_setting', request).then(hasChanged));
+});
+/** As setSetting, while something is dragged. */
+export const dragSetting = (setting: Setting, merge: string): void => settingDrag.push({ setting, merge });
+
 const strokes = new Latest<{ merge: string }>(async ({ merge }) => {
   const groups = byPattern(pendingPaint);
   pendingPaint.clear();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { setSetting } from '../document/edits';
+import { BarSlider } from './bar_slider';
 import { sizeOf } from '../document/section';
 import { documentNow } from '../document/store';
 import type { Setting } from '../protocol/messages';
@@ -43,7 +44,8 @@ export function MaterialFields() {
   const { width, height } = sizeOf(setting.section);
   const isRectangle = setting.section.type === undefined;
   // The newest format; the server keeps the first that a setting needs.
-  const change = (part: Partial<Setting>) => setSetting({ ...setting, format: 'fretwork/setting/3', ...part });
+  const withPart = (part: Partial<Setting>): Setting => ({ ...setting, format: 'fretwork/setting/3', ...part });
+  const change = (part: Partial<Setting>) => setSetting(withPart(part));
   const bears = (strength: number | undefined) => change({ material: { ...material, strength } });
   const preset = presetOf(material);
   return (
@@ -66,9 +68,11 @@ export function MaterialFields() {
       <label class="field"><span>{W.materialFields.barWidthInPlane}</span>
         <NumberField label={W.materialFields.barWidth} least={1e-5} value={width} quantity="length" onChange={(value) => change({ section: section(value, height) })} />
       </label>
+      {isRectangle && <BarSlider id="bar-width" label={W.materialFields.slideBarWidth} value={width} setting={setting} settingOf={(value) => withPart({ section: section(value, height) })} />}
       <label class="field"><span>{W.materialFields.barHeight}</span>
         <NumberField label={W.materialFields.barHeight} least={1e-5} value={height} quantity="length" onChange={(value) => change({ section: section(width, value) })} />
       </label>
+      {isRectangle && <BarSlider id="bar-height" label={W.materialFields.slideBarHeight} value={height} setting={setting} settingOf={(value) => withPart({ section: section(width, value) })} />}
       <div class="field" title={W.materialFields.stiffJointsHaveA}><span>{W.materialFields.joints}</span>
         <Choice label={W.materialFields.joints} value={setting.joints ?? 'centreline'} options={[{ value: 'centreline', title: W.materialFields.points }, { value: 'stiff', title: W.materialFields.stiff }]}
           onPick={(joints) => change({ joints })} />

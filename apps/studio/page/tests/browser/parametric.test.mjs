@@ -71,3 +71,24 @@ test('nodes that were picked one by one are saved by number, and the page says s
   const load = (await read(page, 'load_cases'))[0].loads.at(-1);
   assert.ok(load.nodes.length > 0);
 });
+
+test('a bar height that slides bends the surface less or more, and is one step of undo', async (t) => {
+  const { address } = await startStudio(t, makeProject('40mm'));
+  const page = await openPage(t, address);
+  await solved(page);
+  const largest = () => page.evaluate(() => window.fretwork.store.live.value.info.largest_displacement);
+  const section = async () => (await read(page, 'setting')).section;
+  const [atFirst, sectionAtFirst] = [await largest(), await section()];
+  await page.click('[data-value=look]');
+  const slider = page.locator('#bar-height');
+  await slider.scrollIntoViewIfNeeded();
+  const box = await slider.boundingBox();
+  await edit(page, () => drag(page, [box.x + 0.2 * box.width, box.y + box.height / 2], [box.x + 0.6 * box.width, box.y + box.height / 2]));
+  await page.waitForFunction((before) => window.fretwork.store.live.value.info.largest_displacement < before / 2, atFirst);
+  assert.ok((await section()).I2 > sectionAtFirst.I2);
+  await picture(page, '24-bar-height', 1);
+  await page.waitForTimeout(1200);
+  await edit(page, () => page.click('#undo'));
+  assert.deepEqual(await section(), sectionAtFirst);
+  assert.deepEqual(page.troubles, []);
+});

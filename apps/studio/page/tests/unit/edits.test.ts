@@ -60,6 +60,14 @@ describe('load cases', () => {
   });
 });
 
+it('a slide of the section sends the newest value, as one step of undo', async () => {
+  const { setting } = documentNow.value!;
+  asked.mockResolvedValue({ unchanged: true });
+  for (const tile_side of [0.02, 0.03, 0.04]) edits.dragSetting({ ...setting, tile_side }, 'bar-1');
+  await vi.waitFor(() => expect(asked).toHaveBeenCalledTimes(2));
+  expect(asked.mock.calls.map((call) => [call[0], call[1].setting.tile_side, call[1].merge])).toEqual([['set_setting', 0.02, 'bar-1'], ['set_setting', 0.04, 'bar-1']]);
+});
+
 describe('supports', () => {
   it('take nodes from what held them before', () => {
     edits.hold({ where: { nodes: [1, 2] }, nodes: [1, 2] }, ['uz'], [[0, 1]]);
