@@ -1,0 +1,145 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One self-contained HTML page of a run of `make reproduce`: tables and figures, paper, ours, verdict, provenance.
+
+Usage: report.py PROGRAM ROWS FIGURES OUTPUT.html
+ROWS is the folder of the run: NAME.rows ("item | paper | ours | verdict") and the files that these were made from.
+Each number of ours comes from a file of the run, and the page states the SHA-256 of that file.
+"""
+import base64
+import hashlib
+import html
+import os
+import pathlib
+import string
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+COLUMNS = 4
+
+# name of the experiment, its heading, and the files of the run that its rows were made from
+TABLES = (
+    ("table1_enumeration", "Table 1: filtering statistics", ("table1.csv",)),
+    ("calibration_statistics", "Section 7.1: statistics of the calibration", ("library.db",)),
+    ("table3_accuracy", "Table 3: accuracy of the reduced model", ("table3.csv",)),
+)
+FIGURES = (
+    ("fig02", "Fig. 2: patterns"),
+    ("fig07", "Fig. 7: patterns that a rule rejects, the beams at fault in red"),
+    ("fig08", "Fig. 8: patterns beside their reduced models"),
+    ("fig10", "Fig. 10: a tile in the five scenarios; the full model in grey, the reduced model in blue"),
+    ("fig12", "Fig. 12: example A. Outline, painting, supports and loads are our own"),
+    ("fig13", "Fig. 13: example B. Outline, painting, supports and loads are our own"),
+    ("fig14", "Fig. 14: example C. Outline, painting, supports and loads are our own"),
+)
+
+
+class BadRun(SystemExit):
+    """A file of the run is missing or not valid; the text is one line."""
+
+
+def read_rows(path):
+    """The rows of a file, without repeated headers."""
+    if not path.is_file():
+        raise BadRun(f"report.py: {path}: is missing; scripts/reproduce.sh makes it")
+    rows = []
+    for number, line in enumerate(path.read_text().splitlines(), 1):
+        cells = [cell.strip() for cell in line.split(" | ")] if " | " in line else [line]
+        if cells[0] == "item":
+            continue
+        if len(cells) != COLUMNS:
+            raise BadRun(f"report.py: {path}: line {number}: has {len(cells)} columns; valid are item | paper | ours | verdict")
+        rows.append(cells)
+    if not rows:
+        raise BadRun(f"report.py: {path}: has no rows")
+    return rows
+
+
+def kind_of(verdict):
+    """The colour of a verdict."""
+    if verdict.startswith("DIFFERS"):
+        return "differs"
+    return "equal" if verdict.startswith(("equal", "same size")) else "other"
+
+
+def sha256(path):
+    if not path.is_file():
+        raise BadRun(f"report.py: {path}: is missing; scripts/reproduce.sh makes it")
+    digest = hashlib.sha256()
+    with path.open("rb") as file:
+        for block in iter(lambda: file.read(1 << 20), b""):
+            digest.update(block)
+    return digest.hexdigest()
+
+
+def table_html(rows):
+    lines = ["<table><thead><tr><th>item<th>paper<th>ours<th>verdict</tr></thead><tbody>"]
+    for *cells, verdict in rows:
+        lines.append("<tr>" + "".join(f"<td>{html.escape(cell)}" for cell in cells)
+                     + f'<td class="{kind_of(verdict)}">{html.escape(verdict)}</tr>')
+    return "\n".join(lines + ["</tbody></table>"])
+
+
+def source_html(folder, name, files):
+    hashes = "; ".join(f"<code>{file}</code> <span class=hash>{sha256(folder / file)}</span>" for file in files)
+    return f"<p class=source>Made by <code>experiments/{name}/run.sh</code> from {hashes}.</p>"
+
+
+def section_html(folder, name, heading, files):
+    rows = read_rows(folder / f"{name}.rows")
+    return f"<section><h2>{html.escape(heading)}</h2>\n{table_html(rows)}\n{source_html(folder, name, files)}</section>"
+
+
+def figure_html(path, caption):
+    """A drawing inside the page, as an image: its styles cannot touch the page's."""
+    digest = sha256(path)
+    data = base64.b64encode(path.read_bytes()).decode()
+    return (f'<figure><img alt="{html.escape(caption)}" src="data:image/svg+xml;base64,{data}">'
+            f"<figcaption>{html.escape(caption)}. <span class=hash>{digest}</span></figcaption></figure>")
+
+
+def summary_html(folder):
+    verdicts = [kind_of(row[-1]) for name, *_ in TABLES for row in read_rows(folder / f"{name}.rows")]
+    return (f"<p class=summary><b>{len(verdicts)}</b> rows: <b>{verdicts.count('equal')}</b> equal or of the same size, "
+            f"<b>{verdicts.count('differs')}</b> that differ and must not, <b>{verdicts.count('other')}</b> with another verdict.</p>")
+
+
+def page(program, folder, figures):
+    version = subprocess.run([program, "--version"], capture_output=True, text=True, check=True).stdout
+    template = string.Template((HERE / "page.html").read_text())
+    return template.substitute(
+        version=html.escape(version.strip()), summary=summary_html(folder),
+        tables="\n".join(section_html(folder, *table) for table in TABLES),
+        figures="\n".join(figure_html(figures / f"{name}.svg", caption) for name, caption in FIGURES))
+
+
+def write_atomically(path, text):
+    handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=path.name)
+    try:
+        with os.fdopen(handle, "w") as file:
+            file.write(text)
+        os.chmod(temporary, 0o644)
+        os.replace(temporary, path)
+    except BaseException:
+        os.unlink(temporary)
+        raise
+
+
+def main():
+    if len(sys.argv) != 5:
+        print(__doc__.strip(), file=sys.stdout if "--help" in sys.argv else sys.stderr)
+        raise SystemExit(0 if "--help" in sys.argv else 2)
+    program, folder, figures, output = sys.argv[1], *map(pathlib.Path, sys.argv[2:])
+    try:
+        text = page(program, folder, figures)
+    except BadRun as error:
+        print(error, file=sys.stderr)
+        raise SystemExit(2) from None
+    write_atomically(output.resolve(), text)
+    print(f"report: {output}")
+
+
+if __name__ == "__main__":
+    main()
