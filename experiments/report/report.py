@@ -77,7 +77,7 @@ def sha256(path):
 def table_html(rows):
     lines = ["<table><thead><tr><th>item<th>paper<th>ours<th>verdict</tr></thead><tbody>"]
     for *cells, verdict in rows:
-        lines.append("<tr>" + "".join(f"<td>{html.escape(cell)}" for cell in cells)
+        lines.append("<tr>" + "".join("<td>" + html.escape(cell).replace(",", ",<wbr>") for cell in cells)
                      + f'<td class="{kind_of(verdict)}">{html.escape(verdict)}</tr>')
     return "\n".join(lines + ["</tbody></table>"])
 

@@ -19,7 +19,7 @@ PROGRAM = sys.argv.pop(1) if len(sys.argv) > 1 else ""
 
 def make_run(folder):
     for name, _, files in report.TABLES:
-        (folder / f"{name}.rows").write_text(f"item | paper | ours | verdict\n{name} <i> | 1 | 1.25 | equal\nb | 2 | 3.5 | DIFFERS\n")
+        (folder / f"{name}.rows").write_text(f"item | paper | ours | verdict\n{name} <i> | 1,2 | 1.25 | equal\nb | 2 | 3.5 | DIFFERS\n")
         for file in files:
             (folder / file).write_text(name)
     for name, _ in report.FIGURES:
@@ -39,6 +39,8 @@ class Cells(html.parser.HTMLParser):
         self.cells, self.inside = [], False
 
     def handle_starttag(self, tag, attrs):
+        if tag == "wbr":  # a place where a long row may break
+            return
         self.inside = tag == "td"
         if self.inside:
             self.cells.append("")
@@ -62,7 +64,7 @@ class Report(unittest.TestCase):
         cells.feed(text)
         expected = []
         for name, _, files in report.TABLES:
-            expected += [f"{name} <i>", "1", "1.25", "equal", "b", "2", "3.5", "DIFFERS"]
+            expected += [f"{name} <i>", "1,2", "1.25", "equal", "b", "2", "3.5", "DIFFERS"]
             for file in files:
                 self.assertIn(hashlib.sha256((self.folder / file).read_bytes()).hexdigest(), text)
         self.assertEqual(cells.cells, expected)
