@@ -75,7 +75,7 @@ void bind_studies(py::module_& m) {
         "folder"_a, "problems"_a, "contenders"_a, py::kw_only(), "repetitions"_a = 15, "cost"_a = 40000,
         "seed"_a = 1, "threads"_a = 0, "progress"_a = py::none(),
         "Run methods (pairs of a name or row and a number of starts) on problems, and write the table "
-        "runs.csv into a "
+        "results.csv into a "
         "folder. Runs that are there already are not repeated. Stopped by Ctrl-C, it keeps what is done.");
     m.def(
         "spread_over_edges",
