@@ -33,6 +33,13 @@ TEST(JsonReader, MembersKeepTheOrderOfTheFile) {
     EXPECT_EQ(members[0].first + members[1].first + members[2].first, "zam");
 }
 
+/// The parser itself would stop there and take the rest for nothing.
+TEST(JsonReader, NothingFollowsAByteOfZero) {
+    const std::string text = "{}" + std::string(1, '\0') + "garbage{{{";
+    EXPECT_THAT(complaint_of([&] { (void)JsonReader::from_text(text, "f.json"); }),
+                HasSubstr("f.json: is no JSON: byte 3 is 0"));
+}
+
 TEST(JsonReader, MalformedTextIsRefusedWithLineAndColumn) {
     EXPECT_THAT(complaint_of([] { parsed("{\n  \"a\": 1,\n  \"b\" 2\n}"); }),
                 StartsWith("test.json: line 3, column "));

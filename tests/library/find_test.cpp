@@ -52,6 +52,7 @@ TEST_F(Find, ComparesAndSorts) {
     EXPECT_THAT(ids({.where = "bending_stiffness / mass_per_area > 0.02", .sort = "mass_per_area"}),
                 ElementsAre(id[0], id[1]));
     EXPECT_THAT(ids({.where = "mass_per_area > 5"}), IsEmpty());
+    EXPECT_EQ(ids({.sort = "3"}), ids({})) << "a number is no column";
     EXPECT_EQ(ids({}).size(), 4U);
 }
 
@@ -79,6 +80,12 @@ TEST_F(Find, NamesWhatIsNoExpression) {
     EXPECT_THAT(complaint({.where = "bending_stifness > 0"}), HasSubstr("where: 'bending_stifness > 0'"));
     EXPECT_THAT(complaint({.where = "bending_stifness > 0"}), HasSubstr("no such column"));
     EXPECT_THAT(complaint({.where = "edges = = 2"}), HasSubstr("at '= 2'"));
+    EXPECT_THAT(complaint({.where = "\"bending_stifness\" > 0"}), HasSubstr("no such column"));
+    EXPECT_THAT(complaint({.where = "edges = max(edges)"}), HasSubstr("where: "));
+    EXPECT_THAT(complaint({.where = "edges = ?"}), HasSubstr("parameter"));
+    EXPECT_THAT(complaint({.where = "abs(-9223372036854775808) > 0"}), HasSubstr("where: "));
+    EXPECT_THAT(complaint({.where = "length(randomblob(1e9)) > 0"}), HasSubstr("where: "));
+    EXPECT_THAT(complaint({.sort = "edges desc"}), HasSubstr("sort: "));
     EXPECT_THAT(complaint({.sort = "edges,"}), HasSubstr("sort: "));
     EXPECT_THAT(complaint({.sort = "edges, mass_per_area"}), HasSubstr("sort: "));
     EXPECT_THAT(complaint({.where = "edges = 2; DROP TABLE pattern"}), HasSubstr("where: "));

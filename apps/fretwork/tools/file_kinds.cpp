@@ -18,6 +18,7 @@
 #include <fretwork/reduction/scenarios/setting_file.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
 #include <fretwork/simulation/project/project_file.hpp>
+#include <fretwork/simulation/results/result_subject.hpp>
 #include <fretwork/simulation/results/surface_result.hpp>
 #include <fretwork/simulation/stages.hpp>
 #include <fretwork/tiling/painting/field.hpp>
@@ -55,7 +56,8 @@ void read_painting_text(const JsonText& file) {
 /// Results of surfaces say more than those of frames: their subject.
 void read_result_text(const JsonText& file) {
     if (base::JsonReader::from_text(file.text, file.source).find("subject"))
-        (void)simulation::parse_surface_result(file.text, file.source);
+        simulation::check_subject(*simulation::parse_surface_result(file.text, file.source).subject,
+                                  file.source);
     else
         (void)mechanics::parse_result(file.text, file.source);
 }

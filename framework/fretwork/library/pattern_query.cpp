@@ -42,45 +42,56 @@ int allow_search(void*, int action, const char* first, const char* second, const
     return SQLITE_DENY;
 }
 
-/// While it lives, statements are prepared for searches alone.
+/// Longest text that an expression may make.
+constexpr int kLongestValue = 1'000'000;
+
+/// While it lives, statements are prepared for searches alone, and a word in double quotes is a column.
 class SearchOnly {
   public:
     explicit SearchOnly(const Database& database) : handle_(database.handle()) {
         sqlite3_set_authorizer(handle_, allow_search, nullptr);
+        sqlite3_db_config(handle_, SQLITE_DBCONFIG_DQS_DML, 0, nullptr);
+        length_ = sqlite3_limit(handle_, SQLITE_LIMIT_LENGTH, kLongestValue);
     }
     SearchOnly(const SearchOnly&) = delete;
     SearchOnly& operator=(const SearchOnly&) = delete;
-    ~SearchOnly() { sqlite3_set_authorizer(handle_, nullptr, nullptr); }
+    ~SearchOnly() {
+        sqlite3_limit(handle_, SQLITE_LIMIT_LENGTH, length_);
+        sqlite3_set_authorizer(handle_, nullptr, nullptr);
+    }
 
   private:
     sqlite3* handle_;
+    int length_ = 0;
 };
+
+[[noreturn]] void refuse(const char* name, const std::string& expression, const std::string& problem) {
+    throw base::InputError(name, "",
+                           "'" + base::printable(expression) + "' is no expression of the columns" + problem);
+}
 
 /// Throws InputError that names the expression, if it is none, and the place in it.
 void check_expression(const Database& database, const char* name, const std::string& expression) {
     for (const std::string_view mark :
          {std::string_view("\0", 1), std::string_view(";"), std::string_view("/*")}) {
         if (expression.find(mark) != std::string::npos)
-            throw base::InputError(
-                name, "", "'" + base::printable(expression) + "' holds a mark that no expression has");
+            refuse(name, expression, ": it holds a mark that none has");
     }
-    const std::string before = searched() + "SELECT ";
-    const std::string sql = before + expression + "\nFROM found";
+    const std::string before = searched() + "SELECT 1 FROM found WHERE (";
+    const std::string sql = before + expression + "\n)";
     sqlite3_stmt* statement = nullptr;
     const int code =
         sqlite3_prepare_v2(database.handle(), sql.data(), static_cast<int>(sql.size()), &statement, nullptr);
-    const int columns = statement == nullptr ? 0 : sqlite3_column_count(statement);
+    const int parameters = statement == nullptr ? 0 : sqlite3_bind_parameter_count(statement);
     const std::string problem = code == SQLITE_OK ? "" : sqlite3_errmsg(database.handle());
     const int offset = code == SQLITE_OK ? -1 : sqlite3_error_offset(database.handle());
     sqlite3_finalize(statement);
-    if (code == SQLITE_OK && columns == 1) return;
-    const auto place = static_cast<std::size_t>(offset) - before.size();
-    const std::string where = offset >= 0 && place < expression.size()
-                                  ? " at '" + expression.substr(place, 20) + "'"
-                                  : std::string();
-    throw base::InputError(name, "",
-                           "'" + base::printable(expression) + "' is no expression of the columns" + where +
-                               (problem.empty() ? "" : ": " + problem));
+    if (parameters > 0) refuse(name, expression, ": it holds a parameter");
+    if (code == SQLITE_OK) return;
+    const std::size_t place =
+        offset < 0 ? expression.size() : static_cast<std::size_t>(offset) - before.size();
+    if (place >= expression.size()) refuse(name, expression, problem.find("near") == 0 ? "" : ": " + problem);
+    refuse(name, expression, " at '" + base::printable(expression.substr(place, 20)) + "': " + problem);
 }
 
 FoundPattern read_row(const Statement& row) {
@@ -99,14 +110,27 @@ FoundPatterns Library::find(const PatternQuery& query) const {
         check_expression(impl_->database, "where", query.where);
         sql += " WHERE (" + query.where + "\n)";
     }
-    if (!query.sort.empty()) check_expression(impl_->database, "sort", query.sort);
-    const std::string order = query.descending ? " DESC NULLS LAST, " : " ASC NULLS LAST, ";
-    sql += " ORDER BY " + (query.sort.empty() ? "" : "(" + query.sort + "\n)" + order) + "pattern_id";
+    sql += " ORDER BY ";
+    if (!query.sort.empty()) {
+        check_expression(impl_->database, "sort", query.sort);
+        // A bare number would be the place of a column.
+        sql += "CASE WHEN 1 THEN (" + query.sort + "\n) END" + (query.descending ? " DESC" : " ASC") +
+               " NULLS LAST, ";
+    }
+    sql += "pattern_id";
     if (query.limit > 0) sql += " LIMIT " + std::to_string(query.limit);
     Statement rows(impl_->database, sql);
     FoundPatterns found;
     for (int c = 2; c < rows.column_count(); ++c) found.columns.push_back(rows.column_name(c));
-    while (rows.step()) found.patterns.push_back(read_row(rows));
+    try {
+        while (rows.step()) found.patterns.push_back(read_row(rows));
+    } catch (const base::InputError&) {
+        const int code = sqlite3_errcode(impl_->database.handle());
+        if (code != SQLITE_ERROR && code != SQLITE_TOOBIG) throw;
+        const bool is_condition = !query.where.empty();
+        refuse(is_condition ? "where" : "sort", is_condition ? query.where : query.sort,
+               std::string(": ") + sqlite3_errmsg(impl_->database.handle()));
+    }
     return found;
 }
 

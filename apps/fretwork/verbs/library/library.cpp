@@ -241,7 +241,8 @@ void add_find(CLI::App& verb, const std::shared_ptr<LibraryOptions>& options) {
         ->add_option(
             "--where", options->query.where,
             "Condition, such as \"bending_stiffness between 0.07 and 0.09 and bending_poisson < 0\": an "
-            "SQL expression of the columns that are printed (default: every pattern)")
+            "SQL expression of the columns that are printed (default: every pattern whose behaviour is "
+            "known)")
         ->type_name("EXPRESSION");
     finding->add_option("--sort", options->query.sort, "Expression to sort by (default: the pattern's id)")
         ->type_name("EXPRESSION");

@@ -60,7 +60,10 @@ void print_found(const library::Library& library, const library::PatternQuery& q
     const FoundPatterns found = found_by(library, query);
     if (as_json) return print_document(found_json(found));
     print_table(found);
-    std::printf("\n%zu of %zu patterns\n", found.patterns.size(), library.pattern_count());
+    std::printf(
+        "\n%zu of %zu patterns whose behaviour is known; the library has %zu, and calibrate computes "
+        "the behaviour\n",
+        found.patterns.size(), library.find({}).patterns.size(), library.pattern_count());
 }
 
 }  // namespace fretwork::app

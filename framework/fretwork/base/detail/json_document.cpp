@@ -163,6 +163,9 @@ JsonValue parse_json(std::string_view text, const std::string& source) {
     if (text.starts_with("SQLite format 3"))
         throw InputError(source, "", "is a database, where JSON is needed");
     Builder builder;
+    // The parser takes a NUL for the end of the text.
+    if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos)
+        throw InputError(source, "", "is no JSON: byte " + std::to_string(nul + 1) + " is 0");
     if (JsonValue::sax_parse(text, &builder)) return std::move(builder.root_);
     throw InputError(source,
                      builder.error_byte_ ? line_and_column(text, *builder.error_byte_) : builder.place_,
