@@ -56,6 +56,18 @@ class Gradients(unittest.TestCase):
         self.assertLessEqual(np.linalg.norm(found - wanted), 1e-6 * np.linalg.norm(wanted), (found, wanted))
         self.assertGreaterEqual(found @ wanted / np.linalg.norm(found) / np.linalg.norm(wanted), 0.999999)
 
+    def test_a_design_without_equilibrium_leaves_nothing_behind(self):
+        function = fw.SurfaceFunction(support.surface(), lifted(), "corotational")
+        thick, thin = {"thickness": np.array(1.8e-3)}, {"thickness": np.array(1e-5)}
+        first = function.apply(thick)
+        with self.assertRaises(fw.NumericalError):
+            function.apply(thin)
+        np.testing.assert_allclose(function.apply(thick)["displacements"], first["displacements"], rtol=1e-9, atol=1e-12)
+        with self.assertRaises(fw.NumericalError):
+            function.apply(thin)
+        slopes = function.vjp(thick, first, {"energy": 1.0})
+        self.assertEqual(slopes["thickness"].shape, ())
+
     def check(self, model, part, value, step):
         """Derivatives along random directions."""
         random = np.random.default_rng(5)

@@ -78,6 +78,7 @@ class SurfaceFunction:
         self._session = _core.Session(surface, load_case, model=model)
         self._candidates = _core.CandidateTiles(surface, list(patterns)) if patterns else None
         self._weights: Any = None  # those of the session
+        self._parts: dict[str, Any] = {}  # parts of a design that the session's setting has
         self._applied: dict[str, Any] | None = None
         self._result: SurfaceResult | None = None
         self._stress: SmoothStress | None = None
@@ -87,6 +88,7 @@ class SurfaceFunction:
         import numpy as np
 
         numbers = self._numbers(design)
+        self._applied = None  # if there is no equilibrium, the session has another design than the last outputs
         self._edit(numbers)
         result = self._session.solve()
         if not result.converged:
@@ -191,14 +193,13 @@ class SurfaceFunction:
         return setting
 
     def _edit(self, numbers: Mapping[str, Any]) -> None:
-        before = self._applied or {}
         weights = numbers.get("weights")
         if not _same({"weights": self._weights}, {"weights": weights}):
-            self._applied, before = None, {}
-            self._session, self._weights = self._session_of(weights), weights
-        kept = {name: before.get(name) for name in ("young_modulus", "section", *_SIDES)}
-        if not _same(kept, {name: numbers.get(name) for name in kept}):
+            self._session, self._weights, self._parts = self._session_of(weights), weights, {}
+        parts = {name: numbers.get(name) for name in ("young_modulus", "section", *_SIDES)}
+        if not _same({name: self._parts.get(name) for name in parts}, parts):
             self._session.set_setting(self._setting_of(numbers))
+            self._parts = parts
         self._session.set_load_case(self._case_of(numbers))
 
     def _session_of(self, weights: Any) -> Session:

@@ -134,7 +134,9 @@ void bind_beams(py::module_& m) {
     m.def(
         "beam_table",
         [](const Surface& surface, const SurfaceResult& result, const Models& models) {
-            return beam_table(surface, result, models_or_all(models));
+            const auto own = models_or_all(models);
+            const py::gil_scoped_release released;  // tiles are built by several threads
+            return beam_table(surface, result, own);
         },
         "surface"_a, "result"_a, "models"_a = py::none(), "Section forces and stresses of all beams.");
     m.def("most_stressed", &most_stressed, "table"_a, "count"_a,
@@ -159,9 +161,10 @@ void bind_surface_beams(py::module_& m) {
     m.def(
         "beam_state",
         [](const Surface& surface, const SurfaceResult& result, const Models& models) {
+            const auto own = models_or_all(models);
+            const py::gil_scoped_release released;
             const SurfaceBeams beams = surface_beams(surface);
-            return beam_state(surface, result, beams, beam_sections(beams, surface.setting),
-                              models_or_all(models));
+            return beam_state(surface, result, beams, beam_sections(beams, surface.setting), own);
         },
         "surface"_a, "result"_a, "models"_a = py::none(), "The beams of surface_beams() in a result.");
 }

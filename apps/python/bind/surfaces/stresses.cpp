@@ -45,6 +45,7 @@ void bind_smooth_stress(py::module_& m) {
             const Keywords<SmoothStressOptions> keywords(named);
             const auto use = session.use();
             (void)checked(*use, result);
+            const py::gil_scoped_release released;  // calls of `setting` take the lock for themselves
             return smooth_stress_along(use->session, result, {setting, step}, keywords.options);
         },
         "session"_a, "result"_a, "setting"_a, "step"_a,
