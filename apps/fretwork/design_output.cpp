@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design_output.hpp"
+#include "json_output.hpp"
 
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/text.hpp>
@@ -15,10 +16,6 @@ namespace {
 using base::Json;
 using design::DesignReport;
 using design::TargetError;
-
-Json or_null(const std::optional<double>& value) {
-    return value ? Json(*value) : Json(nullptr);
-}
 
 template <class Value>
 Json member_json(const std::optional<TargetError>& error, Value TargetError::*which) {
@@ -83,7 +80,7 @@ void print_design_json(const DesignReport& report) {
                        {"solutions", report.solutions},
                        {"full_solutions", report.full_solutions},
                        {"seed", report.seed}};
-    std::fputs(base::json_text(json).c_str(), stdout);
+    print_document(json);
 }
 
 void print_design(const DesignReport& report) {

@@ -66,10 +66,6 @@ Library open_library(const LibraryOptions& options) {
 
 // ---- list ----
 
-Json optional_number(const std::optional<double>& value) {
-    return value ? Json(*value) : Json(nullptr);
-}
-
 Json list_json(const Library& library, const std::vector<PatternSummary>& summaries) {
     Json patterns = Json::array();
     for (const PatternSummary& summary : summaries) {
@@ -79,7 +75,7 @@ Json list_json(const Library& library, const std::vector<PatternSummary>& summar
                             {"converged_samples", summary.converged_samples},
                             {"stable_samples", summary.stable_samples},
                             {"calibrations", summary.calibrations},
-                            {"best_objective", optional_number(summary.best_objective)},
+                            {"best_objective", or_null(summary.best_objective)},
                             {"failures", summary.failures}});
     }
     return {{"layout", library.layout().name()},

@@ -33,7 +33,7 @@ Json found_json(const FoundPatterns& found) {
     for (const FoundPattern& pattern : found.patterns) {
         Json row = {{"id", pattern.id}, {"mirror", pattern.mirror.empty() ? Json() : Json(pattern.mirror)}};
         for (std::size_t c = 0; c < found.columns.size(); ++c)
-            row[found.columns[c]] = pattern.values[c] ? Json(*pattern.values[c]) : Json();
+            row[found.columns[c]] = or_null(pattern.values[c]);
         patterns.push_back(std::move(row));
     }
     return {{"columns", found.columns}, {"patterns", std::move(patterns)}};
