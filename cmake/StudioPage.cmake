@@ -59,4 +59,8 @@ function(fretwork_add_page_tests source work)
     set_tests_properties(studio_page.${name} PROPERTIES FIXTURES_REQUIRED studio_page SKIP_RETURN_CODE 77 TIMEOUT 900
                          RUN_SERIAL ON)
   endforeach()
+  if(FRETWORK_LONG_TESTS)
+    # The storm lasts ten minutes and measures no time: it starts first, and the other tests run beside it.
+    set_tests_properties(studio_page.storm PROPERTIES RUN_SERIAL OFF COST 1000)
+  endif()
 endfunction()
