@@ -12,8 +12,8 @@ namespace fretwork::library {
 /// FoundPatterns::columns, with numbers, `pattern_id`, comparison, arithmetic, `between`, `in`, `like`,
 /// `and`, `or`, `not`, `is null`, and SQLite's scalar functions.
 struct PatternQuery {
-    std::string where;        ///< condition, such as `bending_poisson < 0`; empty: every pattern
-    std::string sort;         ///< expression by which the patterns are sorted; empty: by pattern id
+    std::string where{};      ///< condition, such as `bending_poisson < 0`; empty: every pattern
+    std::string sort{};       ///< expression by which the patterns are sorted; empty: by pattern id
     bool descending = false;  ///< true: the largest value of `sort` comes first
     std::size_t limit = 0;    ///< largest number of patterns; 0: any number
 };
