@@ -5,6 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+
 namespace fretwork::mechanics {
 namespace THIS_TEST {
 
@@ -93,6 +98,105 @@ TEST(StagedPath, OneStageIsTheLoadPath) {
     const Solution whole = follow_load_path(assembly, std::vector{1.0}).back();
     ASSERT_TRUE(staged.converged());
     EXPECT_LT((staged.displacements - whole.displacements).norm(), 1e-8 * whole.displacements.norm());
+}
+
+TEST(StagedPath, TwoHalvesAreOneStage) {
+    const Frame star = sample::star();
+    const Assembly assembly = assemble(star);
+    StagedPath path(assembly);
+    ASSERT_TRUE(path.advance({star.supports, {}, 0.5 * assembly.loads}).converged());
+    const Solution staged = path.advance({star.supports, {}, assembly.loads});
+    ASSERT_TRUE(staged.converged());
+    const Solution whole = follow_load_path(assembly, std::vector{1.0}).back();
+    EXPECT_LT((staged.displacements - whole.displacements).norm(), 1e-8 * whole.displacements.norm());
+}
+
+/// A strip of 20 elements, clamped at its ends, that is pushed together.
+Frame column() {
+    Frame frame;
+    frame.nodes = {{0, 0, 0}, {0.2, 0, 0}, {0.4, 0, 0}};
+    for (int i = 0; i < 2; ++i) {
+        frame.beams.push_back(sample::beam_between(i, i + 1));
+        frame.beams.back().section = rectangle_section(0.02, 0.002);
+        frame.beams.back().divisions = 10;
+    }
+    sample::clamp(frame, 0);
+    frame.supports.push_back({NodeIndex(2), {{false, true, true, true, true, true}}});
+    return frame;
+}
+
+/// 4 pi^2 E I / L^2, N.
+double euler_load_of_the_column() {
+    const Beam& beam = column().beams.front();
+    const double pi = std::numbers::pi;
+    const double stiffness = beam.material.young_modulus * std::min(beam.section.I2, beam.section.I3);
+    return 4.0 * pi * pi * stiffness / (0.4 * 0.4);
+}
+
+class ImperfectColumn : public testing::TestWithParam<std::tuple<double, double>> {};
+
+/// Its path is smooth, though it nearly branches: nothing pushes it to the other side.
+TEST_P(ImperfectColumn, BendsInAStageToTheSideOfItsLoad) {
+    const auto [push, share] = GetParam();
+    Frame frame = column();
+    frame.prescribed.push_back({NodeIndex(2), Dof::ux, -push});
+    frame.loads.push_back({NodeIndex(1), {0, 0, share * euler_load_of_the_column()}, {0, 0, 0}});
+    const Assembly assembly = assemble(frame);
+    StagedPath path(assembly);
+    const Solution staged = path.advance({frame.supports, frame.prescribed, assembly.loads});
+    ASSERT_TRUE(staged.converged());
+    EXPECT_TRUE(staged.stable);
+    EXPECT_TRUE(staged.stability_losses.empty());
+    EXPECT_GT(staged.displacements(1, 2) * share, 0.0);
+    const Solution whole = follow_load_path(assembly, std::vector{1.0}).back();
+    EXPECT_LT((staged.displacements - whole.displacements).norm(), 1e-8 * whole.displacements.norm());
+}
+
+INSTANTIATE_TEST_SUITE_P(StagedPath, ImperfectColumn,
+                         testing::Combine(testing::Values(0.001, 0.02, 0.1),
+                                          testing::Values(0.02, -0.004, 0.001)));
+
+/// Held in the middle, a column bears more than Euler's load; freed, it buckles before the load changes.
+TEST(StagedPath, AColumnThatIsFreedBucklesAtTheBeginningOfItsStage) {
+    const Frame frame = column();
+    const Assembly assembly = assemble(frame);
+    const Beam& beam = frame.beams.front();
+    const double push =
+        1.5 * euler_load_of_the_column() * 0.4 / (beam.material.young_modulus * beam.section.area);
+    const PrescribedDisplacement pushed{NodeIndex(2), Dof::ux, -push};
+    StagedPath path(assembly);
+    const Solution held =
+        path.advance({frame.supports, {pushed, {NodeIndex(1), Dof::uz, 0.0}}, no_loads(assembly)});
+    ASSERT_TRUE(held.converged());
+    EXPECT_TRUE(held.stability_losses.empty());
+    const Solution freed = path.advance({frame.supports, {pushed}, no_loads(assembly)});
+    ASSERT_TRUE(freed.converged());
+    EXPECT_TRUE(freed.stable);
+    ASSERT_EQ(freed.stability_losses.size(), 1U);
+    EXPECT_EQ(freed.stability_losses[0].load_factor, 0.0);
+    EXPECT_TRUE(freed.stability_losses[0].pushed);
+    EXPECT_EQ(freed.stability_losses[0].node, NodeIndex(1));
+    Frame whole = frame;
+    whole.prescribed = {pushed};
+    const Solution stable =
+        follow_load_path(assemble(whole), std::vector{1.0}, {.branch = Branch::Stable}).back();
+    ASSERT_TRUE(stable.converged());
+    EXPECT_NEAR(std::abs(freed.displacements(1, 2)), std::abs(stable.displacements(1, 2)),
+                1e-7 * std::abs(stable.displacements(1, 2)));
+}
+
+/// The moment that has held one component of a rotation has all three.
+TEST(StagedPath, ARotationThatIsFreedComesBack) {
+    const Frame star = sample::star();
+    const Assembly assembly = assemble(star);
+    StagedPath path(assembly);
+    const Solution turned = path.advance({star.supports, {{NodeIndex(0), Dof::rx, 0.3}}, assembly.loads});
+    ASSERT_TRUE(turned.converged());
+    EXPECT_NEAR(turned.displacements(0, 3), 0.3, 1e-15);
+    const Solution freed = path.advance({star.supports, {}, assembly.loads});
+    ASSERT_TRUE(freed.converged());
+    const Solution whole = follow_load_path(assembly, std::vector{1.0}).back();
+    EXPECT_LT((freed.displacements - whole.displacements).norm(), 1e-8 * whole.displacements.norm());
 }
 
 TEST(StagedPath, SnapsAreCrossedOnRequestAndTold) {

@@ -257,6 +257,22 @@ TEST(ModelDoubt, IsWarnedOfWhereNoErrorIsEstimated) {
     EXPECT_THAT(model_warning(result), HasSubstr("nothing was estimated"));
 }
 
+/// What is asked for and what is estimated by itself are the same estimate.
+TEST(ModelDoubt, IsTheEstimateThatIsAskedFor) {
+    const LoadCase far = cantilever({0, 0, -3.0});
+    const auto own = doubted("corotational", far);
+    const auto asked = simulate(surface(), far, {.model = "corotational", .estimate_model_error = true});
+    ASSERT_TRUE(own.model_error && asked.model_error);
+    EXPECT_GT(own.model_doubt->tile_rotation, kFarRotation) << "else it says nothing";
+    EXPECT_EQ(*own.model_error, *asked.model_error);
+    EXPECT_EQ(own.model_error->full_share, 1.0);
+    const auto near = simulate(surface(), cantilever({0, 0, -0.1}),
+                               {.model = "corotational", .estimate_model_error = true});
+    ASSERT_TRUE(near.model_error);
+    EXPECT_GT(near.model_error->full_share, 0.0);
+    EXPECT_LT(near.model_error->full_share, 1.0);
+}
+
 TEST(ModelDoubt, HasTheErrorOfTheStressEstimated) {
     const LoadCase far = cantilever({0, 0, -3.0});
     const auto largest = [](const SurfaceResult& result) {
@@ -288,7 +304,7 @@ TEST(ModelWarning, NamesAnErrorThatMayBeFivePercent) {
     EXPECT_EQ(model_warning(result), "");
     result.model_error->largest = 0.049;
     EXPECT_NE(model_warning(result), "") << "it may be larger than it was estimated";
-    result.model_doubt = ModelDoubt{.tile_rotation = 1.01 * kFarRotation};
+    result.model_error->full_share = 1.0;
     EXPECT_EQ(model_warning(result), "") << "it was not estimated: all tiles were in full";
     result.model_error->largest = 0.17;
     EXPECT_THAT(model_warning(result), HasSubstr("about 17 % of the largest displacement"));

@@ -97,6 +97,7 @@ base::Json model_error_json(const simulation::SurfaceResult& result) {
         {"mean", error->mean},
         {"largest", error->largest},
         {"relative_l2", error->relative_l2},
+        {"full_share", error->full_share},
         {"largest_stress", error->largest_stress ? base::Json(*error->largest_stress) : base::Json(nullptr)}};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/simulation/results/model_doubt.hpp>
 #include <fretwork/simulation/results/model_error.hpp>
+#include <fretwork/simulation/results/result_subject.hpp>
 #include <studio/solving/error_watch.hpp>
 #include <studio/solving/rest.hpp>
 
@@ -13,16 +14,27 @@ namespace {
 /// The event `model_error`; null if nothing is known.
 Json error_of(const SolvedSurface& live, const base::Control& control) {
     const State& state = *live.situation.state;
-    const std::string better = simulation::better_model(live.model, live.result.model_doubt.value());
-    simulation::Session session(open_surface(state).surface, load_case_of(live.situation),
-                                {.model = better, .analysis = state.analysis, .threads = 1});
-    const auto error = simulation::model_error(live.result, session.solve(control));
+    const OpenedSurface opened = open_surface(state);
+    const simulation::Surface& surface = opened.surface;
+    const simulation::LoadCase load_case = load_case_of(live.situation);
+    const simulation::SimulationOptions options{
+        .model = live.model, .analysis = state.analysis, .threads = 1};
+    simulation::Session session(surface, load_case, simulation::estimating_options(surface, options));
+    const simulation::SurfaceResult turned = session.solve(control);
+    simulation::SurfaceResult result = live.result;
+    result.subject = simulation::result_subject(surface, load_case, options);
+    for (const tiling::TileIndex tile : session.full_tiles())
+        result.subject->full_tiles.push_back(tile.value);
+    const auto error = simulation::estimate_model_error(session, turned, result.model_doubt.value(), surface,
+                                                        result, control);
     if (!error) return nullptr;
     return {{"event", "model_error"},
             {"revision", live.revision},
             {"model", live.model},
             {"mean", error->mean},
-            {"largest", error->largest}};
+            {"largest", error->largest},
+            {"largest_stress", error->largest_stress ? Json(*error->largest_stress) : Json(nullptr)},
+            {"is_warned", error->largest > simulation::warned_error(*error)}};
 }
 
 bool wants_estimate(const SolvedSurface& solved) {

@@ -19,12 +19,6 @@ std::vector<int> numbers(std::span<const tiling::TileIndex> tiles) {
     return result;
 }
 
-/// Corotational and mixed tiles: their estimate begins with their own solution, which the session keeps.
-bool is_turning(const Surface& surface, const SimulationOptions& options) {
-    return is_nonlinear(surface, options) &&
-           (options.model == kMixedTiles || mixed_share(options.model).has_value());
-}
-
 class Simulation {
   public:
     Simulation(const Surface& surface, const LoadCase& load_case, const SimulationOptions& options,
@@ -53,24 +47,20 @@ class Simulation {
 
     void add_doubt(Session& session, SurfaceResult& result) {
         result.model_doubt = model_doubt(session, result);
-        if (is_doubtful(result) && is_turning(surface_, options_))
+        if (is_doubtful(result) && begins_with_own_solution(surface_, options_))
             estimate(session, result, *result.model_doubt, result);
     }
 
     SurfaceResult solve_with_estimate() {
         SimulationOptions plain = options_;
         plain.estimate_model_error = false;
-        SimulationOptions turning = plain;
-        if (!is_turning(surface_, options_)) {
-            turning.analysis = Analysis::OfTheModel;
-            turning.model = kMixedTiles;
-        }
-        Session session(surface_, load_case_, turning);
+        Session session(surface_, load_case_, estimating_options(surface_, options_));
         const SurfaceResult turned = session.solve(control_);
         full_tiles_ = numbers(session.full_tiles());
-        SurfaceResult result =
-            is_turning(surface_, options_) ? turned : Session(surface_, load_case_, plain).solve(control_);
-        estimate(session, turned, {}, result);
+        SurfaceResult result = begins_with_own_solution(surface_, options_)
+                                   ? turned
+                                   : Session(surface_, load_case_, plain).solve(control_);
+        estimate(session, turned, model_doubt(session, turned), result);
         if (result.solution.converged())
             result.buckled_tiles = numbers(buckled_tiles(surface_, result.solution, options_, control_));
         return result;
@@ -79,15 +69,9 @@ class Simulation {
     /// The error of a result against a better solution than `turned`, which the session has just given.
     void estimate(Session& session, const SurfaceResult& turned, const ModelDoubt& doubt,
                   SurfaceResult& result) const {
-        BetterSolution better = better_solution(session, turned, doubt, control_);
-        result.model_error = model_error(result, better.result);
-        if (!result.model_error) return;
         result.subject = result_subject(surface_, load_case_, options_);
         result.subject->full_tiles = full_tiles_;
-        const BeamTable table = beam_table(surface_, result, options_.models);
-        if (table.unknown > 0) return;
-        result.model_error->largest_stress = stress_error(
-            table, refine_stress(session, std::move(better.result), std::move(better.full_tiles), control_));
+        result.model_error = estimate_model_error(session, turned, doubt, surface_, result, control_);
     }
 
     const Surface& surface_;

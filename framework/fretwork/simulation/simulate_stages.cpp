@@ -191,10 +191,12 @@ class StagedSimulation {
         SurfaceResult& result = own.result;
         const double share = mixed_share(better_model(options_.model, own.doubt)).value();
         Surface better = surface_;
-        put_in_full(worst_tiles(surface_, own.tiles, share), better);
+        const std::vector<TileIndex> in_full = worst_tiles(surface_, own.tiles, share);
+        put_in_full(in_full, better);
         FollowedStages reference = follow(better);
         result.model_error = staged_model_error(result, reference.result);
         if (!result.model_error) return;
+        result.model_error->full_share = share_of(in_full, surface_);
         result.model_error->largest_stress = stress_error(better, std::move(reference), result);
     }
 

@@ -40,6 +40,7 @@ void bind_subject(py::module_& m) {
         .constant("largest", &ModelError::largest, "as a share of the largest displacement")
         .constant("relative_l2", &ModelError::relative_l2, "of all translations")
         .constant("largest_stress", &ModelError::largest_stress, "a share, or None")
+        .constant("full_share", &ModelError::full_share, "of the tiles that the estimate took in full")
         .done(Made::ByFunctions);
     Record<ModelDoubt>(
         m, "ModelDoubt",

@@ -90,6 +90,7 @@ export const W = {
     doubtful: 'Model error: estimating …',
     error: (percent: string) => `Model error ≈ ${percent} %`,
     errorTip: (mean: string, largest: string) => `Estimated distance from the full model, in shares of the largest displacement: ${mean} % on average, ${largest} % at the worst node`,
+    stressErrorTip: (percent: string) => `. The largest stress is off by about ${percent} %`,
     errorSmall: 'Model error below 5 %',
     errorSmallTip: 'The surface is not bent far enough for more',
     joints: { stiff: 'made', centreline: 'paper' } as Record<string, string>,

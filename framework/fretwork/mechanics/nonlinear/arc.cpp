@@ -25,7 +25,7 @@ constexpr double kGoodDeviation = 0.4;
 }  // namespace
 
 bool Arc::is_narrow(double step) const {
-    return step * state.load_rate <= kNarrowest * state.point.load_factor;
+    return step * state.load_rate <= kNarrowest * load_scale();
 }
 
 bool Arc::come_nearer(double step) {
@@ -56,8 +56,7 @@ void Arc::forget_crossing(double next_length) {
 /// Next to where stability changes, over it.
 double Arc::length_to_crossing(double wanted) const {
     if (!is_narrow(crossing)) return wanted;
-    return std::clamp(kBeyondChange * state.point.load_factor / state.load_rate, crossing,
-                      std::max(beyond, crossing));
+    return std::clamp(kBeyondChange * load_scale() / state.load_rate, crossing, std::max(beyond, crossing));
 }
 
 Arc begin_arc(const PathStepper& stepper, const PathPoint& point, double load_factor) {

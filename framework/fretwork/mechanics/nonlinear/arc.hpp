@@ -3,6 +3,7 @@
 
 #include <fretwork/mechanics/nonlinear/path_step.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -20,6 +21,9 @@ struct Arc {
     double beyond = 0.0;    ///< length of the step that first crossed the
                             ///< change
     double shortest = 0.0;  ///< length of the shortest step that is tried
+    /// A lower bound on the load factor with which small changes of the load are compared: 0 for paths from
+    /// rest, 1 for paths whose load factor is no multiple of a load.
+    double least_load_scale = 0.0;
 
     [[nodiscard]] const PathState* last() const { return previous ? &*previous : nullptr; }
     /// True if a step of this length changes the load so little that a change of stability within the step
@@ -33,6 +37,7 @@ struct Arc {
     void forget_crossing(double next_length);
 
   private:
+    [[nodiscard]] double load_scale() const { return std::max(state.point.load_factor, least_load_scale); }
     [[nodiscard]] double length_to_crossing(double length) const;
 };
 

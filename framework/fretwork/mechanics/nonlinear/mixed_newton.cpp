@@ -89,7 +89,7 @@ double MixedNewton::size_of(const Eigen::VectorXd& step) const {
 }
 
 void MixedNewton::move(const Eigen::VectorXd& step, double prescribed, Configuration& configuration) {
-    NodeValues motions = prescribed * unknowns_.constraints().values;
+    NodeValues motions = prescribed * unknowns_.prescribed_change();
     unknowns_.layout().scatter(step, motions);
     system_.extrapolate(motions, stresses_);
     unknowns_.move(step, configuration);

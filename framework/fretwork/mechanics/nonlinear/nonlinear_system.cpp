@@ -71,19 +71,37 @@ void NonlinearSystem::refresh(const base::Control& control) {
     take_up_loads();
 }
 
+void NonlinearSystem::begin_at(const PathStart& start) {
+    unknowns_.begin_at(start.configuration);
+    start_loads_ = start.loads;
+    take_up_loads();
+}
+
+NodeValues NonlinearSystem::loads_at(double load_factor) const {
+    NodeValues loads = load_factor * load_change_;
+    if (start_loads_.size() > 0) loads += start_loads_;
+    return loads;
+}
+
 void NonlinearSystem::take_up_loads() {
     const Assembly& assembly = unknowns_.assembly();
+    load_change_ = assembly.loads;
+    if (start_loads_.size() > 0) load_change_ -= start_loads_;
+    const auto has_moment = [&](int node) {
+        const bool at_start = start_loads_.size() > 0 && !start_loads_.row(node).tail<3>().isZero(0.0);
+        return at_start || !assembly.loads.row(node).tail<3>().isZero(0.0);
+    };
     moment_nodes_.clear();
     for (int node = 0; node < static_cast<int>(assembly.nodes.size()); ++node) {
         const int free =
             3 - unknowns_.is_held(node, 3) - unknowns_.is_held(node, 4) - unknowns_.is_held(node, 5);
-        if (free >= 2 && !assembly.loads.row(node).tail<3>().isZero(0.0)) moment_nodes_.push_back(node);
+        if (free >= 2 && has_moment(node)) moment_nodes_.push_back(node);
     }
     if (rounding_.size() == 0 || rounded_elements_ != assembly.elements) {
         unknowns_.layout().gather(rounding_forces(assembly, unknowns_.length()), rounding_);
         rounded_elements_ = assembly.elements;
     }
-    is_loaded_ = unknowns_.has_prescribed() || !assembly.loads.isZero(0.0);
+    is_loaded_ = unknowns_.has_prescribed() || !assembly.loads.isZero(0.0) || start_loads_.size() > 0;
     spin_maps_.resize(unknowns_.vector_nodes().size());
     prescribed_rate_.setZero(static_cast<Eigen::Index>(assembly.nodes.size()), kDofsPerNode);
 }
@@ -117,7 +135,7 @@ void NonlinearSystem::map_to_unknowns(std::span<const NodeIndex> nodes, Eigen::M
 
 void NonlinearSystem::add_prescribed_rate(std::span<const NodeIndex> nodes, const Eigen::MatrixXd& tangent) {
     for (std::size_t j = 0; j < nodes.size(); ++j) {
-        const auto given = unknowns_.constraints().values.row(nodes[j].value);
+        const auto given = unknowns_.prescribed_change().row(nodes[j].value);
         if (given.isZero(0.0)) continue;
         const Eigen::VectorXd rate =
             tangent.middleCols<kDofsPerNode>(static_cast<Eigen::Index>(j) * kDofsPerNode) * given.transpose();
@@ -222,12 +240,11 @@ void NonlinearSystem::add_answer(std::size_t index, const Answer& answer, const 
 /// out-of-balance moment, which the supports carry), at freely turning ones the skew part of moments of fixed
 /// direction.
 /// @param internal  forces of the stresses that stand in the tangent
-void NonlinearSystem::add_moment_terms(const Configuration& configuration, double load_factor,
+void NonlinearSystem::add_moment_terms(const Configuration& configuration, const NodeValues& loads,
                                        const NodeValues& internal) {
     skew_.clear();
     for (const int node : unknowns_.vector_nodes()) {
-        const Eigen::Vector3d excess =
-            (internal.row(node) - load_factor * unknowns_.assembly().loads.row(node)).tail<3>().transpose();
+        const Eigen::Vector3d excess = (internal.row(node) - loads.row(node)).tail<3>().transpose();
         Eigen::Matrix3d change =
             geometry::spin_map_derivative(configuration.rotation_vectors[at(node)], excess);
         change = 0.5 * (change + change.transpose()).eval();
@@ -236,20 +253,20 @@ void NonlinearSystem::add_moment_terms(const Configuration& configuration, doubl
         block.bottomRightCorner<3, 3>() = change;
         unknowns_.layout().add_node(node, block, values_);
         if (!unknowns_.has_prescribed()) continue;
-        const Eigen::Vector3d given = unknowns_.constraints().values.row(node).tail<3>();
-        const Eigen::Vector3d rate = (change + skew_of_moment(node, load_factor)) * given;
+        const Eigen::Vector3d given = unknowns_.prescribed_change().row(node).tail<3>();
+        const Eigen::Vector3d rate = (change + skew_of_moment(node, loads)) * given;
         prescribed_rate_.row(node).tail<3>() += rate.transpose();
     }
     for (const int node : moment_nodes_) {
         skew_.push_back({{unknowns_.layout().equation(node, 3), unknowns_.layout().equation(node, 4),
                           unknowns_.layout().equation(node, 5)},
-                         skew_of_moment(node, load_factor)});
+                         skew_of_moment(node, loads)});
     }
 }
 
 /// The skew part of the tangent that a node's applied moment leaves.
-Eigen::Matrix3d NonlinearSystem::skew_of_moment(int node, double load_factor) const {
-    const Eigen::Vector3d moment = load_factor * unknowns_.assembly().loads.row(node).tail<3>().transpose();
+Eigen::Matrix3d NonlinearSystem::skew_of_moment(int node, const NodeValues& loads) const {
+    const Eigen::Vector3d moment = loads.row(node).tail<3>().transpose();
     Eigen::Matrix3d skew = -0.5 * geometry::cross_matrix(moment);
     const int slot = unknowns_.vector_slot(node);
     if (slot < 0) return skew;
@@ -267,7 +284,7 @@ NodeValues NonlinearSystem::mapped(NodeValues forces) const {
 
 void NonlinearSystem::gather_unbalanced(double load_factor) {
     const NodeValues unbalanced = mapped(forces_);
-    NodeValues rate = mapped(unknowns_.assembly().loads);
+    NodeValues rate = mapped(load_change_);
     if (unknowns_.has_prescribed()) rate -= prescribed_rate_;
     unknowns_.layout().gather(unbalanced, unbalanced_);
     unknowns_.layout().gather(rate, load_rate_);
@@ -279,17 +296,21 @@ void NonlinearSystem::gather_unbalanced(double load_factor) {
             square += value * value;
         }
     }
-    const double scale = load_factor * structure::force_norm(unknowns_.assembly().loads, unknowns_.length()) +
-                         structure::force_norm(reactions(), unknowns_.length());
-    const bool is_at_rest = square == 0.0 || ((!is_loaded_ || load_factor == 0.0) && is_rounding()) ||
-                            is_moved_rigidly(scale, std::sqrt(square));
+    const double loads = begins_at_rest()
+                             ? load_factor * structure::force_norm(load_change_, unknowns_.length())
+                             : structure::force_norm(loads_at(load_factor), unknowns_.length());
+    const double scale = loads + structure::force_norm(reactions(), unknowns_.length());
+    const bool is_unloaded = !is_loaded_ || (begins_at_rest() && load_factor == 0.0);
+    const bool is_at_rest =
+        square == 0.0 || (is_unloaded && is_rounding()) || is_moved_rigidly(scale, std::sqrt(square));
     relative_residual_ = is_at_rest ? 0.0 : std::sqrt(square) / scale;
 }
 
 /// Supports that move a structure as a rigid body load it with nothing: all forces are rounding, also the
 /// reactions.
 bool NonlinearSystem::is_moved_rigidly(double scale, double unbalanced) const {
-    if (!unknowns_.has_prescribed() || !unknowns_.assembly().loads.isZero(0.0)) return false;
+    const bool has_loads = !unknowns_.assembly().loads.isZero(0.0) || !start_loads_.isZero(0.0);
+    if (!unknowns_.has_prescribed() || has_loads) return false;
     return std::max(scale, unbalanced) <= kRoundingOfMotion * rounding_.norm();
 }
 
@@ -315,10 +336,10 @@ void NonlinearSystem::evaluate(const Configuration& configuration, double load_f
     energy_ = 0.0;
     map_spins(configuration);
     add_elements(configuration, pass);
-    const NodeValues loads = load_factor * unknowns_.assembly().loads;
+    const NodeValues loads = loads_at(load_factor);
     forces_ = loads - internal_;
     if (pass.demand == Demand::Tangent)
-        add_moment_terms(configuration, load_factor, mixed ? given_internal_ : internal_);
+        add_moment_terms(configuration, loads, mixed ? given_internal_ : internal_);
     gather_unbalanced(load_factor);
     if (pass.has_lag()) unknowns_.layout().gather(mapped(loads - given_internal_) - lag_, mixed_unbalanced_);
 }

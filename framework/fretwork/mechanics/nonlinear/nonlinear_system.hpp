@@ -26,6 +26,14 @@ class NonlinearSystem {
 
     [[nodiscard]] const Unknowns& unknowns() const { return unknowns_; }
 
+    /// Begin the path at an equilibrium instead of at rest.
+    void begin_at(const PathStart& start);
+    /// True if the path begins at rest.
+    [[nodiscard]] bool begins_at_rest() const { return start_loads_.size() == 0; }
+    /// A load factor that is large enough to compare small changes with: from rest the present one; along a
+    /// path that begins elsewhere the whole change of the loads.
+    [[nodiscard]] double load_scale(double load_factor) const { return begins_at_rest() ? load_factor : 1.0; }
+
     /// Take over the present state of the assembly, after elements were replaced by others of the same nodes,
     /// or after loads or prescribed values changed. The control is replaced, too.
     void refresh(const base::Control& control);
@@ -92,6 +100,7 @@ class NonlinearSystem {
         Eigen::Matrix3d matrix;
     };
     void take_up_loads();
+    [[nodiscard]] NodeValues loads_at(double load_factor) const;
     void map_spins(const Configuration& configuration);
     /// The quantities requested from the elements. `stresses` is null except in a mixed iteration.
     struct Pass {
@@ -120,12 +129,15 @@ class NonlinearSystem {
     void map_to_unknowns(std::span<const NodeIndex> nodes, Eigen::MatrixXd& tangent) const;
     [[nodiscard]] NodeValues mapped(NodeValues forces) const;
     void add_prescribed_rate(std::span<const NodeIndex> nodes, const Eigen::MatrixXd& tangent);
-    void add_moment_terms(const Configuration& configuration, double load_factor, const NodeValues& internal);
-    [[nodiscard]] Eigen::Matrix3d skew_of_moment(int node, double load_factor) const;
+    void add_moment_terms(const Configuration& configuration, const NodeValues& loads,
+                          const NodeValues& internal);
+    [[nodiscard]] Eigen::Matrix3d skew_of_moment(int node, const NodeValues& loads) const;
     void gather_unbalanced(double load_factor);
     [[nodiscard]] bool is_moved_rigidly(double scale, double unbalanced) const;
 
     Unknowns unknowns_;
+    NodeValues start_loads_;  ///< loads at the beginning of the path; empty: at rest
+    NodeValues load_change_;  ///< from there to the full load
     bool is_loaded_ = false;
     Eigen::VectorXd rounding_;                ///< rounding of the force of each equation at rest
     Elements rounded_elements_;               ///< elements to which `rounding_` belongs

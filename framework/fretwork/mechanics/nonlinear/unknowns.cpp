@@ -28,24 +28,43 @@ Unknowns::Unknowns(const Assembly& assembly, const base::Control& control)
       constraints_(structure::constraints_of(assembly)),
       length_(structure::characteristic_length(assembly)),
       layout_(lay_out(assembly, constraints_, control)) {
-    find_vector_nodes();
+    take_up_prescribed();
     NodeValues weights = NodeValues::Ones(static_cast<Eigen::Index>(assembly.nodes.size()), kDofsPerNode);
     weights.leftCols<3>() /= length_ * length_;
     layout_->gather(weights, weights_);
 }
 
+void Unknowns::begin_at(const Configuration& start) {
+    start_ = NodeValues::Zero(static_cast<Eigen::Index>(assembly_.nodes.size()), kDofsPerNode);
+    for (int node = 0; node < static_cast<int>(assembly_.nodes.size()); ++node) {
+        for (int d = 0; d < kDofsPerNode; ++d) {
+            if (!is_held(node, d)) continue;
+            start_(node, d) =
+                d < 3 ? start.states[at(node)].displacement[d] : start.rotation_vectors[at(node)][d - 3];
+        }
+    }
+    take_up_prescribed();
+}
+
 void Unknowns::refresh() {
     constraints_ = structure::constraints_of(assembly_);
+    take_up_prescribed();
+}
+
+void Unknowns::take_up_prescribed() {
+    prescribed_change_ = constraints_.values;
+    if (start_.size() > 0) prescribed_change_ -= start_;
     find_vector_nodes();
 }
 
 void Unknowns::find_vector_nodes() {
-    has_prescribed_ = !constraints_.values.isZero(0.0);
+    has_prescribed_ = !prescribed_change_.isZero(0.0);
     vector_slot_.assign(assembly_.nodes.size(), -1);
     vector_nodes_.clear();
     for (int node = 0; node < static_cast<int>(assembly_.nodes.size()); ++node) {
         const int held = is_held(node, 3) + is_held(node, 4) + is_held(node, 5);
-        const bool prescribed = !constraints_.values.row(node).tail<3>().isZero(0.0);
+        const bool prescribed = !constraints_.values.row(node).tail<3>().isZero(0.0) ||
+                                (start_.size() > 0 && !start_.row(node).tail<3>().isZero(0.0));
         if (held == 0 || (held == 3 && !prescribed)) continue;
         vector_slot_[at(node)] = static_cast<int>(vector_nodes_.size());
         vector_nodes_.push_back(node);
@@ -70,10 +89,12 @@ void Unknowns::prescribe(double load_factor, Configuration& configuration) const
     for (const PrescribedDisplacement& given : assembly_.prescribed) {
         const auto node = at(given.node.value);
         const auto dof = static_cast<int>(given.dof);
+        double value = load_factor * prescribed_change_(given.node.value, dof);
+        if (start_.size() > 0) value += start_(given.node.value, dof);
         if (dof < 3) {
-            configuration.states[node].displacement[dof] = load_factor * given.value;
+            configuration.states[node].displacement[dof] = value;
         } else {
-            configuration.rotation_vectors[node][dof - 3] = load_factor * given.value;
+            configuration.rotation_vectors[node][dof - 3] = value;
             configuration.states[node].rotation = geometry::exponential(configuration.rotation_vectors[node]);
         }
     }

@@ -16,6 +16,13 @@ struct Configuration {
     std::vector<Eigen::Vector3d> rotation_vectors;
 };
 
+/// The equilibrium at which a path begins if it does not begin at rest. Along the path, the loads change
+/// linearly from the loads at this equilibrium to the loads of the assembly, and so do the held components.
+struct PathStart {
+    Configuration configuration;
+    NodeValues loads;  ///< loads at the equilibrium, one row for each node
+};
+
 /// The unknown components of a structure's nodes, and the effect of steps of the unknowns on a configuration.
 ///
 /// The rotational unknowns of a node that turns freely are spins. If supports hold some components of a
@@ -29,11 +36,13 @@ class Unknowns {
     [[nodiscard]] const Assembly& assembly() const { return assembly_; }
     [[nodiscard]] int equations() const { return layout_->equations(); }
 
+    /// Begin the path at a configuration instead of at rest.
+    void begin_at(const Configuration& start);
     /// Take over changed prescribed values of the assembly. The set of held components must be unchanged.
     void refresh();
 
     [[nodiscard]] Configuration rest() const;
-    /// Move the prescribed components to this share of their values.
+    /// Move the prescribed components to their values at a load factor.
     void prescribe(double load_factor, Configuration& configuration) const;
     /// Move all held components to their values at the full load. Returns the motions of the nodes.
     NodeValues hold(Configuration& configuration) const;
@@ -58,12 +67,15 @@ class Unknowns {
     [[nodiscard]] const Eigen::VectorXd& weights() const { return weights_; }
 
     [[nodiscard]] const structure::Constraints& constraints() const { return constraints_; }
+    /// The derivative of the held components with respect to the load factor; zero for other components.
+    [[nodiscard]] const NodeValues& prescribed_change() const { return prescribed_change_; }
     [[nodiscard]] bool is_held(int node, int dof) const;
     [[nodiscard]] bool has_held_rotation(int node) const;
     [[nodiscard]] bool has_prescribed() const { return has_prescribed_; }
-    /// The largest rotation that is prescribed at a node, at the full load, rad.
+    /// The largest rotation that is prescribed at a node from the beginning of the path to the full load,
+    /// rad.
     [[nodiscard]] double largest_prescribed_rotation() const {
-        return constraints_.values.rightCols<3>().rowwise().norm().maxCoeff();
+        return prescribed_change_.rightCols<3>().rowwise().norm().maxCoeff();
     }
     /// The characteristic length of the elements, m.
     [[nodiscard]] double length() const { return length_; }
@@ -73,10 +85,13 @@ class Unknowns {
     [[nodiscard]] int vector_slot(int node) const { return vector_slot_[node]; }
 
   private:
+    void take_up_prescribed();
     void find_vector_nodes();
 
     const Assembly& assembly_;
     structure::Constraints constraints_;
+    NodeValues start_;              ///< held components at the beginning of the path; empty: at rest
+    NodeValues prescribed_change_;  ///< from there to the full load
     double length_;
     std::unique_ptr<sparse::SystemLayout> layout_;
     std::vector<int> vector_nodes_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/simulation/results/comparison.hpp>
 #include <fretwork/simulation/results/model_doubt.hpp>
-#include <fretwork/simulation/results/model_error.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -9,13 +8,9 @@
 namespace fretwork::simulation {
 namespace {
 
-/// Whether small differences may have decided where the path leads. Stages take many short steps on any path;
-/// there, it is a jump that shows it.
-bool has_critical_places(const SurfaceResult& result) {
-    const bool is_staged = result.subject && !result.subject->stages_text.empty();
-    if (!is_staged) return result.solution.iterations > kDoubtfulIterations;
-    return std::ranges::any_of(result.load_steps,
-                               [](const mechanics::Solution& end) { return !end.stability_losses.empty(); });
+/// Whether small differences may have decided where a path leads.
+bool has_critical_places(const mechanics::Solution& end) {
+    return end.iterations > kDoubtfulIterations || !end.stability_losses.empty();
 }
 
 }  // namespace
@@ -40,7 +35,12 @@ ModelDoubt model_doubt(const Session& session, const SurfaceResult& result) {
 bool is_doubtful(const SurfaceResult& result) {
     if (!result.model_doubt) return false;
     return result.model_doubt->tile_rotation > kDoubtfulRotation ||
-           result.model_doubt->change > kDoubtfulChange || has_critical_places(result);
+           result.model_doubt->change > kDoubtfulChange || has_critical_places(result.solution) ||
+           std::ranges::any_of(result.load_steps, has_critical_places);
+}
+
+double warned_error(const ModelError& error) {
+    return error.full_share < 1.0 ? kWarnedEstimate : kWarnedError;
 }
 
 std::string model_warning(const SurfaceResult& result) {
@@ -48,8 +48,7 @@ std::string model_warning(const SurfaceResult& result) {
     const auto& error = result.model_error;
     if (!error)
         return is_doubtful(result) ? "this model may be off by more than 5 %; nothing was estimated" : "";
-    const bool is_with_all_beams = result.model_doubt && result.model_doubt->tile_rotation > kFarRotation;
-    if (error->largest <= (is_with_all_beams ? kWarnedError : kWarnedEstimate)) return "";
+    if (error->largest <= warned_error(*error)) return "";
     char text[160];
     std::snprintf(text, sizeof text,
                   "this model is off by about %.2g %% of the largest displacement at the worst node, %.2g %% "

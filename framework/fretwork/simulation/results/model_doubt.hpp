@@ -16,15 +16,13 @@ inline constexpr double kDoubtfulRotation = 0.09;
 /// The limit of ModelDoubt::change, the distance between a corotational solution and a mixed solution, as a
 /// share of the largest displacement.
 inline constexpr double kDoubtfulChange = 0.03;
-/// The limit of the number of linear solves from rest. A path that needs more linear solves has passed states
-/// from which small differences lead to different equilibria. The limit is not used for results of load
-/// stages; a loss of stability during a load stage takes its place.
+/// The limit of the number of linear solves from rest, or of a load stage. A path that needs more linear
+/// solves may have passed states from which small differences lead to different equilibria.
 inline constexpr int kDoubtfulIterations = 40;
-/// The limit of the estimated error at the worst node, as a share of the largest displacement, above which a
-/// warning is given. This limit applies to estimates that were made with all beams of all tiles.
+/// The limit of warned_error() for estimates that were made with all beams of all tiles.
 inline constexpr double kWarnedError = 0.05;
-/// The corresponding limit for estimates that were made with all beams of only some tiles. The limit is lower
-/// because these estimates may be too small by a third.
+/// The limit of warned_error() for estimates that were made with all beams of only some tiles. The limit is
+/// lower because these estimates may be too small by a third.
 inline constexpr double kWarnedEstimate = 0.03;
 
 /// The indicators of the last solution of a session, which must be nonlinear.
@@ -35,6 +33,9 @@ ModelDoubt model_doubt(std::span<const TileDeformation> tiles);
 /// True if an indicator of a result is above its limit, so that the error has to be estimated.
 bool is_doubtful(const SurfaceResult& result);
 
+/// The estimated error at the worst node, as a share of the largest displacement, above which a warning is
+/// given: kWarnedError or kWarnedEstimate.
+double warned_error(const ModelError& error);
 /// The warning about a converged result whose estimated error is large, or whose error is not known and may
 /// be large. Empty if there is no reason to warn.
 std::string model_warning(const SurfaceResult& result);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace fretwork::simulation {
 
@@ -57,6 +58,37 @@ BetterSolution better_solution(Session& session, const SurfaceResult& own, const
         session.set_tile_model(better.full_tiles, reference_choice(session.options()).name);
     better.result = session.solve(control);
     return better;
+}
+
+bool begins_with_own_solution(const Surface& surface, const SimulationOptions& options) {
+    return is_nonlinear(surface, options) &&
+           (options.model == kMixedTiles || mixed_share(options.model).has_value());
+}
+
+SimulationOptions estimating_options(const Surface& surface, SimulationOptions options) {
+    options.estimate_model_error = false;
+    if (begins_with_own_solution(surface, options)) return options;
+    options.analysis = Analysis::OfTheModel;
+    options.model = kMixedTiles;
+    return options;
+}
+
+std::optional<ModelError> estimate_model_error(Session& session, const SurfaceResult& turned,
+                                               const ModelDoubt& doubt, const Surface& surface,
+                                               const SurfaceResult& result, const base::Control& control) {
+    BetterSolution better = better_solution(session, turned, doubt, control);
+    auto error = model_error(result, better.result);
+    if (!error) return std::nullopt;
+    error->full_share = share_of(better.full_tiles, surface);
+    const BeamTable table = beam_table(surface, result, session.options().models);
+    if (table.unknown > 0) return error;
+    error->largest_stress = stress_error(
+        table, refine_stress(session, std::move(better.result), std::move(better.full_tiles), control));
+    return error;
+}
+
+double share_of(std::span<const tiling::TileIndex> tiles, const Surface& surface) {
+    return static_cast<double>(tiles.size()) / static_cast<double>(surface.tessellation.tiles.size());
 }
 
 std::optional<ModelError> model_error(const SurfaceResult& result, const SurfaceResult& better) {

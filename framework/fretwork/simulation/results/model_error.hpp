@@ -42,9 +42,25 @@ struct BetterSolution {
 BetterSolution better_solution(Session& session, const SurfaceResult& own, const ModelDoubt& doubt,
                                const base::Control& control = {});
 
+/// True if the session that estimates the error of a solution with `options` begins with that solution,
+/// because its tiles are corotational or mixed.
+bool begins_with_own_solution(const Surface& surface, const SimulationOptions& options);
+/// The options of that session: `options` if it begins with that solution, otherwise options of corotational
+/// tiles.
+SimulationOptions estimating_options(const Surface& surface, SimulationOptions options);
+/// Estimate the error of a result, and of its largest stress, from the better solution that follows after
+/// `turned`, the last solution of a session with estimating_options(). None if a solution has not converged.
+/// Pre: the result is one of the surface, and has a subject.
+std::optional<ModelError> estimate_model_error(Session& session, const SurfaceResult& turned,
+                                               const ModelDoubt& doubt, const Surface& surface,
+                                               const SurfaceResult& result,
+                                               const base::Control& control = {});
+
 /// The error of a solution of reduced tiles against the full model, estimated as its difference from a better
 /// solution. None if one of the two solutions has not converged. The stress is not compared.
 std::optional<ModelError> model_error(const SurfaceResult& result, const SurfaceResult& better);
+/// The share of a surface's tiles that a list holds.
+double share_of(std::span<const tiling::TileIndex> tiles, const Surface& surface);
 /// The error of solutions at the ends of load stages against the full model, estimated as by model_error():
 /// the largest errors, as shares of the largest displacement and norm at the end of any load stage. None
 /// unless all solutions have converged. Pre: both results have the same number of load stages.

@@ -22,18 +22,22 @@ constexpr std::string_view kSurfaceKeys[] = {"subject",     "linear_range",     
                                              "model_doubt", "model_error_estimate", "buckled_tiles"};
 
 Json model_error_json(const ModelError& error) {
-    Json json = {{"mean", error.mean}, {"largest", error.largest}, {"relative_l2", error.relative_l2}};
+    Json json = {{"mean", error.mean},
+                 {"largest", error.largest},
+                 {"relative_l2", error.relative_l2},
+                 {"full_share", error.full_share}};
     if (error.largest_stress) json["largest_stress"] = *error.largest_stress;
     return json;
 }
 
 ModelError read_model_error(const JsonReader& reader) {
-    reader.allow_only({"mean", "largest", "relative_l2", "largest_stress"});
+    reader.allow_only({"mean", "largest", "relative_l2", "largest_stress", "full_share"});
     ModelError error{mechanics::read_not_negative(reader.at("mean")),
                      mechanics::read_not_negative(reader.at("largest")),
                      mechanics::read_not_negative(reader.at("relative_l2"))};
     if (const auto stress = reader.find("largest_stress"))
         error.largest_stress = mechanics::read_not_negative(*stress);
+    if (const auto share = reader.find("full_share")) error.full_share = mechanics::read_not_negative(*share);
     return error;
 }
 

@@ -42,6 +42,9 @@ struct ModelError {
     /// The relative error of the largest von Mises stress over all beams, which is also the relative error of
     /// the largest utilization. None if the model does not give the motions of all beams.
     std::optional<double> largest_stress{};
+    /// The share of the tiles that have all of their beams in the better solution. 1: the numbers above are
+    /// the error itself; below 1, they may be too small. 0 in files that do not name it.
+    double full_share = 0.0;
     friend bool operator==(const ModelError&, const ModelError&) = default;
 };
 

@@ -74,8 +74,9 @@ function ModelError() {
   const error = estimated.value;
   if (!error) return <span class="status-item" id="model-error">{W.truth.doubtful}</span>;
   const [mean, largest] = [digits(100 * error.mean, 2), digits(100 * error.largest, 2)];
+  const stress = error.largest_stress === null ? '' : W.truth.stressErrorTip(digits(100 * error.largest_stress, 2));
   return (
-    <button type="button" class={`status-item${error.largest > 0.05 ? ' doubt' : ''}`} id="model-error" data-tip={W.truth.errorTip(mean, largest)} onClick={() => (mode.value = 'look')}>
+    <button type="button" class={`status-item${error.is_warned ? ' doubt' : ''}`} id="model-error" data-tip={W.truth.errorTip(mean, largest) + stress} onClick={() => (mode.value = 'look')}>
       {W.truth.error(largest)}
     </button>
   );

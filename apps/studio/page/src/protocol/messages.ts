@@ -238,6 +238,9 @@ export interface Designed {
 export interface EstimatedError {
   mean: number;
   largest: number;
+  /** Of the largest stress, a share of it; null: not known. */
+  largest_stress: number | null;
+  is_warned: boolean;
 }
 
 /** Where bars overlap, or what is cut is narrower than can be cut. */

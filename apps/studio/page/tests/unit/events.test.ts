@@ -164,7 +164,7 @@ describe('a design', () => {
 
 describe('the estimate of the error', () => {
   it('goes when what it was of is edited', () => {
-    takeEvent({ event: 'model_error', revision: 1, model: 'corotational', mean: 0.01, largest: 0.02 });
+    takeEvent({ event: 'model_error', revision: 1, model: 'corotational', mean: 0.01, largest: 0.02, largest_stress: null, is_warned: false });
     expect(store.estimated.value?.largest).toBe(0.02);
     takeEvent({ event: 'changed', revision: 2, model: 'full' });
     expect(store.estimated.value).toBeNull();

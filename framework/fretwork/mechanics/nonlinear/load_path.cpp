@@ -1,0 +1,422 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/mechanics/nonlinear/arc.hpp>
+#include <fretwork/mechanics/nonlinear/load_path.hpp>
+#include <fretwork/mechanics/nonlinear/lowest_mode.hpp>
+#include <fretwork/mechanics/nonlinear/path_predictor.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+namespace fretwork::mechanics::nonlinear {
+namespace {
+
+/// How far the push goes from an unstable equilibrium (rad, or element lengths).
+constexpr double kPush = 0.02;
+
+/// A branch whose lowest eigenvalue is below this share of the one that was lost is taken to be neutral: else
+/// it is about twice as large.
+constexpr double kNeutral = 0.5;
+
+/// rad: a path goes to its next load in strides, or along its arc, if the guess turns a node by more than
+/// this; below, Newton's method needs a step or two from the guess.
+constexpr double kStride = 0.3;
+
+constexpr int kMostSteps = 3000;  // along the path, to one load
+
+/// Above a limit load by this share of it, no equilibrium is left nearby.
+constexpr double kBeyondLimit = 1e-3;
+
+/// Limit loads are found to this relative accuracy, with at most this many equilibria.
+constexpr double kLimitWidth = 1e-6;
+constexpr int kLimitSteps = 30;
+
+}  // namespace
+
+class LoadPath::Impl {
+  public:
+    Impl(const Assembly& assembly, const EquilibriumOptions& options)
+        : options_(options),
+          system_(assembly, options.threads, options.control),
+          newton_(system_, options),
+          mixed_(system_, newton_, options),
+          stepper_(system_, newton_, options),
+          point_{unknowns_.rest(), 0.0, {}, {}, 0.0},
+          predictor_(unknowns_) {
+        mixed_.begin_at_rest(point_.configuration);
+        point_.rate = newton_.solve_tangent(system_.load_rate());
+        rest_rate_ = point_.rate;
+        predictor_.add(0.0, point_.configuration, point_.rate);
+    }
+
+    Impl(const Assembly& assembly, const EquilibriumOptions& options, PathStart start)
+        : options_(options),
+          system_(assembly, options.threads, options.control),
+          newton_(system_, options),
+          mixed_(system_, newton_, options),
+          stepper_(system_, newton_, options),
+          point_{std::move(start.configuration), 0.0, {}, {}, std::numbers::pi},
+          is_at_rest_(false),
+          mixed_is_here_(false),
+          predictor_(unknowns_) {
+        system_.begin_at({point_.configuration, std::move(start.loads)});
+        beginning_ = begin_at_equilibrium();
+    }
+
+    Solution advance_to(double target, const PathProgress& progress) {
+        Termination termination = beginning_;
+        if (termination == Termination::Converged) {
+            termination = jump_to(target);
+            if (termination != Termination::Converged) termination = follow_arc(target, progress);
+        }
+        report(progress);
+        return solution(termination);
+    }
+
+    [[nodiscard]] const Configuration& configuration() const { return point_.configuration; }
+    [[nodiscard]] NodeValues reactions() const { return system_.reactions(); }
+
+  private:
+    void report(const PathProgress& progress) const {
+        progress.task.update(
+            static_cast<std::size_t>(kThousandths * (point_.load_factor / progress.last_load_factor)));
+    }
+
+    /// Released components may have made the equilibrium inexact, or unstable.
+    Termination begin_at_equilibrium() {
+        Configuration beginning = point_.configuration;
+        const Termination found = newton_.solve(0.0, beginning);
+        if (found != Termination::Converged) return found;
+        unknowns_.unwind(point_.configuration, beginning);
+        point_.configuration = std::move(beginning);
+        point_.outcome = newton_.factorize();
+        if (point_.outcome.zero_pivot >= 0) return Termination::Diverged;
+        if (!point_.outcome.positive_definite() && options_.branch != Branch::Primary) {
+            Configuration unstable = point_.configuration;
+            const Termination left = leave(0.0, {}, unstable);
+            if (left != Termination::Converged) return left;
+        } else {
+            predict_anew();
+        }
+        rest_rate_ = point_.rate;
+        return Termination::Converged;
+    }
+
+    /// In strides, or in one step: without the arc between this load and the wanted one.
+    Termination jump_to(double target) {
+        const Eigen::VectorXd guess = predictor_.step_to(target);
+        const bool is_far = turn_of(guess, target) > kStride;
+        if (may_stride() && (is_at_rest_ || is_far) && stride_to(target) == Termination::Converged)
+            return Termination::Converged;
+        return !is_far && step_to(target, guess) ? Termination::Converged : Termination::Diverged;
+    }
+
+    /// The largest turn of a node on the way to a guess.
+    [[nodiscard]] double turn_of(const Eigen::VectorXd& guess, double target) const {
+        const double prescribed = unknowns_.largest_prescribed_rotation() * (target - point_.load_factor);
+        return std::max(prescribed, unknowns_.largest_rotation(guess));
+    }
+
+    /// Where only the equilibria at the loads count, not where stability is lost on the way to them.
+    [[nodiscard]] bool may_stride() const {
+        if (options_.branch != Branch::Primary || options_.locate_critical_loads) return false;
+        return point_.outcome.positive_definite() && !is_softened(unknowns_, rest_rate_, point_.rate);
+    }
+
+    Termination stride_to(double target) {
+        if (!mixed_is_here_ && !mixed_.begin(point_.configuration, point_.load_factor))
+            return Termination::Diverged;
+        const Termination found = stride(system_, newton_, mixed_, point_, target);
+        mixed_is_here_ = found == Termination::Converged;
+        if (!mixed_is_here_) return found;
+        is_at_rest_ = false;
+        predictor_.add(point_.load_factor, point_.configuration, point_.rate);
+        return found;
+    }
+
+    /// In one step under the wanted load, if that continues the path and nothing happens on it.
+    bool step_to(double target, const Eigen::VectorXd& guess) {
+        auto step = stepper_.step_to_load(stepper_.rising(point_), target, guess);
+        if (!step && newton_.has_neutral()) {  // a motion that was taken to be neutral may only be soft
+            const Eigen::VectorXd neutral = newton_.neutral();
+            newton_.set_neutral({}, 0.0);
+            step = stepper_.step_to_load(stepper_.rising(point_), target, guess);
+            if (!step) newton_.set_neutral(neutral, rounding_shift(system_));
+        }
+        if (!step || step->state.load_rate < 0.0 || changes_stability(*step)) return false;
+        go_to(std::move(step->state));
+        return true;
+    }
+
+    [[nodiscard]] double load_scale() const { return system_.load_scale(point_.load_factor); }
+
+    [[nodiscard]] bool changes_stability(const PathStep& step) const {
+        return step.state.point.outcome.negative_pivots != point_.outcome.negative_pivots;
+    }
+
+    /// To an equilibrium that continues the path.
+    void go_to(PathState state) {
+        point_ = std::move(state.point);
+        mixed_is_here_ = is_at_rest_ = false;
+        if (newton_.has_neutral()) {
+            newton_.set_neutral(lowest_mode_here().shape, rounding_shift(system_));
+            predict_anew();
+        } else {
+            predictor_.add(point_.load_factor, point_.configuration, point_.rate);
+        }
+    }
+
+    Arc arc_here(double target) {
+        Arc arc = begin_arc(stepper_, point_, target);
+        arc.least_load_scale = system_.begins_at_rest() ? 0.0 : 1.0;
+        return arc;
+    }
+
+    /// Step by step along the path, load and displacements together, until the load is the wanted one.
+    Termination follow_arc(double target, const PathProgress& progress) {
+        Arc arc = arc_here(target);
+        for (int steps = 0; steps < kMostSteps; ++steps) {
+            if (point_.load_factor >= target) return Termination::Converged;
+            if (arc.length < arc.shortest) {
+                if (!newton_.has_neutral()) return Termination::Diverged;
+                newton_.set_neutral({}, 0.0);
+                arc = arc_here(target);
+            }
+            auto step = stepper_.step(arc.state, arc.last(), arc.length);
+            if (step && step->state.point.load_factor > target)
+                step = stepper_.step_within(arc.state, *step, target);
+            if (!step) {
+                arc.length *= 0.5;
+                continue;
+            }
+            const Termination taken = take(arc, std::move(*step), target);
+            if (taken != Termination::Converged) return taken;
+            report(progress);
+        }
+        return Termination::IterationsSpent;
+    }
+
+    /// Take a step, unless something has happened on it: then come nearer to that.
+    Termination take(Arc& arc, PathStep step, double target) {
+        if (step.state.load_rate < 0.0) return pass_limit(arc, std::move(step), target);
+        if (changes_stability(step) && may_end_stability(step)) {
+            return arc.come_nearer(step.length) ? Termination::Converged
+                                                : pass_change(arc, std::move(step), target);
+        }
+        arc.plan_next(step);
+        advance(arc, std::move(step.state));
+        return Termination::Converged;
+    }
+
+    void advance(Arc& arc, PathState state) {
+        go_to(state);
+        if (newton_.has_neutral()) {
+            arc.previous.reset();
+            arc.state = stepper_.rising(point_);
+        } else {
+            arc.previous = std::exchange(arc.state, std::move(state));
+        }
+    }
+
+    /// Whether stability is lost or won for good on a step, as far as it shows.
+    [[nodiscard]] bool may_end_stability(const PathStep& step) const {
+        return point_.outcome.positive_definite() || step.state.point.outcome.positive_definite();
+    }
+
+    /// Beyond a bifurcation: on along the path, or from there to a stable branch.
+    Termination pass_change(Arc& arc, PathStep step, double target) {
+        const bool is_loss = point_.outcome.positive_definite();
+        if (!is_loss || (!options_.locate_critical_loads && options_.branch == Branch::Primary)) {
+            arc.forget_crossing(step.length);
+            advance(arc, std::move(step.state));
+            return Termination::Converged;
+        }
+        const Termination left =
+            leave(step.state.point.load_factor, step.move, step.state.point.configuration);
+        if (left != Termination::Converged) {  // it is left nearer to the change
+            arc.length = 0.25 * step.length;
+            return arc.is_narrow(arc.length) ? left : Termination::Converged;
+        }
+        arc.forget_crossing(step.length);
+        if (options_.branch == Branch::Primary) {
+            advance(arc, std::move(step.state));
+        } else {
+            arc = arc_here(target);
+        }
+        return Termination::Converged;
+    }
+
+    /// The load falls at the end of a step: up to where it turns, and from there downhill if that is wished.
+    Termination pass_limit(Arc& arc, PathStep fallen, double target) {
+        double rise = arc.state.load_rate;
+        double span = fallen.length;
+        for (int i = 0; i < kLimitSteps && rise * span > kLimitWidth * load_scale(); ++i) {
+            const double share = rise / (rise - fallen.state.load_rate);
+            auto step = stepper_.step(arc.state, arc.last(), std::clamp(share, 0.1, 0.9) * span);
+            if (!step) {
+                arc.length = 0.5 * std::clamp(share, 0.1, 0.9) * span;
+                return Termination::Converged;
+            }
+            if (step->state.point.load_factor >= target) {
+                arc.length = step->length;
+                return Termination::Converged;
+            }
+            if (step->state.load_rate < 0.0) {
+                span = step->length;
+                fallen = std::move(*step);
+                continue;
+            }
+            span -= step->length;
+            rise = step->state.load_rate;
+            arc.plan_next(*step);
+            advance(arc, std::move(step->state));
+        }
+        return end_at_limit(arc, target);
+    }
+
+    Termination end_at_limit(Arc& arc, double target) {
+        if (options_.branch == Branch::Snapping) {
+            const Termination snapped =
+                snap_to(std::min(point_.load_factor + kBeyondLimit * load_scale(), target));
+            if (snapped == Termination::Converged) arc = arc_here(target);
+            return snapped;
+        }
+        LowestMode mode = lowest_mode_here();
+        StabilityLoss loss = describe_loss(system_, mode);
+        loss.load_factor = point_.load_factor;
+        losses_.push_back(loss);
+        return Termination::LimitLoad;
+    }
+
+    /// Where the path ends in a limit load: on to the stable equilibrium downhill, at this load.
+    Termination snap_to(double factor) {
+        Configuration snapped = point_.configuration;
+        unknowns_.prescribe(factor, snapped);
+        newton_.set_neutral({}, 0.0);
+        const Termination found = descend(factor, system_, newton_, snapped);
+        if (found != Termination::Converged) return Termination::LimitLoad;
+        unknowns_.unwind(point_.configuration, snapped);
+        LowestMode jump{0.0, unknowns_.step_between(point_.configuration, snapped)};
+        StabilityLoss loss = describe_loss(system_, jump);
+        loss.load_factor = point_.load_factor;
+        loss.pushed = true;
+        losses_.push_back(loss);
+        continue_from(std::move(snapped), factor);
+        return Termination::Converged;
+    }
+
+    /// A stable equilibrium that no short step has led to.
+    void continue_from(Configuration configuration, double factor) {
+        point_.configuration = std::move(configuration);
+        point_.load_factor = factor;
+        point_.outcome = {};
+        point_.turn_bound = std::numbers::pi;  // unknown
+        mixed_is_here_ = is_at_rest_ = false;
+        system_.evaluate(point_.configuration, factor);
+        predict_anew();
+    }
+
+    /// The push has left the path next to a circle of equilibria if it resists one direction much less than
+    /// the unstable one resisted before: a symmetry turns the buckled shape about an axis.
+    void begin_branch(double unstable_eigenvalue) {
+        newton_.set_neutral({}, 0.0);
+        const LowestMode mode = lowest_mode_here();
+        if (mode.eigenvalue < kNeutral * std::abs(unstable_eigenvalue))
+            newton_.set_neutral(mode.shape, rounding_shift(system_));
+        predict_anew();
+    }
+
+    /// Stability of the last equilibrium, at which the system is evaluated.
+    LowestMode lowest_mode_here() {
+        system_.evaluate(point_.configuration, point_.load_factor);
+        return lowest_mode(system_, newton_);
+    }
+
+    /// Each step has its own neutral direction; moves and rates are measured against it. The system is
+    /// evaluated at the last equilibrium.
+    void predict_anew() {
+        (void)newton_.factorize();
+        point_.rate = newton_.solve_tangent(system_.load_rate());
+        predictor_.restart();
+        predictor_.add(point_.load_factor, point_.configuration, point_.rate);
+    }
+
+    /// The path has become unstable on the way to `unstable`: find where, and go on along a stable branch if
+    /// that is wished.
+    /// @param move  from the last equilibrium to `unstable`; empty: it is the beginning of the path
+    Termination leave(double factor, const Eigen::VectorXd& move, Configuration& unstable) {
+        system_.evaluate(unstable, factor);
+        LowestMode mode = lowest_mode(system_, newton_);
+        StabilityLoss loss = describe_loss(system_, mode);
+        loss.load_factor = factor;
+        if (move.size() > 0)
+            loss.load_factor =
+                critical_load_factor(system_, newton_, point_, {factor, mode.eigenvalue}, move);
+        if (options_.branch != Branch::Primary) {
+            Configuration pushed = unstable;
+            unknowns_.move(kPush * mode.shape / unknowns_.largest_component(mode.shape), pushed);
+            const Termination found = descend(factor, system_, newton_, pushed);
+            if (found != Termination::Converged) return found;
+            loss.pushed = true;
+            unknowns_.unwind(point_.configuration, pushed);
+            point_.configuration = std::move(pushed);
+            point_.load_factor = factor;
+            point_.outcome = {};
+            point_.turn_bound = std::numbers::pi;  // unknown
+            begin_branch(mode.eigenvalue);
+        } else {
+            system_.evaluate(unstable, factor);
+        }
+        losses_.push_back(loss);
+        return Termination::Converged;
+    }
+
+    [[nodiscard]] Solution solution(Termination termination) {
+        if (termination != Termination::Converged) system_.evaluate(point_.configuration, point_.load_factor);
+        Solution solution = system_.describe(point_.configuration, point_.load_factor);
+        solution.termination = termination;
+        if (options_.classify_stability) {
+            solution.stable = point_.outcome.positive_definite();
+            solution.stability = system_.stability_test();
+        }
+        solution.iterations = newton_.take_iterations();
+        solution.stability_losses = std::exchange(losses_, {});
+        return solution;
+    }
+
+    const EquilibriumOptions& options_;
+    NonlinearSystem system_;
+    const Unknowns& unknowns_ = system_.unknowns();
+    Newton newton_;
+    MixedNewton mixed_;
+    PathStepper stepper_;
+    PathPoint point_;                                 ///< the last equilibrium
+    Termination beginning_ = Termination::Converged;  ///< whether there is an equilibrium to begin at
+    bool is_at_rest_ = true;
+    bool mixed_is_here_ = true;  ///< its stresses and factors are those of the last equilibrium
+    Eigen::VectorXd rest_rate_;
+    PathPredictor predictor_;
+    std::vector<StabilityLoss> losses_;
+};
+
+LoadPath::LoadPath(const Assembly& assembly, const EquilibriumOptions& options)
+    : impl_(std::make_unique<Impl>(assembly, options)) {}
+LoadPath::LoadPath(const Assembly& assembly, const EquilibriumOptions& options, PathStart start)
+    : impl_(std::make_unique<Impl>(assembly, options, std::move(start))) {}
+LoadPath::~LoadPath() = default;
+
+Solution LoadPath::advance_to(double load_factor, const PathProgress& progress) {
+    return impl_->advance_to(load_factor, progress);
+}
+
+const Configuration& LoadPath::configuration() const {
+    return impl_->configuration();
+}
+
+NodeValues LoadPath::reactions() const {
+    return impl_->reactions();
+}
+
+}  // namespace fretwork::mechanics::nonlinear

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/task.hpp>
+#include <fretwork/mechanics/nonlinear/unknowns.hpp>
+#include <fretwork/mechanics/paths/equilibrium.hpp>
+#include <fretwork/mechanics/results/solution.hpp>
+
+#include <memory>
+
+namespace fretwork::mechanics::nonlinear {
+
+/// The number of steps of a task that reports the progress of a path.
+inline constexpr int kThousandths = 1000;
+
+/// The receiver of a path's progress.
+struct PathProgress {
+    const base::Task& task;   ///< task of kThousandths steps
+    double last_load_factor;  ///< load factor at which the task is done
+};
+
+/// A load path that is followed from one load factor to the next, as follow_load_path() describes. The
+/// assembly and the options must outlive the path.
+class LoadPath {
+  public:
+    /// Begin at rest. Throws NumericalError that names a node if the structure can move without strain.
+    LoadPath(const Assembly& assembly, const EquilibriumOptions& options);
+    /// Begin at an equilibrium under other loads. The load factor grows from 0 at this equilibrium to 1 at
+    /// the loads and prescribed values of the assembly. A beginning that is no equilibrium is corrected. With
+    /// Branch::Stable and Branch::Snapping, the path leaves a beginning that is unstable.
+    LoadPath(const Assembly& assembly, const EquilibriumOptions& options, PathStart start);
+    LoadPath(const LoadPath&) = delete;
+    LoadPath& operator=(const LoadPath&) = delete;
+    ~LoadPath();
+
+    /// Follow the path to a load factor above the last one. If the solution has not converged, it is the last
+    /// equilibrium found.
+    Solution advance_to(double load_factor, const PathProgress& progress);
+    /// The last equilibrium.
+    [[nodiscard]] const Configuration& configuration() const;
+    /// The forces and moments of the supports at the last equilibrium, one row for each node.
+    [[nodiscard]] NodeValues reactions() const;
+
+  private:
+    class Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace fretwork::mechanics::nonlinear
