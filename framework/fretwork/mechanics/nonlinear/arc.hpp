@@ -21,8 +21,8 @@ struct Arc {
     double beyond = 0.0;    ///< length of the step that first crossed the
                             ///< change
     double shortest = 0.0;  ///< length of the shortest step that is tried
-    /// A lower bound on the load factor with which small changes of the load are compared: 0 for paths from
-    /// rest, 1 for paths whose load factor is no multiple of a load.
+    /// A lower bound on load_scale(): 0 for paths from rest, 1 for paths whose load factor is no multiple of
+    /// a load.
     double least_load_scale = 0.0;
 
     [[nodiscard]] const PathState* last() const { return previous ? &*previous : nullptr; }
@@ -36,8 +36,10 @@ struct Arc {
     void plan_next(const PathStep& step);
     void forget_crossing(double next_length);
 
-  private:
+    /// The load factor with which small changes of the load are compared.
     [[nodiscard]] double load_scale() const { return std::max(state.point.load_factor, least_load_scale); }
+
+  private:
     [[nodiscard]] double length_to_crossing(double length) const;
 };
 

@@ -23,12 +23,10 @@ constexpr double kNeutral = 0.5;
 /// rad: a path goes to its next load in strides, or along its arc, if the guess turns a node by more than
 /// this; below, Newton's method needs a step or two from the guess.
 constexpr double kStride = 0.3;
-
 constexpr int kMostSteps = 3000;  // along the path, to one load
 
 /// Above a limit load by this share of it, no equilibrium is left nearby.
 constexpr double kBeyondLimit = 1e-3;
-
 /// Limit loads are found to this relative accuracy, with at most this many equilibria.
 constexpr double kLimitWidth = 1e-6;
 constexpr int kLimitSteps = 30;
@@ -37,32 +35,26 @@ constexpr int kLimitSteps = 30;
 
 class LoadPath::Impl {
   public:
-    Impl(const Assembly& assembly, const EquilibriumOptions& options)
+    Impl(const Assembly& assembly, const EquilibriumOptions& options, const std::optional<PathStart>& start)
         : options_(options),
           system_(assembly, options.threads, options.control),
           newton_(system_, options),
           mixed_(system_, newton_, options),
           stepper_(system_, newton_, options),
-          point_{unknowns_.rest(), 0.0, {}, {}, 0.0},
+          point_{
+              start ? start->configuration : unknowns_.rest(), 0.0, {}, {}, start ? std::numbers::pi : 0.0},
+          is_at_rest_(!start),
+          mixed_is_here_(!start),
           predictor_(unknowns_) {
-        mixed_.begin_at_rest(point_.configuration);
-        point_.rate = newton_.solve_tangent(system_.load_rate());
-        rest_rate_ = point_.rate;
-        predictor_.add(0.0, point_.configuration, point_.rate);
-    }
-
-    Impl(const Assembly& assembly, const EquilibriumOptions& options, PathStart start)
-        : options_(options),
-          system_(assembly, options.threads, options.control),
-          newton_(system_, options),
-          mixed_(system_, newton_, options),
-          stepper_(system_, newton_, options),
-          point_{std::move(start.configuration), 0.0, {}, {}, std::numbers::pi},
-          is_at_rest_(false),
-          mixed_is_here_(false),
-          predictor_(unknowns_) {
-        system_.begin_at({point_.configuration, std::move(start.loads)});
-        beginning_ = begin_at_equilibrium();
+        if (start) {
+            system_.begin_at(*start);
+            beginning_ = begin_at_equilibrium();
+        } else {
+            mixed_.begin_at_rest(point_.configuration);
+            point_.rate = newton_.solve_tangent(system_.load_rate());
+            predictor_.add(0.0, point_.configuration, point_.rate);
+        }
+        first_rate_ = point_.rate;
     }
 
     Solution advance_to(double target, const PathProgress& progress) {
@@ -80,8 +72,8 @@ class LoadPath::Impl {
 
   private:
     void report(const PathProgress& progress) const {
-        progress.task.update(
-            static_cast<std::size_t>(kThousandths * (point_.load_factor / progress.last_load_factor)));
+        const double share = point_.load_factor / progress.last_load_factor;
+        progress.task.update(static_cast<std::size_t>(kThousandths * share));
     }
 
     /// Released components may have made the equilibrium inexact, or unstable.
@@ -90,17 +82,12 @@ class LoadPath::Impl {
         const Termination found = newton_.solve(0.0, beginning);
         if (found != Termination::Converged) return found;
         unknowns_.unwind(point_.configuration, beginning);
-        point_.configuration = std::move(beginning);
+        point_.configuration = beginning;
         point_.outcome = newton_.factorize();
         if (point_.outcome.zero_pivot >= 0) return Termination::Diverged;
-        if (!point_.outcome.positive_definite() && options_.branch != Branch::Primary) {
-            Configuration unstable = point_.configuration;
-            const Termination left = leave(0.0, {}, unstable);
-            if (left != Termination::Converged) return left;
-        } else {
-            predict_anew();
-        }
-        rest_rate_ = point_.rate;
+        if (!point_.outcome.positive_definite() && options_.branch != Branch::Primary)
+            return leave(0.0, {}, beginning);
+        predict_anew();
         return Termination::Converged;
     }
 
@@ -122,7 +109,7 @@ class LoadPath::Impl {
     /// Where only the equilibria at the loads count, not where stability is lost on the way to them.
     [[nodiscard]] bool may_stride() const {
         if (options_.branch != Branch::Primary || options_.locate_critical_loads) return false;
-        return point_.outcome.positive_definite() && !is_softened(unknowns_, rest_rate_, point_.rate);
+        return point_.outcome.positive_definite() && !is_softened(unknowns_, first_rate_, point_.rate);
     }
 
     Termination stride_to(double target) {
@@ -149,8 +136,6 @@ class LoadPath::Impl {
         go_to(std::move(step->state));
         return true;
     }
-
-    [[nodiscard]] double load_scale() const { return system_.load_scale(point_.load_factor); }
 
     [[nodiscard]] bool changes_stability(const PathStep& step) const {
         return step.state.point.outcome.negative_pivots != point_.outcome.negative_pivots;
@@ -240,11 +225,10 @@ class LoadPath::Impl {
             return arc.is_narrow(arc.length) ? left : Termination::Converged;
         }
         arc.forget_crossing(step.length);
-        if (options_.branch == Branch::Primary) {
+        if (options_.branch == Branch::Primary)
             advance(arc, std::move(step.state));
-        } else {
+        else
             arc = arc_here(target);
-        }
         return Termination::Converged;
     }
 
@@ -252,11 +236,11 @@ class LoadPath::Impl {
     Termination pass_limit(Arc& arc, PathStep fallen, double target) {
         double rise = arc.state.load_rate;
         double span = fallen.length;
-        for (int i = 0; i < kLimitSteps && rise * span > kLimitWidth * load_scale(); ++i) {
-            const double share = rise / (rise - fallen.state.load_rate);
-            auto step = stepper_.step(arc.state, arc.last(), std::clamp(share, 0.1, 0.9) * span);
+        for (int i = 0; i < kLimitSteps && rise * span > kLimitWidth * arc.load_scale(); ++i) {
+            const double wanted = std::clamp(rise / (rise - fallen.state.load_rate), 0.1, 0.9) * span;
+            auto step = stepper_.step(arc.state, arc.last(), wanted);
             if (!step) {
-                arc.length = 0.5 * std::clamp(share, 0.1, 0.9) * span;
+                arc.length = 0.5 * wanted;
                 return Termination::Converged;
             }
             if (step->state.point.load_factor >= target) {
@@ -279,7 +263,7 @@ class LoadPath::Impl {
     Termination end_at_limit(Arc& arc, double target) {
         if (options_.branch == Branch::Snapping) {
             const Termination snapped =
-                snap_to(std::min(point_.load_factor + kBeyondLimit * load_scale(), target));
+                snap_to(std::min(point_.load_factor + kBeyondLimit * arc.load_scale(), target));
             if (snapped == Termination::Converged) arc = arc_here(target);
             return snapped;
         }
@@ -304,18 +288,16 @@ class LoadPath::Impl {
         loss.pushed = true;
         losses_.push_back(loss);
         continue_from(std::move(snapped), factor);
+        system_.evaluate(point_.configuration, factor);
+        predict_anew();
         return Termination::Converged;
     }
 
     /// A stable equilibrium that no short step has led to.
     void continue_from(Configuration configuration, double factor) {
-        point_.configuration = std::move(configuration);
-        point_.load_factor = factor;
-        point_.outcome = {};
-        point_.turn_bound = std::numbers::pi;  // unknown
+        // How far its elements are turned is not known.
+        point_ = {std::move(configuration), factor, {}, {}, std::numbers::pi};
         mixed_is_here_ = is_at_rest_ = false;
-        system_.evaluate(point_.configuration, factor);
-        predict_anew();
     }
 
     /// The push has left the path next to a circle of equilibria if it resists one direction much less than
@@ -361,10 +343,7 @@ class LoadPath::Impl {
             if (found != Termination::Converged) return found;
             loss.pushed = true;
             unknowns_.unwind(point_.configuration, pushed);
-            point_.configuration = std::move(pushed);
-            point_.load_factor = factor;
-            point_.outcome = {};
-            point_.turn_bound = std::numbers::pi;  // unknown
+            continue_from(std::move(pushed), factor);
             begin_branch(mode.eigenvalue);
         } else {
             system_.evaluate(unstable, factor);
@@ -396,15 +375,14 @@ class LoadPath::Impl {
     Termination beginning_ = Termination::Converged;  ///< whether there is an equilibrium to begin at
     bool is_at_rest_ = true;
     bool mixed_is_here_ = true;  ///< its stresses and factors are those of the last equilibrium
-    Eigen::VectorXd rest_rate_;
+    Eigen::VectorXd first_rate_;
     PathPredictor predictor_;
     std::vector<StabilityLoss> losses_;
 };
 
-LoadPath::LoadPath(const Assembly& assembly, const EquilibriumOptions& options)
-    : impl_(std::make_unique<Impl>(assembly, options)) {}
-LoadPath::LoadPath(const Assembly& assembly, const EquilibriumOptions& options, PathStart start)
-    : impl_(std::make_unique<Impl>(assembly, options, std::move(start))) {}
+LoadPath::LoadPath(const Assembly& assembly, const EquilibriumOptions& options,
+                   const std::optional<PathStart>& start)
+    : impl_(std::make_unique<Impl>(assembly, options, start)) {}
 LoadPath::~LoadPath() = default;
 
 Solution LoadPath::advance_to(double load_factor, const PathProgress& progress) {

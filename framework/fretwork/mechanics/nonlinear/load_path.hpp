@@ -7,6 +7,7 @@
 #include <fretwork/mechanics/results/solution.hpp>
 
 #include <memory>
+#include <optional>
 
 namespace fretwork::mechanics::nonlinear {
 
@@ -23,12 +24,12 @@ struct PathProgress {
 /// assembly and the options must outlive the path.
 class LoadPath {
   public:
-    /// Begin at rest. Throws NumericalError that names a node if the structure can move without strain.
-    LoadPath(const Assembly& assembly, const EquilibriumOptions& options);
-    /// Begin at an equilibrium under other loads. The load factor grows from 0 at this equilibrium to 1 at
+    /// Begin at rest; or at an equilibrium under other loads, from where the load factor grows from 0 to 1 at
     /// the loads and prescribed values of the assembly. A beginning that is no equilibrium is corrected. With
-    /// Branch::Stable and Branch::Snapping, the path leaves a beginning that is unstable.
-    LoadPath(const Assembly& assembly, const EquilibriumOptions& options, PathStart start);
+    /// Branch::Stable and Branch::Snapping, the path leaves a beginning that is unstable. Throws
+    /// NumericalError that names a node if the structure can move without strain at rest.
+    LoadPath(const Assembly& assembly, const EquilibriumOptions& options,
+             const std::optional<PathStart>& start = std::nullopt);
     LoadPath(const LoadPath&) = delete;
     LoadPath& operator=(const LoadPath&) = delete;
     ~LoadPath();

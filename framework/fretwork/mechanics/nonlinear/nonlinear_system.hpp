@@ -30,9 +30,6 @@ class NonlinearSystem {
     void begin_at(const PathStart& start);
     /// True if the path begins at rest.
     [[nodiscard]] bool begins_at_rest() const { return start_loads_.size() == 0; }
-    /// A load factor that is large enough to compare small changes with: from rest the present one; along a
-    /// path that begins elsewhere the whole change of the loads.
-    [[nodiscard]] double load_scale(double load_factor) const { return begins_at_rest() ? load_factor : 1.0; }
 
     /// Take over the present state of the assembly, after elements were replaced by others of the same nodes,
     /// or after loads or prescribed values changed. The control is replaced, too.

@@ -53,12 +53,12 @@ class StagedPath::Impl {
         take_up(held, target.loads);
         held_ = std::move(held);
         const base::Task task(options_.control, "load stage (thousandths)", nonlinear::kThousandths);
-        const auto path = last_ ? std::make_unique<LoadPath>(assembly_, options_, PathStart{*last_, loads_})
-                                : std::make_unique<LoadPath>(assembly_, options_);
-        Solution solution = path->advance_to(1.0, {task, 1.0});
+        const auto start = last_ ? std::optional(PathStart{*last_, loads_}) : std::nullopt;
+        LoadPath path(assembly_, options_, start);
+        Solution solution = path.advance_to(1.0, {task, 1.0});
         loads_ += solution.load_factor * (target.loads - loads_);
-        reactions_ = path->reactions();
-        last_ = path->configuration();
+        reactions_ = path.reactions();
+        last_ = path.configuration();
         return solution;
     }
 
