@@ -14,8 +14,8 @@ export const program = resolve(process.env.FRETWORK_PROGRAM ?? join(repository, 
 const page = resolve(process.env.FRETWORK_PAGE ?? join(here, '../../dist/index.html'));
 export const pictures = resolve(process.env.FRETWORK_PICTURES ?? join(here, 'out'));
 const PATIENCE_MS = 180_000;
-/** Enough to judge light and shadow by; each takes up to a second without a graphics card. */
-const SAMPLES = 5;
+/** Light and shadow can be judged from 5 on; without a graphics card each takes seconds. */
+const SAMPLES = Number(process.env.FRETWORK_PICTURE_SAMPLES ?? 1);
 
 for (const file of [program, page]) if (!existsSync(file)) throw new Error(`${file} is not there: build it first, or set FRETWORK_PROGRAM, FRETWORK_PAGE`);
 mkdirSync(pictures, { recursive: true });
