@@ -185,6 +185,36 @@ TEST(StagedPath, AColumnThatIsFreedBucklesAtTheBeginningOfItsStage) {
                 1e-7 * std::abs(stable.displacements(1, 2)));
 }
 
+/// Its rates are rounding, of which nothing can be said.
+TEST(StagedPath, AStageThatChangesNothingStaysWhereItIs) {
+    const Frame star = sample::star();
+    const Assembly assembly = assemble(star);
+    StagedPath path(assembly);
+    const std::vector<PrescribedDisplacement> turned = {{NodeIndex(0), Dof::ry, -0.00036944951782504065}};
+    const Solution before = path.advance({star.supports, turned, assembly.loads});
+    ASSERT_TRUE(before.converged());
+    std::vector<PrescribedDisplacement> kept = turned;
+    for (int d = 0; d < 3; ++d)
+        kept.push_back({NodeIndex(0), static_cast<Dof>(d), before.displacements(0, d)});
+    for (int i = 0; i < 3; ++i) {
+        const Solution after = path.advance({star.supports, kept, assembly.loads});
+        ASSERT_TRUE(after.converged());
+        EXPECT_LT((after.displacements - before.displacements).norm(), 1e-15);
+    }
+}
+
+TEST(StagedPath, WhatIsUnloadedIsAtRestWithoutAResidual) {
+    const Frame star = sample::star();
+    const Assembly assembly = assemble(star);
+    StagedPath path(assembly);
+    ASSERT_TRUE(path.advance({star.supports, {{NodeIndex(0), Dof::ux, 1e-3}}, assembly.loads}).converged());
+    ASSERT_TRUE(path.advance({star.supports, {}, assembly.loads}).converged());
+    const Solution unloaded = path.advance({star.supports, {}, no_loads(assembly)});
+    ASSERT_TRUE(unloaded.converged());
+    EXPECT_EQ(unloaded.residual, 0.0) << "all forces are rounding";
+    EXPECT_LT(unloaded.displacements.norm(), 1e-12);
+}
+
 /// The moment that has held one component of a rotation has all three.
 TEST(StagedPath, ARotationThatIsFreedComesBack) {
     const Frame star = sample::star();

@@ -101,7 +101,7 @@ void NonlinearSystem::take_up_loads() {
         unknowns_.layout().gather(rounding_forces(assembly, unknowns_.length()), rounding_);
         rounded_elements_ = assembly.elements;
     }
-    is_loaded_ = unknowns_.has_prescribed() || !assembly.loads.isZero(0.0) || start_loads_.size() > 0;
+    is_loaded_ = unknowns_.has_prescribed() || !assembly.loads.isZero(0.0);
     spin_maps_.resize(unknowns_.vector_nodes().size());
     prescribed_rate_.setZero(static_cast<Eigen::Index>(assembly.nodes.size()), kDofsPerNode);
 }
@@ -300,7 +300,9 @@ void NonlinearSystem::gather_unbalanced(double load_factor) {
                              ? load_factor * structure::force_norm(load_change_, unknowns_.length())
                              : structure::force_norm(loads_at(load_factor), unknowns_.length());
     const double scale = loads + structure::force_norm(reactions(), unknowns_.length());
-    const bool is_unloaded = !is_loaded_ || (begins_at_rest() && load_factor == 0.0);
+    const bool is_unloaded = begins_at_rest()
+                                 ? !is_loaded_ || load_factor == 0.0
+                                 : loads_at(load_factor).isZero(0.0) && unknowns_.holds_at_rest(load_factor);
     const bool is_at_rest =
         square == 0.0 || (is_unloaded && is_rounding()) || is_moved_rigidly(scale, std::sqrt(square));
     relative_residual_ = is_at_rest ? 0.0 : std::sqrt(square) / scale;

@@ -133,9 +133,9 @@ class NonlinearSystem {
     [[nodiscard]] bool is_moved_rigidly(double scale, double unbalanced) const;
 
     Unknowns unknowns_;
-    NodeValues start_loads_;  ///< loads at the beginning of the path; empty: at rest
-    NodeValues load_change_;  ///< from there to the full load
-    bool is_loaded_ = false;
+    NodeValues start_loads_;                  ///< loads at the beginning of the path; empty: at rest
+    NodeValues load_change_;                  ///< from there to the full load
+    bool is_loaded_ = false;                  ///< of a path that begins at rest
     Eigen::VectorXd rounding_;                ///< rounding of the force of each equation at rest
     Elements rounded_elements_;               ///< elements to which `rounding_` belongs
     std::vector<int> moment_nodes_;           ///< nodes with applied moments and at least two free rotations

@@ -128,9 +128,13 @@ std::optional<PathStep> PathStepper::step_to_load(const PathState& from, double 
     if (!arrival) return {};
     auto step = step_to(from, std::move(*arrival));
     if (!step) return {};
-    if (is_softened(unknowns_, from.point.rate, step->state.point.rate)) return {};
+    // Rates of what stands still are rounding.
+    const double span = load_factor - from.point.load_factor;
+    const double at_last_rate = span * unknowns_.largest_component(step->state.point.rate);
+    if (at_last_rate > kLinearMove && is_softened(unknowns_, from.point.rate, step->state.point.rate))
+        return {};
     if (unknowns_.largest_component(step->move) <= kLinearMove) return step;
-    const double half = 0.5 * (load_factor - from.point.load_factor);
+    const double half = 0.5 * span;
     step->deviation = deviation(step->move, half * (from.point.rate + step->state.point.rate));
     return step->deviation <= 1.0 ? std::move(step) : std::nullopt;
 }

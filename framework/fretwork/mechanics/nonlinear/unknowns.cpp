@@ -89,8 +89,8 @@ void Unknowns::prescribe(double load_factor, Configuration& configuration) const
     for (const PrescribedDisplacement& given : assembly_.prescribed) {
         const auto node = at(given.node.value);
         const auto dof = static_cast<int>(given.dof);
-        double value = load_factor * prescribed_change_(given.node.value, dof);
-        if (start_.size() > 0) value += start_(given.node.value, dof);
+        double value = load_factor * given.value;  // exact at the full load
+        if (start_.size() > 0) value += (1.0 - load_factor) * start_(given.node.value, dof);
         if (dof < 3) {
             configuration.states[node].displacement[dof] = value;
         } else {

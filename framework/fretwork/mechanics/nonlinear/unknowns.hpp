@@ -72,6 +72,11 @@ class Unknowns {
     [[nodiscard]] bool is_held(int node, int dof) const;
     [[nodiscard]] bool has_held_rotation(int node) const;
     [[nodiscard]] bool has_prescribed() const { return has_prescribed_; }
+    /// True if all held components are zero at a load factor.
+    [[nodiscard]] bool holds_at_rest(double load_factor) const {
+        const NodeValues values = load_factor * constraints_.values;
+        return start_.size() == 0 ? values.isZero(0.0) : (values + (1.0 - load_factor) * start_).isZero(0.0);
+    }
     /// The largest rotation that is prescribed at a node from the beginning of the path to the full load,
     /// rad.
     [[nodiscard]] double largest_prescribed_rotation() const {
