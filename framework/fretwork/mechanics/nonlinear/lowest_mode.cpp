@@ -16,7 +16,7 @@ constexpr double kRoundingShift = 1e-13;
 
 /// A downhill step away from an unstable equilibrium turns no node by more than this, rad.
 constexpr double kDownhillStep = 0.1;
-constexpr int kMostDownhillSteps = 400;
+constexpr int kMostDownhillSteps = 2000;
 
 /// Critical loads are found to this relative accuracy, with at most this many equilibria.
 constexpr double kCriticalWidth = 1e-6;

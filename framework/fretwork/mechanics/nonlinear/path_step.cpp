@@ -128,7 +128,9 @@ std::optional<PathStep> PathStepper::step_to_load(const PathState& from, double 
     if (!arrival) return {};
     auto step = step_to(from, std::move(*arrival));
     if (!step) return {};
-    // Rates of what stands still are rounding.
+    // Rates of what stands still are rounding, and so is the way in which it moves.
+    if (unknowns_.largest_component(step->move) <= kRoundedMove)
+        step->state = rising(std::move(step->state.point));
     const double span = load_factor - from.point.load_factor;
     const double at_last_rate = span * unknowns_.largest_component(step->state.point.rate);
     if (at_last_rate > kLinearMove && is_softened(unknowns_, from.point.rate, step->state.point.rate))

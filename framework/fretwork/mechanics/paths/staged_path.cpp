@@ -56,7 +56,8 @@ class StagedPath::Impl {
         const auto start = last_ ? std::optional(PathStart{*last_, loads_}) : std::nullopt;
         LoadPath path(assembly_, options_, start);
         Solution solution = path.advance_to(1.0, {task, 1.0});
-        loads_ += solution.load_factor * (target.loads - loads_);
+        const double share = solution.load_factor;
+        loads_ = (1.0 - share) * loads_ + share * target.loads;  // exact at the end of the stage
         reactions_ = path.reactions();
         last_ = path.configuration();
         return solution;
