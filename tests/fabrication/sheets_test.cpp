@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sample.hpp"
 
+#include <fretwork/fabrication/detail/parts.hpp>
 #include <fretwork/fabrication/sheets.hpp>
+#include <fretwork/geometry/plane.hpp>
+#include <fretwork/outlines/outline.hpp>
+#include <fretwork/simulation/project/new_project.hpp>
+
+#include <limits>
 
 namespace fretwork::fabrication {
 namespace THIS_TEST {
@@ -18,6 +24,47 @@ simulation::Surface wide_surface() {
 
 double material(const CutSheet& sheet) {
     return area({sheet.pieces, 0.0});
+}
+
+/// How many sheets have something beyond the bed's margins.
+std::size_t box_of_parts_beyond(const SheetSet& set, const Bed& bed) {
+    std::size_t count = 0;
+    for (const CutSheet& sheet : set.sheets) {
+        const Box box = box_of(sheet);
+        const double least = std::min(box.xmin, box.ymin) - bed.margin;
+        const double most = std::max(box.xmax - bed.width, box.ymax - bed.height) + bed.margin;
+        if (least < -1e-9 || most > 1e-9) ++count;
+    }
+    return count;
+}
+
+/// The least room of all interface nodes between parts: to the ends of their sides, and half way to the next.
+double narrowest_room(const tiling::Tessellation& tessellation,
+                      const base::IndexVector<tiling::TileIndex, std::size_t>& parts) {
+    std::map<int, std::vector<std::size_t>> parts_of_node;
+    std::map<int, double> room_of_node;
+    for (std::size_t t = 0; t < tessellation.tiles.size(); ++t) {
+        const tiling::Tile& tile = tessellation.tiles[t];
+        for (std::size_t s = 0; s < tile.vertices.size(); ++s) {
+            const int node = tile.interface_nodes[s];
+            const Point2& place = tessellation.interface_nodes[node];
+            parts_of_node[node].push_back(parts[t]);
+            room_of_node[node] = std::min(
+                distance(place, tessellation.vertices[tile.vertices[s]]),
+                distance(place, tessellation.vertices[tile.vertices[(s + 1) % tile.vertices.size()]]));
+        }
+    }
+    std::vector<int> connectors;
+    for (const auto& [node, around] : parts_of_node)
+        if (around.size() == 2 && around[0] != around[1]) connectors.push_back(node);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < connectors.size(); ++i) {
+        least = std::min(least, room_of_node[connectors[i]]);
+        for (std::size_t j = 0; j < i; ++j)
+            least = std::min(least, 0.5 * distance(tessellation.interface_nodes[connectors[i]],
+                                                   tessellation.interface_nodes[connectors[j]]));
+    }
+    return least;
 }
 
 TEST(Sheets, ASurfaceThatFitsTheBedIsOnePartWithoutJoints) {
@@ -101,6 +148,53 @@ TEST(Sheets, AJointWithoutRoomIsNamedByItsNode) {
     surface.setting.section = mechanics::rectangle_section(0.0045, 0.002);
     EXPECT_THAT(complaint_of([&] { (void)cut_into_sheets(surface, {}, {.width = 0.2, .height = 0.15}); }),
                 AllOf(HasSubstr("node"), HasSubstr("no room")));
+}
+
+/// A rectangle of 380 x 480 mm with round corners and a slot for a hand.
+outlines::Outline chair_back() {
+    const auto rounded = [](const Box& box, double radius) {
+        geometry::Polygon polygon;
+        const std::array<Point2, 4> centers = {Point2{box.xmax - radius, box.ymin + radius},
+                                               {box.xmax - radius, box.ymax - radius},
+                                               {box.xmin + radius, box.ymax - radius},
+                                               {box.xmin + radius, box.ymin + radius}};
+        for (int corner = 0; corner < 4; ++corner)
+            for (int i = 0; i <= 8; ++i)
+                polygon.push_back(centers[static_cast<std::size_t>(corner)] +
+                                  radius * geometry::direction(0.5 * kPi * (corner - 1 + i / 8.0)));
+        return polygon;
+    };
+    return outlines::make_outline(rounded({0.0, 0.0, 0.38, 0.48}, 0.06),
+                                  {rounded({0.13, 0.38, 0.25, 0.42}, 0.018)});
+}
+
+simulation::Surface chair_surface() {
+    simulation::NewProjectOptions options;
+    options.edge_length = 0.018;
+    options.painting = simulation::PaintOnePattern{"0-1+1-6"};
+    return make_surface(make_project(chair_back(), options, nullptr).project, nullptr);
+}
+
+TEST(Sheets, SeamsMoveToWhereConnectorsHaveRoom) {
+    const simulation::Surface surface = chair_surface();
+    const ShapeOptions options;
+    const double plate = 3.4 * mechanics::section_width(surface.setting.section);
+    for (const Bed& bed : {Bed{.width = 0.25, .height = 0.3}, Bed{.width = 0.4, .height = 0.3}}) {
+        const SheetSet set = cut_into_sheets(surface, options, bed);
+        EXPECT_LE(set.parts, 6U);
+        EXPECT_EQ(box_of_parts_beyond(set, bed), 0U);
+        const auto parts = detail::parts_of_tiles(surface.tessellation, bed, {plate, plate + bed.fit, {}});
+        EXPECT_GT(narrowest_room(surface.tessellation, parts), plate + bed.fit);
+    }
+}
+
+TEST(Sheets, SeamsDoNotDependOnChance) {
+    const simulation::Surface surface = chair_surface();
+    const Bed bed{.width = 0.25, .height = 0.3};
+    const auto parts = [&] {
+        return detail::parts_of_tiles(surface.tessellation, bed, {0.0068, 0.00685, {}});
+    };
+    EXPECT_EQ(parts(), parts());
 }
 
 TEST(Sheets, SideBySideHasAllSheetsAndTheAssembly) {

@@ -69,7 +69,8 @@ class SheetCutter {
           bed_(bed),
           plan_(bar_plan(surface, options.frame_width)),
           size_(plan_.width),
-          part_of_tile_(parts_of_tiles(surface.tessellation, bed, reach())) {}
+          part_of_tile_(
+              parts_of_tiles(surface.tessellation, bed, {reach(), size_.plate + bed.fit, options.control})) {}
 
     SheetSet run() {
         find_connectors();

@@ -3,11 +3,12 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/fabrication/detail/parts.hpp>
+#include <fretwork/fabrication/detail/seams.hpp>
 #include <fretwork/geometry/plane.hpp>
 
+#include <iterator>
 #include <map>
 #include <numeric>
-#include <optional>
 #include <utility>
 
 namespace fretwork::fabrication::detail {
@@ -103,30 +104,50 @@ void require_tiles_fit(const std::vector<Box>& boxes, const Bed& bed, double rea
     }
 }
 
-}  // namespace
-
-base::IndexVector<TileIndex, std::size_t> parts_of_tiles(const tiling::Tessellation& tessellation,
-                                                         const Bed& bed, double reach) {
-    const std::vector<Box> boxes = tile_boxes(tessellation);
-    require_tiles_fit(boxes, bed, reach);
+/// Grids whose cells fit the bed, as the cell of each tile, those with the fewest cells first: of each number
+/// of rows those with the fewest columns.
+std::vector<std::vector<std::size_t>> fitting_grids(const std::vector<Box>& boxes, const Bed& bed,
+                                                    double reach) {
+    constexpr std::size_t kMost = 6;
     Box whole = boxes.front();
     for (const Box& box : boxes) whole = united(whole, box);
-    std::optional<std::vector<std::size_t>> best;
+    std::multimap<std::size_t, std::vector<std::size_t>> found;
     for (std::size_t rows = 1; rows <= boxes.size(); ++rows) {
-        if (best && rows > 1 + *std::ranges::max_element(*best)) break;
+        if (found.size() >= kMost && rows > std::next(found.begin(), kMost - 1)->first) break;
         for (std::size_t columns = 1; columns <= boxes.size(); ++columns) {
-            const auto cells = cells_of_tiles(boxes, whole, {columns, rows});
+            auto cells = cells_of_tiles(boxes, whole, {columns, rows});
             if (!all_fit(boxes, cells, bed, reach)) continue;
-            const bool fewer = !best || rows * columns < 1 + *std::ranges::max_element(*best);
-            if (fewer) best = cells;
+            found.emplace(rows * columns, std::move(cells));
             break;
         }
     }
-    if (!best) {  // tiles that share a cell of every grid: each is a part of its own
-        best.emplace(boxes.size());
-        std::iota(best->begin(), best->end(), std::size_t{0});
+    std::vector<std::vector<std::size_t>> grids;
+    for (auto& [count, cells] : found)
+        if (grids.size() < kMost) grids.push_back(std::move(cells));
+    if (grids.empty()) {  // tiles that share a cell of every grid: each is a part of its own
+        grids.emplace_back(boxes.size());
+        std::iota(grids.front().begin(), grids.front().end(), std::size_t{0});
     }
-    return connected_groups(tessellation, *best);
+    return grids;
+}
+
+}  // namespace
+
+base::IndexVector<TileIndex, std::size_t> parts_of_tiles(const tiling::Tessellation& tessellation,
+                                                         const Bed& bed, const PartRoom& room) {
+    const std::vector<Box> boxes = tile_boxes(tessellation);
+    require_tiles_fit(boxes, bed, room.reach);
+    const auto fits_bed = [&](const Box& box) {
+        const Box around = grown(box, room.reach);
+        return fits(around.width(), around.height(), bed);
+    };
+    const SeamRules rules{room.connector, fits_bed, room.control};
+    const auto grids = fitting_grids(boxes, bed, room.reach);
+    for (const auto& cells : grids) {
+        std::vector<std::size_t> parts = connected_groups(tessellation, cells);
+        if (make_room(tessellation, boxes, rules, parts)) return connected_groups(tessellation, parts);
+    }
+    return connected_groups(tessellation, grids.front());
 }
 
 std::vector<Nest> nested(const std::vector<Box>& boxes, const Bed& bed) {

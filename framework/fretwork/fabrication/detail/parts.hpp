@@ -2,17 +2,27 @@
 // Groups of tiles that fit a bed.
 #pragma once
 
+#include <fretwork/base/control.hpp>
 #include <fretwork/fabrication/sheets.hpp>
 
 #include <vector>
 
 namespace fretwork::fabrication::detail {
 
+/// The room that parts of a surface need.
+struct PartRoom {
+    double reach = 0.0;      ///< m, by which material lies beyond the tiles of a part
+    double connector = 0.0;  ///< m, free around each connector
+    base::Control control{};
+};
+
 /// For each tile the number of its part. Parts are neighbouring tiles in a cell of a grid, as few as there
-/// can be with equal cells, each with `reach` (m) around it no larger than the bed without its margins,
-/// upright or turned by a quarter. Throws InputError that names a tile which does not fit.
+/// can be with equal cells; then tiles along the seams change parts until every connector has room. Each part
+/// with the reach around it is no larger than the bed without its margins, upright or turned by a quarter. If
+/// no such parts are found, connectors have too little room. Throws InputError that names a tile which does
+/// not fit, and Stopped if asked to stop.
 base::IndexVector<TileIndex, std::size_t> parts_of_tiles(const tiling::Tessellation& tessellation,
-                                                         const Bed& bed, double reach);
+                                                         const Bed& bed, const PartRoom& room);
 
 /// Where parts are put: sheet, place of the lower left corner, and whether they are turned by a quarter.
 struct Nest {
