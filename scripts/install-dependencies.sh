@@ -7,13 +7,13 @@ set -euo pipefail
 
 demo=(g++ cmake ninja-build git ca-certificates
       libcgal-dev libceres-dev libnlopt-dev libpagmo-dev libeigen3-dev libboost-dev libboost-graph-dev libboost-serialization-dev libtbb-dev libopenmesh-dev libsuitesparse-dev
-      libopenblas0-serial libnauty2-dev libsqlite3-dev nettle-dev nlohmann-json3-dev libcli11-dev libpugixml-dev libmuparser-dev libpng-dev libpolyclipping-dev libzip-dev
+      libopenblas0-serial libnauty2-dev libsqlite3-dev nettle-dev nlohmann-json3-dev libcli11-dev libpugixml-dev libmuparser-dev libpng-dev libfreetype-dev libpolyclipping-dev libzip-dev
       librsvg2-bin fonts-dejavu-core)
 test=("${demo[@]}" libgtest-dev libgmock-dev libbenchmark-dev clang-format gringo groff-base python3-jsonschema sqlite3)
 python=("${demo[@]}" pybind11-dev python3-dev python3-numpy python3-pip python3-venv)
 docs=("${demo[@]}" doxygen furo libjs-katex node-normalize.css python3-myst-parser python3-sphinx python3-sphinx-copybutton)
 packages=("${python[@]}" "${docs[@]}" debhelper dh-python dpkg-dev lintian mmdebstrap reuse)
-check=("${test[@]}" "${packages[@]}" codespell mypy python3-pandas python3-torch clang-tidy-16 calculix-ccx gmsh python3-gmsh slurm-wlm munge snakemake python3-numpy python3-scipy python3-cvxopt python3-matplotlib python3-ezdxf python3-vtk9 admesh prusa-slicer inkscape chromium)
+check=("${test[@]}" "${packages[@]}" libocct-data-exchange-dev codespell mypy python3-pandas python3-torch clang-tidy-16 calculix-ccx gmsh python3-gmsh slurm-wlm munge snakemake python3-numpy python3-scipy python3-cvxopt python3-matplotlib python3-ezdxf python3-vtk9 admesh prusa-slicer inkscape chromium)
 
 # A Node.js of 18.18 or newer, wherever it comes from, and npm.
 has_fitting_node() {

@@ -62,6 +62,7 @@ const std::map<std::string, std::set<std::string>> kFences = {
     {"nettle/", {"base"}},
     {"pugixml", {"outlines"}},
     {"png.h", {"tiling", "exports"}},
+    {"ft2build", {"exports"}},
     {"muParser", {"tiling"}},
     {"polyclipping/", {"fabrication"}},
     {"zip.h", {"exports"}},

@@ -24,6 +24,20 @@ TEST(Help, OfEveryVerbHasAnExample) {
     }
 }
 
+TEST(Help, OfCalibrateBeginsWithWhatOneNeeds) {
+    const TemporaryFolder folder;
+    const std::string help = run_command("fretwork calibrate --help", folder.path()).out;
+    const auto place = [&](const char* option) {
+        const std::size_t at = help.find(std::string("\n  ") + option + " ");
+        EXPECT_NE(at, std::string::npos) << option;
+        return at;
+    };
+    EXPECT_LT(place("--library"), place("--patterns"));
+    EXPECT_LT(place("--patterns"), place("--setting"));
+    EXPECT_LT(place("--setting"), place("--starts"));
+    EXPECT_LT(place("--starts"), place("--optimizer")) << "the longest text comes last";
+}
+
 TEST(Help, OfEveryActionHasAnExample) {
     const TemporaryFolder folder;
     for (const std::string action :

@@ -188,5 +188,12 @@ TEST_F(MakingOptions, FactsFollowTheOptionsThatTheyAreFor) {
     EXPECT_NEAR(held.at("sag").at("weight").get<double>(), 9.80665 * held.at("mass").get<double>(), 1e-7);
 }
 
+TEST_F(MakingOptions, AnExportSaysWhatItWrote) {
+    EXPECT_THAT(succeed("fretwork export p.json --to cut.dxf --to facts.txt --to page.html"),
+                testing::MatchesRegex("cut.dxf: cut, lengths in millimetres, [0-9.]+ kB\n"
+                                      "facts.txt: facts, [0-9.]+ kB\n"
+                                      "page.html: drawing, [0-9.]+ (kB|MB)\n"));
+}
+
 }  // namespace THIS_TEST
 }  // namespace fretwork::app

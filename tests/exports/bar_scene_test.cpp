@@ -195,6 +195,26 @@ TEST(Picture, IsFilledFromEverySide) {
     }
 }
 
+TEST(Picture, TheShapeAtRestIsAGhostBehindTheBars) {
+    Scene scene = bent_scene();
+    const Image with = read_png(picture_png(scene));
+    scene.picture.ghost = PictureOptions::Ghost::Hidden;
+    const Image without = read_png(picture_png(scene));
+    const auto veiled = [](const Image& image) {
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < image.bytes.size(); i += 4) {
+            const bool is_grey = image.bytes[i] > 100 && image.bytes[i] < 180;
+            count += is_grey && image.bytes[i + 3] > 40 && image.bytes[i + 3] < 200 ? 1 : 0;
+        }
+        return count;
+    };
+    EXPECT_GT(veiled(with), veiled(without) + 500);
+    scene.results.clear();
+    const std::string at_rest = picture_png(scene);
+    scene.picture.ghost = PictureOptions::Ghost::Shown;
+    EXPECT_EQ(picture_png(scene), at_rest) << "there is none of a surface at rest";
+}
+
 /// Before the first light, between two, and on the ground.
 TEST(Picture, StopsWhenAsked) {
     for (const std::size_t look : {0U, 5U, 60U}) {

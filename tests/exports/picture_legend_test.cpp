@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/exports/space/detail/lettering.hpp>
 #include <fretwork/exports/space/detail/picture_legend.hpp>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fretwork::exports::detail {
 namespace THIS_TEST {
@@ -22,11 +24,54 @@ TEST(PictureLegend, StandsBelowThePictureOnTransparentGround) {
     EXPECT_TRUE(std::equal(picture.begin(), picture.end(), whole.begin())) << "it covers the surface";
     std::size_t opaque = 0;
     for (std::size_t i = picture.size() + 3; i < whole.size(); i += 4) {
-        EXPECT_TRUE(whole[i] == 0 || whole[i] == 255);
         opaque += whole[i] == 255 ? 1 : 0;
     }
     EXPECT_GT(opaque, 1000U);
     EXPECT_LT(opaque, (whole.size() - picture.size()) / 8) << "more than letters and colours";
+}
+
+/// Relative luminance, as WCAG 2.1 has it.
+double luminance(std::uint8_t red, std::uint8_t green, std::uint8_t blue) {
+    const auto linear = [](std::uint8_t byte) {
+        const double share = byte / 255.0;
+        return share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(red) + 0.7152 * linear(green) + 0.0722 * linear(blue);
+}
+
+TEST(PictureLegend, LettersAreReadOnWhiteAndOnBlack) {
+    // WCAG 2.1 wants a contrast of 3 of large letters. The note is the last line, and has no colours.
+    constexpr PixelSize kSize{1600, 1000};
+    const std::size_t above = std::size_t{4} * 1600 * static_cast<std::size_t>(1000 - legend_height(kSize));
+    const auto whole = with_legend(std::vector<std::uint8_t>(above, 0), kSize, {kField, kNote});
+    const std::size_t note = std::size_t{4} * 1600 * 945;
+    std::size_t full = 0;
+    for (std::size_t i = note; i < whole.size(); i += 4) {
+        if (whole[i + 3] < 255) continue;
+        ++full;
+        const double ink = luminance(whole[i], whole[i + 1], whole[i + 2]);
+        EXPECT_GT(1.05 / (ink + 0.05), 3.0) << "on white";
+        EXPECT_GT((ink + 0.05) / 0.05, 3.0) << "on black";
+    }
+    EXPECT_GT(full, 100U);
+}
+
+TEST(Lettering, IsAsWideAsItsLetters) {
+    const Lettering lettering(20);
+    const LetteredText one = lettering.set("0");
+    const LetteredText three = lettering.set("000");
+    EXPECT_EQ(three.width, 3 * one.width) << "figures are equally wide";
+    EXPECT_EQ(three.height, one.height);
+    EXPECT_LT(lettering.set("iii").width, lettering.set("mmm").width);
+    EXPECT_TRUE(std::ranges::any_of(one.coverage, [](std::uint8_t cover) { return cover > 200; }));
+    EXPECT_EQ(lettering.set("").width, 0);
+}
+
+TEST(Lettering, KnowsWhatUnitsAreMadeOf) {
+    const Lettering lettering(20);
+    const auto missing = lettering.set("\xef\xbf\xbe").coverage;  // U+FFFE is no letter
+    for (const char* letter : {"µ", "°", "²", "·", "%", "ü"})
+        EXPECT_NE(lettering.set(letter).coverage, missing) << letter;
 }
 
 TEST(PictureLegend, IsLeftOutOfSmallPictures) {

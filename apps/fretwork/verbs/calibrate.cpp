@@ -272,20 +272,37 @@ std::string catalogue_help(std::string text, const Rows& rows) {
 }
 
 void add_method_options(CLI::App& verb, library::FillOptions& fill) {
-    verb.add_option("--model", fill.model, catalogue_help("The tile model:", reduction::tile_models()))
-        ->capture_default_str();
-    verb.add_option("--optimizer", fill.calibration.optimizer,
-                    catalogue_help("The method that fits the model:", optimization::optimizer_catalogue()))
-        ->capture_default_str();
+    constexpr const char* kGroup = "Method";
     verb.add_option("--starts", fill.calibration.starts, "Descents from different points")
-        ->capture_default_str();
+        ->capture_default_str()
+        ->group(kGroup);
     verb.add_option("--budget", fill.calibration.budget, "Most evaluations of the objective")
-        ->capture_default_str();
+        ->capture_default_str()
+        ->group(kGroup);
     verb.add_option("--seed", fill.calibration.seed, "Seed of the random numbers")
         ->check(seed_check())
-        ->capture_default_str();
-    verb.add_option("--threads", fill.threads, "Threads to use; 0: one for each processor")
-        ->check(thread_check());
+        ->capture_default_str()
+        ->group(kGroup);
+    verb.add_option("--model", fill.model, catalogue_help("The tile model:", reduction::tile_models()))
+        ->capture_default_str()
+        ->group(kGroup);
+    verb.add_option("--optimizer", fill.calibration.optimizer,
+                    catalogue_help("The method that fits the model:", optimization::optimizer_catalogue()))
+        ->capture_default_str()
+        ->group(kGroup);
+}
+
+void add_setting_options(CLI::App& verb, CalibrateOptions& options) {
+    constexpr const char* kGroup = "Setting, for a library that has no results yet";
+    verb.add_option("--setting", options.setting,
+                    "Material, section, joints, tile side and scenarios: paper, made (the paper's with stiff "
+                    "joints), or a setting file (default: the library's, which begins as paper)")
+        ->group(kGroup);
+    verb.add_option("--policy", options.policy,
+                    "Treatment of samples past the first loss of stability:\npaper: they are fitted, "
+                    "too\nstable: they are left out\n(default: as in the setting, else paper)")
+        ->check(CLI::IsMember({"paper", "stable"}))
+        ->group(kGroup);
 }
 
 }  // namespace
@@ -295,23 +312,17 @@ void add_calibrate(CLI::App& app, ExitCode& exit_code) {
     CLI::App* verb = app.add_subcommand(
         "calibrate", "Compute the responses of a library's patterns, and fit a reduced model to each.");
     verb->add_option("--library", options->library_path, "The library: patterns in, results out")->required();
-    verb->add_option("--setting", options->setting,
-                     "Material, section, joints, tile side and scenarios, for a library that has no results "
-                     "yet: paper, made (the paper's with stiff joints), or a setting file (default: the "
-                     "library's, which begins as paper)");
-    verb->add_option("--policy", options->policy,
-                     "Treatment of samples past the first loss of stability, for a library that has no "
-                     "results yet:\npaper: they are fitted, too\nstable: they are left out\n(default: as in "
-                     "the setting, else paper)")
-        ->check(CLI::IsMember({"paper", "stable"}));
     verb->add_option("--patterns", options->patterns,
                      "all, ids joined by commas, or sample:N for N spread over the numbers of edges")
         ->capture_default_str();
-    add_method_options(*verb, options->fill);
+    verb->add_option("--threads", options->fill.threads, "Threads to use; 0: one for each processor")
+        ->check(thread_check());
+    verb->add_flag("--retry", options->retry, "Try patterns with a recorded failure again");
     verb->add_option("--shard", options->shard,
                      "Compute only the I-th of N parts, as I/N, to share the load among several machines");
-    verb->add_flag("--retry", options->retry, "Try patterns with a recorded failure again");
     verb->add_flag("--json", options->json, "Print for programs");
+    add_setting_options(*verb, *options);
+    add_method_options(*verb, options->fill);
     declare_files(*verb, {update("--library", kLibraryFile), input("--setting")});
     verb->footer(kCalibrateExample);
     verb->callback([options, verb, &exit_code] {

@@ -24,6 +24,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <typed/picture_options.hpp>
 
 namespace fretwork::app {
@@ -39,6 +40,7 @@ struct ExportOptions {
     std::string view;
     std::string size;
     std::string colour;
+    bool no_ghost = false;
     std::string strength;
     std::vector<std::string> labels;
     std::string content;
@@ -104,12 +106,14 @@ bool any_is(const Writers& writers, bool (exports::WriterRow::*is)() const) {
 void refuse_ignored_in_drawings(const CLI::App& verb, const ExportOptions& options, const Writers& writers) {
     const bool has_svg = std::ranges::any_of(
         writers, [](const auto* writer) { return writer->is_drawing() && !writer->is_picture(); });
-    const bool has_picture = any_is(writers, &exports::WriterRow::is_picture);
+    const bool has_picture = std::ranges::any_of(
+        writers, [](const auto* writer) { return writer->is_picture() && writer->has_view(); });
     const bool is_from_above = options.results.empty() || !options.load_case.empty();
     if (!has_svg || !is_from_above)
         refuse_given(verb, {"--labels"},
                      "is for drawings from above, which are .svg without --result, or with --case, too");
-    if (!has_picture && options.results.empty())
+    const bool has_view = has_picture || (has_svg && !options.results.empty());
+    if (!has_view)
         refuse_given(verb, {"--view"}, "is for bent surfaces (--result) and pictures (.png, .html)");
     const bool tells_strength = std::ranges::any_of(writers, [](const auto* writer) {
         return writer->is_picture() || writer->content == exports::Content::Facts || writer->ending == ".vtu";
@@ -126,21 +130,22 @@ void refuse_ignored_options(const CLI::App& verb, const ExportOptions& options) 
         writers, [](const auto* writer) { return writer->content == exports::Content::Facts; });
     if (!any_is(writers, &exports::WriterRow::is_drawing)) {
         refuse_given(verb, {"--scale", "--view", "--labels"},
-                     "is for drawings, and no --to names one (.svg, .png, .html)");
+                     "is for drawings, and no --to names one (.svg, .png, .html, .glb)");
         if (options.making.bolts.empty() && !has_facts)
             refuse_given(verb, {"--case"},
                          "is for drawings, facts and --bolts, and none of them is asked for");
     }
     refuse_ignored_in_drawings(verb, options, writers);
     if (!any_is(writers, &exports::WriterRow::is_picture))
-        refuse_given(verb, {"--colour"}, "is for pictures, and no --to names one (.png, .html)");
+        refuse_given(verb, {"--colour"}, "is for pictures, and no --to names one (.png, .html, .glb)");
     if (options.results.empty() && options.colour != "plain")
         refuse_given(verb, {"--colour"},
                      "shows what a result has, and there is no --result; plain needs none");
     const bool has_pixels = std::ranges::any_of(
         options.to, [&](const std::string& path) { return writer_of(options, path).ending == ".png"; });
     if (!has_pixels)
-        refuse_given(verb, {"--size"}, "is for pictures made of pixels, and no --to names one (.png)");
+        refuse_given(verb, {"--size", "--no-ghost"},
+                     "is for pictures made of pixels, and no --to names one (.png)");
 }
 
 /// The supports and loads that are drawn must be those of the results.
@@ -177,6 +182,14 @@ simulation::LoadCase load_case_of(const simulation::Project& project, const Expo
     }
 }
 
+/// Results of different models have the models' names in legends, others the names of their files.
+void name_by_models(std::vector<exports::Scene::LabelledResult>& results) {
+    std::set<std::string> models;
+    for (const auto& shown : results) models.insert(shown.result.subject->model);
+    if (models.size() < results.size()) return;
+    for (auto& shown : results) shown.label = shown.result.subject->model;
+}
+
 exports::Scene make_scene(const ExportOptions& options, const base::Control& control) {
     const simulation::Project project = simulation::read_checked_project(options.project);
     std::vector<exports::Scene::LabelledResult> results;
@@ -184,6 +197,7 @@ exports::Scene make_scene(const ExportOptions& options, const base::Control& con
         control.check();
         results.push_back({std::filesystem::path(file).stem().string(), read_surface_result(file)});
     }
+    name_by_models(results);
     std::optional<library::Library> library;
     if (needs_library(options, project, results))
         library = simulation::open_project_library(options.project, project, options.library);
@@ -205,6 +219,7 @@ exports::Scene make_scene(const ExportOptions& options, const base::Control& con
     if (!options.view.empty()) scene.view = read_option("--view", options.view, typed::parse_view);
     if (!options.size.empty()) scene.picture.size = read_option("--size", options.size, typed::parse_size);
     if (!options.colour.empty()) scene.picture.colour = options.colour;
+    if (options.no_ghost) scene.picture.ghost = exports::PictureOptions::Ghost::Hidden;
     if (!options.strength.empty()) scene.strength = parse_strength(options.strength);
     if (options.colour == exports::kUtilization && !scene.known_strength())
         throw base::InputError(
@@ -218,6 +233,27 @@ exports::Scene make_scene(const ExportOptions& options, const base::Control& con
     scene.making.facts.strength = scene.strength;
     scene.control = control;
     return scene;
+}
+
+std::string size_text(std::size_t bytes) {
+    constexpr double kKilo = 1000.0;
+    const auto size = static_cast<double>(bytes);
+    if (size < kKilo) return std::to_string(bytes) + " bytes";
+    if (size < kKilo * kKilo) return base::format_number(size / kKilo, 3) + " kB";
+    return base::format_number(size / kKilo / kKilo, 3) + " MB";
+}
+
+/// A line for each file: its path, its content, the unit of its lengths, its size. Reports name their units
+/// themselves.
+void print_written(const base::Json& report) {
+    for (const base::Json& file : report["files"]) {
+        const bool is_report = file["content"] == "facts";
+        const auto unit = is_report ? "none" : file["unit"].get<std::string>();
+        std::printf("%s: %s%s, %s\n", base::printable(file["path"].get<std::string>()).c_str(),
+                    file["content"].get<std::string>().c_str(),
+                    unit == "none" ? "" : (", lengths in " + unit + "s").c_str(),
+                    size_text(file["bytes"].get<std::size_t>()).c_str());
+    }
 }
 
 void run(const ExportOptions& options) {
@@ -245,7 +281,10 @@ void run(const ExportOptions& options) {
     control.check();
     files.commit();
     for (const std::string& remark : remarks) std::fprintf(stderr, "fretwork: %s\n", remark.c_str());
-    if (options.json) std::fputs(base::json_text(report).c_str(), stdout);
+    if (options.json)
+        std::fputs(base::json_text(report).c_str(), stdout);
+    else
+        print_written(report);
 }
 
 std::string kinds_help() {
@@ -288,9 +327,10 @@ void add_export(CLI::App& app, ExitCode&) {
     verb->add_option("--size", options->size, "Width and height of a .png in pixels (default: 1600x1000)")
         ->type_name("WxH");
     verb->add_option("--colour", options->colour,
-                     "Field that the colours of .png and .html show: " +
+                     "Field that the colours of .png, .html and .glb show: " +
                          base::join(exports::bar_field_names(), ", ") + ", or plain (default: displacement)")
         ->type_name("FIELD");
+    verb->add_flag("--no-ghost", options->no_ghost, "Leave out the shape at rest in a .png");
     verb->add_option("--strength", options->strength,
                      "Strength of the material, such as 40MPa (default: that of the setting's material): "
                      ".vtu, .png and .html then have utilization, and facts compare stresses with it")

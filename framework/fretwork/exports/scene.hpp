@@ -34,6 +34,9 @@ struct PictureOptions {
     PixelSize size{};  ///< size of PNG pictures
     /// Field shown as colours, one of bar_field_names() (bar_scene.hpp), or "plain".
     std::string colour = "displacement";
+    /// The shape at rest behind bent bars, in PNG pictures.
+    enum class Ghost { Shown, Hidden };
+    Ghost ghost = Ghost::Shown;  ///< whether it is drawn
 };
 
 /// Options for making a surface.

@@ -89,19 +89,23 @@ Written solid(const Scene& scene, std::string (*text)(const fabrication::Solid&)
 
 using Kind = WriterRow::Kind;
 
-constexpr std::array<WriterRow, 17> kWriters = {{
+constexpr std::array<WriterRow, 18> kWriters = {{
     {".svg", Content::Drawing,
      "drawing: the surface from above; with one result, its displacements in colour; with several, the "
      "results over each other; with a load case and results, all of these on one sheet",
      [](const Scene& scene) { return Written{svg_text(scene)}; }, Kind::Drawing},
     {".png", Content::Drawing,
-     "picture: the bars as the first result bends them, lit and in perspective, on transparent ground; with "
-     "a load case "
-     "its supports",
+     "picture: the bars as the first result bends them, lit and in perspective, over their shape at rest and "
+     "on transparent ground; with a load case its supports",
      [](const Scene& scene) { return Written{picture_png(scene)}; }, Kind::Picture},
     {".html", Content::Drawing,
      "one self-contained page for any browser: the same bars to turn and zoom, at rest or deformed",
      [](const Scene& scene) { return Written{view_html(scene)}; }, Kind::Picture},
+    {".glb", Content::Drawing,
+     "animated glTF for slides and 3D programs: the same bars, moving from rest through the load steps of "
+     "the "
+     "first result",
+     [](const Scene& scene) { return Written{motion_glb(scene)}; }, Kind::Picture},
     {".dxf", Content::Cut, "outline for cutting: closed lines with true arcs, in millimetres, in layers",
      [](const Scene& scene) { return cut(scene, cut_dxf); }, Kind::Made},
     {".stl", Content::Solid, "solid for printing: closed, in millimetres (binary)",

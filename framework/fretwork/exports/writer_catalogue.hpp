@@ -49,6 +49,8 @@ struct WriterRow {
     [[nodiscard]] bool is_drawing() const { return kind == Kind::Drawing || is_picture(); }
     /// True if the writer also reads Scene::picture.
     [[nodiscard]] bool is_picture() const { return kind == Kind::Picture; }
+    /// True if the writer reads Scene::view.
+    [[nodiscard]] bool has_view() const { return is_drawing() && ending != ".glb"; }
     /// True if the writer reads Scene::making.
     [[nodiscard]] bool is_made() const { return kind == Kind::Made; }
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/parallel.hpp>
-#include <fretwork/base/text.hpp>
-#include <fretwork/exports/colours.hpp>
+#include <fretwork/exports/drawings/detail/furniture.hpp>
 #include <fretwork/exports/drawings/detail/panels.hpp>
+#include <fretwork/exports/space/detail/bar_colours.hpp>
 #include <fretwork/exports/space/detail/camera.hpp>
 #include <fretwork/exports/space/detail/picture_legend.hpp>
 #include <fretwork/exports/space/detail/png_text.hpp>
@@ -20,52 +20,18 @@ namespace fretwork::exports {
 namespace {
 
 using detail::DepthMap;
+using detail::linear_colour;
 using detail::Mesh;
 using detail::Sample;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-float linear(double screen) {
-    return static_cast<float>(screen <= 0.04045 ? screen / 12.92 : std::pow((screen + 0.055) / 1.055, 2.4));
-}
 double screen(float light) {
     const double value = std::clamp(static_cast<double>(light), 0.0, 1.0);
     return value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1.0 / 2.4) - 0.055;
 }
 
-/// Reads "#rrggbb".
-Vector3f linear_colour(const std::string& text) {
-    const auto byte = [&](std::size_t at) {
-        return linear(std::stoi(text.substr(at, 2), nullptr, 16) / 255.0);
-    };
-    return {byte(1), byte(3), byte(5)};
-}
-
 // ---- what is seen ----
-
-const std::string kPlain = "plain";
-
-detail::EndColours end_colours(const BarScene& scene, const std::string& name) {
-    if (name == kPlain || scene.fields.empty())
-        return detail::EndColours(2 * scene.bars.size(), linear_colour("#d9cdb8"));
-    const auto field = std::ranges::find(scene.fields, name, &BarScene::Field::name);
-    if (field == scene.fields.end() && name == kUtilization)
-        throw base::InputError(
-            "utilization needs a strength: give one, or write \"strength\" into the material of the setting");
-    if (field == scene.fields.end()) {
-        std::vector<std::string> names = bar_field_names();
-        names.push_back(kPlain);
-        throw base::InputError(base::unknown_name_message("field", name, names));
-    }
-    if (std::ranges::all_of(field->values, [](double value) { return std::isnan(value); }))
-        throw base::InputError(name +
-                               " is not known with the result's model: beams are recovered from full and "
-                               "condensed tiles");
-    const ValueRange range = value_range(field->values);
-    detail::EndColours colours;
-    for (const double value : field->values) colours.push_back(linear_colour(value_colour(value, range)));
-    return colours;
-}
 
 Vector3f support_colour(BarScene::Support::Kind kind) {
     using Kind = BarScene::Support::Kind;
@@ -73,11 +39,18 @@ Vector3f support_colour(BarScene::Support::Kind kind) {
 }
 
 Mesh make_mesh(const BarScene& bars, const Scene& scene) {
-    Mesh mesh = detail::bar_mesh(bars, scene.displacement_scale, end_colours(bars, scene.picture.colour));
+    Mesh mesh =
+        detail::bar_mesh(bars, scene.displacement_scale, detail::end_colours(bars, scene.picture.colour));
     for (const BarScene::Support& support : bars.supports)
         detail::add_ball(mesh, place_of(bars, support.node, scene.displacement_scale), 1.1 * bars.width,
                          support_colour(support.kind));
     return mesh;
+}
+
+/// The bars at rest, where a result moves them.
+Mesh make_ghost(const BarScene& bars, const Scene& scene) {
+    if (scene.picture.ghost == PictureOptions::Ghost::Hidden || bars.motion.isZero(0.0)) return {};
+    return detail::bar_mesh(bars, 0.0, detail::end_colours(bars, detail::kPlainColour));
 }
 
 // ---- light ----
@@ -174,16 +147,20 @@ class Lighting {
 
 constexpr int kSamplesPerSide = 3;
 constexpr float kShadowOnGround = 0.62F;
+/// The shape at rest: a grey that is seen on white and on black.
+constexpr float kGhostOpacity = 0.3F;
+const Vector3f kGhost = linear_colour("#8d959e");
 
 class Picture {
   public:
     Picture(const Scene& scene, const BarScene& bars)
         : whole_(scene.picture.size),
           field_(shown_field(bars, scene.picture.colour)),
-          note_(detail::joints_note(bars.joints)),
+          note_(note_of(bars, scene)),
           size_{whole_.width, whole_.height - (field_ == nullptr ? 0 : detail::legend_height(whole_))},
           mesh_(make_mesh(bars, scene)),
-          places_(places_of(mesh_)),
+          ghost_(make_ghost(bars, scene)),
+          places_(places_of(mesh_, ghost_)),
           ground_(ground_height()),
           camera_(detail::start_view(bars, scene), static_cast<double>(size_.width) / size_.height, places_),
           lighting_(mesh_, lights(camera_, size_), scene.control),
@@ -193,6 +170,7 @@ class Picture {
 
     std::string text() && {
         draw_bars();
+        draw_ghost();
         draw_ground();
         return detail::png_text(
             whole_, field_ == nullptr ? bytes() : detail::with_legend(bytes(), whole_, {*field_, note_}));
@@ -202,6 +180,7 @@ class Picture {
     struct Pixel {
         Vector3f colour = Vector3f::Zero();  ///< the sum of its samples
         float samples = 0.0F;
+        float ghost = 0.0F;   ///< number of samples of the shape at rest
         float ground = 0.0F;  ///< opacity of the shadow
     };
 
@@ -210,9 +189,18 @@ class Picture {
         const auto field = std::ranges::find(bars.fields, name, &BarScene::Field::name);
         return field == bars.fields.end() ? nullptr : &*field;
     }
-    static std::vector<Vector3d> places_of(const Mesh& mesh) {
+    /// "552.5 x 413.2 mm at rest, displacements at true scale, joints: stiff"
+    static std::string note_of(const BarScene& bars, const Scene& scene) {
+        Eigen::AlignedBox3d box;
+        for (const Vector3d& node : bars.nodes) box.extend(node);
+        return detail::short_number(1e3 * box.sizes().x()) + " x " + detail::millimetres(box.sizes().y()) +
+               " at rest, " + detail::scale_note(scene.displacement_scale) + ", " +
+               detail::joints_note(bars.joints);
+    }
+    static std::vector<Vector3d> places_of(const Mesh& mesh, const Mesh& ghost) {
         std::vector<Vector3d> places;
-        for (const Mesh::Vertex& vertex : mesh.vertices) places.push_back(vertex.place.cast<double>());
+        for (const Mesh* part : {&mesh, &ghost})
+            for (const Mesh::Vertex& vertex : part->vertices) places.push_back(vertex.place.cast<double>());
         return places;
     }
     [[nodiscard]] float ground_height() const {
@@ -235,6 +223,12 @@ class Picture {
             pixel.colour += shade(samples[i].colour.cwiseProduct(light));
             pixel.samples += 1.0F;
         }
+    }
+
+    /// It throws no shadow, and lies behind all else.
+    void draw_ghost() {
+        for (const Sample& sample : detail::visible_samples(ghost_, camera_, size_, kSamplesPerSide))
+            pixels_[sample.pixel].ghost += 1.0F;
     }
 
     /// Bright light is rolled off, so that it keeps its hue.
@@ -304,15 +298,18 @@ class Picture {
         return share(pixel % width, size_.width) * share(pixel / width, size_.height);
     }
 
+    /// The bars over the ghost, and both over the shadow on the ground.
     [[nodiscard]] std::vector<std::uint8_t> bytes() const {
+        constexpr float kSamples = kSamplesPerSide * kSamplesPerSide;
         std::vector<std::uint8_t> bytes;
         bytes.reserve(4 * pixels_.size());
         for (const Pixel& pixel : pixels_) {
-            const float cover = pixel.samples / (kSamplesPerSide * kSamplesPerSide);
-            const float opacity = cover + (1.0F - cover) * pixel.ground;
-            const Vector3f colour =
-                opacity > 0.0F ? Vector3f(pixel.colour / std::max(pixel.samples, 1.0F) * (cover / opacity))
-                               : Vector3f::Zero();
+            const float bars = pixel.samples / kSamples;
+            const float ghost = (1.0F - bars) * kGhostOpacity * pixel.ghost / kSamples;
+            const float opacity = bars + ghost + (1.0F - bars - ghost) * pixel.ground;
+            Vector3f colour = Vector3f::Zero();
+            if (opacity > 0.0F)
+                colour = (bars / std::max(pixel.samples, 1.0F) * pixel.colour + ghost * kGhost) / opacity;
             for (const float light : colour)
                 bytes.push_back(static_cast<std::uint8_t>(std::lround(255.0 * screen(light))));
             bytes.push_back(static_cast<std::uint8_t>(std::lround(255.0F * opacity)));
@@ -325,7 +322,8 @@ class Picture {
     std::string note_;              ///< below the legend
     PixelSize size_;                ///< of the surface's picture, above the legend
     Mesh mesh_;
-    std::vector<Vector3d> places_;
+    Mesh ghost_;
+    std::vector<Vector3d> places_;  ///< of all that is seen
     float ground_;
     detail::Camera camera_;
     Lighting lighting_;

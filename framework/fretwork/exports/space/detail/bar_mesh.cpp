@@ -16,12 +16,44 @@ using Eigen::Vector3f;
 
 constexpr double kPi = std::numbers::pi;
 
+Matrix3d turn_at(const BarScene& scene, std::size_t node, double scale) {
+    return geometry::exponential(scale * scene.motion.row(node).tail<3>().transpose()).matrix();
+}
+
+/// Both ends of a bar: places, tangents as long as the chord, and turns.
+struct BentBar {
+    Vector3d p0, p1, m0, m1;
+    Matrix3d turn0, turn1;
+};
+
+BentBar bent_bar(const BarScene& scene, std::size_t bar, double scale) {
+    const auto [from, to] = scene.bars[bar];
+    const Vector3d along = (scene.nodes[to] - scene.nodes[from]).normalized();
+    const Matrix3d turn0 = turn_at(scene, from, scale);
+    const Matrix3d turn1 = turn_at(scene, to, scale);
+    const Vector3d p0 = place_of(scene, from, scale);
+    const Vector3d p1 = place_of(scene, to, scale);
+    const double length = (p1 - p0).norm();
+    return {p0, p1, length * turn0 * along, length * turn1 * along, turn0, turn1};
+}
+
+/// A piece for every five degrees between the ends, and against the chord.
+int pieces_of(const BentBar& bar) {
+    const double length = (bar.p1 - bar.p0).norm();
+    if (length == 0.0) return 0;
+    const Vector3d chord = (bar.p1 - bar.p0) / length;
+    const double bend = std::max({(bar.m0 / length - chord).norm(), (bar.m1 / length - chord).norm(),
+                                  (bar.turn0.col(2) - bar.turn1.col(2)).norm()});
+    return std::clamp(static_cast<int>(std::ceil(bend * 180.0 / kPi / 5.0)), 1, 12);
+}
+
 class Builder {
   public:
-    Builder(const BarScene& scene, double scale, const EndColours& colours)
+    Builder(const BarScene& scene, double scale, const EndColours& colours, std::span<const int> pieces)
         : scene_(scene),
           scale_(scale),
           colours_(colours),
+          pieces_(pieces),
           joint_colours_(scene.nodes.size(), Vector3f::Zero()),
           joint_uses_(scene.nodes.size(), 0) {}
 
@@ -40,30 +72,17 @@ class Builder {
         Vector3f colour;
     };
 
-    [[nodiscard]] Matrix3d turn_of(std::size_t node) const {
-        return geometry::exponential(scale_ * scene_.motion.row(node).tail<3>().transpose()).matrix();
-    }
+    [[nodiscard]] Matrix3d turn_of(std::size_t node) const { return turn_at(scene_, node, scale_); }
     [[nodiscard]] Vector3d place(std::size_t node) const {
         return place_of(scene_, static_cast<int>(node), scale_);
     }
 
     void add_bar(std::size_t bar) {
+        const int pieces = pieces_[bar];
+        if (pieces == 0) return;
         const std::size_t from = scene_.bars[bar][0];
         const std::size_t to = scene_.bars[bar][1];
-        const Vector3d along = (scene_.nodes[to] - scene_.nodes[from]).normalized();
-        const Matrix3d turn0 = turn_of(from);
-        const Matrix3d turn1 = turn_of(to);
-        const Vector3d p0 = place(from);
-        const Vector3d p1 = place(to);
-        const double length = (p1 - p0).norm();
-        if (length == 0.0) return;
-        const Vector3d m0 = length * turn0 * along;
-        const Vector3d m1 = length * turn1 * along;
-        // A chord for every five degrees between the ends, and against the chord.
-        const Vector3d chord = (p1 - p0) / length;
-        const double bend = std::max({(m0 / length - chord).norm(), (m1 / length - chord).norm(),
-                                      (turn0.col(2) - turn1.col(2)).norm()});
-        const int pieces = std::clamp(static_cast<int>(std::ceil(bend * 180.0 / kPi / 5.0)), 1, 12);
+        const auto& [p0, p1, m0, m1, turn0, turn1] = bent_bar(scene_, bar, scale_);
         std::vector<Cut> cuts;
         for (int i = 0; i <= pieces; ++i) {
             const double s = static_cast<double>(i) / pieces;
@@ -144,6 +163,7 @@ class Builder {
     const BarScene& scene_;
     double scale_;
     const EndColours& colours_;
+    std::span<const int> pieces_;
     std::vector<Vector3f> joint_colours_;  ///< sums
     std::vector<int> joint_uses_;
     Mesh mesh_;
@@ -151,8 +171,19 @@ class Builder {
 
 }  // namespace
 
+std::vector<int> bar_pieces(const BarScene& scene, double scale) {
+    std::vector<int> pieces;
+    for (std::size_t b = 0; b < scene.bars.size(); ++b)
+        pieces.push_back(pieces_of(bent_bar(scene, b, scale)));
+    return pieces;
+}
+
 Mesh bar_mesh(const BarScene& scene, double scale, const EndColours& colours) {
-    return Builder(scene, scale, colours).build();
+    return bar_mesh(scene, scale, colours, bar_pieces(scene, scale));
+}
+
+Mesh bar_mesh(const BarScene& scene, double scale, const EndColours& colours, std::span<const int> pieces) {
+    return Builder(scene, scale, colours, pieces).build();
 }
 
 void add_ball(Mesh& mesh, const Vector3d& center, double radius, const Vector3f& colour) {

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace fretwork::exports::detail {
@@ -27,6 +28,13 @@ using EndColours = std::vector<Eigen::Vector3f>;
 
 /// The bars, bent as their ends turn and moved by `scale` times their displacements, with round joints.
 Mesh bar_mesh(const BarScene& scene, double scale, const EndColours& colours);
+
+/// The number of straight pieces that each bar is drawn with: one for every five degrees of its bend. 0: both
+/// ends are at one place.
+std::vector<int> bar_pieces(const BarScene& scene, double scale);
+
+/// The same with given numbers of pieces, so that states of one scene have the same vertices and triangles.
+Mesh bar_mesh(const BarScene& scene, double scale, const EndColours& colours, std::span<const int> pieces);
 
 /// Add a ball.
 void add_ball(Mesh& mesh, const Eigen::Vector3d& center, double radius, const Eigen::Vector3f& colour);

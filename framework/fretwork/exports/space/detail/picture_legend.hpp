@@ -21,9 +21,9 @@ struct Legend {
 int legend_height(PixelSize size);
 
 /// A picture (red, green, blue and opacity, a byte each) of this size, in whose strip is a legend: the
-/// field's title, its unit, the colours, the values at both ends, the largest of those beyond with their
-/// colour, and the note. Letters have a white rim, and the rest of the strip is transparent: they are read on
-/// any ground.
+/// field's title with its unit, the colours with values below them, the largest of the values beyond with
+/// their colour, and the note. Letters are of a grey that is read on white and on black, and the rest of the
+/// strip is transparent.
 /// @param pixels  of the picture above the strip
 std::vector<std::uint8_t> with_legend(std::vector<std::uint8_t> pixels, PixelSize size, const Legend& legend);
 
