@@ -37,6 +37,7 @@ std::span<const Studio::Impl::RequestRow> Studio::Impl::requests() {
         {"upload", &Impl::upload},
         {"download", &Impl::download},
         {"save", &Impl::save},
+        {"folder", &Impl::folder},
         {"patterns", &Impl::patterns},
         {"solve", &Impl::solve},
         {"path", &Impl::path},

@@ -8,6 +8,7 @@
 #include <fretwork/simulation/project/project_library.hpp>
 #include <studio/document/document_json.hpp>
 #include <studio/document/pattern_list.hpp>
+#include <studio/files/folder_listing.hpp>
 #include <studio/files/new_document.hpp>
 #include <studio/files/saving.hpp>
 #include <studio/server/sent_file.hpp>
@@ -123,6 +124,21 @@ void Studio::Impl::save(const Request& request) {
     pages_.broadcast(changed_event(*shown.now(), *shown.now(), shown.status()));
 }
 
+/// Folders of other machines may answer late.
+void Studio::Impl::folder(const Request& request) {
+    request.json.allow_only({"id", "do", "path", "endings"});
+    const auto wanted = request.json.find("path");
+    const fs::path path =
+        wanted ? read_path(*wanted) : folder_of(document_ ? document_->path() : std::nullopt);
+    std::vector<std::string> endings;
+    if (const auto list = request.json.find("endings"))
+        for (const auto& ending : list->elements()) endings.push_back(read_plain_text(ending));
+    pages_.in_background(files_, request, [this, request, path, endings](const base::Control& control) {
+        const auto listing = std::make_shared<const Json>(folder_listing(path, endings, control));
+        return [this, request, listing] { pages_.answer(request, *listing); };
+    });
+}
+
 void Studio::Impl::patterns(const Request& request) {
     request.json.allow_only({"id", "do", "layout"});
     const auto name = request.json.find("layout");
@@ -195,8 +211,10 @@ void Studio::Impl::export_file(ExportRequest request) {
         server_.post([answer, given = std::move(given)] { answer(given); });
     };
     const auto write = [target = request.target, situation, folder = folder_of(document_->path()),
-                        solved = answer->solved] { return target.file_of(situation, folder, solved); };
-    files_.add({.work = [give, write](const base::Control&) { give(write()); },
+                        solved = answer->solved](const base::Control& control) {
+        return target.file_of(situation, folder, solved, control);
+    };
+    files_.add({.work = [give, write](const base::Control& control) { give(write(control)); },
                 .failed = [give](const std::string& error) { give(refused(422, error)); }});
 }
 

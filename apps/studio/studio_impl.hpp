@@ -84,6 +84,7 @@ class Studio::Impl final : public Service {
     void upload(const Request& request);
     void download(const Request& request);
     void save(const Request& request);
+    void folder(const Request& request);
     void patterns(const Request& request);
     void recover(const Request& request);
     void recoverable(const Request& request);

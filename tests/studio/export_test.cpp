@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace fretwork::studio {
 namespace THIS_TEST {
@@ -176,6 +177,33 @@ TEST(StudioExport, RefusalsAreOneLineAndUnknownKeysAreRefused) {
     EXPECT_THAT(refusal("to=a.svg&view=%0d%0aside"), HasSubstr("\\x0d"));
     refusal("to=a.svg&" + std::string(5000, 'k') + "=1");
     refusal("to=" + std::string(5000, 'n') + ".xyz");
+}
+
+/// The targets of an animated glTF.
+std::size_t states_in(const std::string& glb) {
+    std::uint32_t length = 0;
+    std::memcpy(&length, glb.data() + 12, sizeof length);
+    return Json::parse(glb.substr(20, length))["meshes"][0]["primitives"][0]["targets"].size();
+}
+
+TEST(StudioExport, AMovingFileHasTheStepsThatItIsAskedFor) {
+    const RunningStudio studio(test::studio_project());
+    Client client(studio.address());
+    client.hello();
+    const auto glb = [&](const std::string& more) {
+        const std::string answer = test::http(
+            studio.port(), test::get_request("/export?token=" + studio.token() + "&to=a.glb" + more));
+        EXPECT_EQ(test::status_of(answer), 200);
+        return answer.substr(answer.find("\r\n\r\n") + 4);
+    };
+    ASSERT_TRUE(client.ask("set_model", {{"model", "corotational"}})["ok"].get<bool>());
+    EXPECT_EQ(states_in(glb("")), 1U);
+    EXPECT_EQ(states_in(glb("&steps=5")), 5U);
+    ASSERT_TRUE(client.ask("set_model", {{"model", "condensed"}})["ok"].get<bool>());
+    EXPECT_EQ(states_in(glb("&steps=5")), 1U) << "the path of a linear model is straight";
+    const std::string refused =
+        test::http(studio.port(), test::get_request("/export?token=" + studio.token() + "&to=a.glb&steps=1"));
+    EXPECT_EQ(test::status_of(refused), 422);
 }
 
 }  // namespace THIS_TEST

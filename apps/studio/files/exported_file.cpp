@@ -5,6 +5,7 @@
 #include <fretwork/exports/writer_catalogue.hpp>
 #include <fretwork/simulation/project/project_file.hpp>
 #include <fretwork/simulation/results/result_subject.hpp>
+#include <fretwork/simulation/simulate.hpp>
 #include <studio/files/exported_file.hpp>
 #include <studio/server/words.hpp>
 #include <studio/solving/making_doubts.hpp>
@@ -45,7 +46,7 @@ exports::Making read_making(const Target& target, const std::optional<simulation
 
 constexpr std::string_view kExportKeys[] = {"token",  "to",     "content",   "scale", "view",  "size",
                                             "colour", "fillet", "kerf",      "frame", "bolts", "eye",
-                                            "bed",    "fit",    "clearance", "layer"};
+                                            "bed",    "fit",    "clearance", "layer", "steps"};
 
 void check_keys(const Target& target) {
     for (const auto& [name, value] : target.values) {
@@ -62,11 +63,29 @@ const exports::WriterRow& find_target_writer(const Target& target) {
     return exports::find_writer(target.value("to"), wanted);
 }
 
+/// For files that move: the load path of a nonlinear model, in so many steps. The path of a linear one is
+/// straight, and its end is enough.
+void add_load_path(const Target& target, const State& state, exports::Scene& scene) {
+    constexpr long long kMostSteps = 200;
+    const std::string text = target.value("steps");
+    if (text.empty() || scene.results.empty()) return;
+    const auto steps = base::read_number<long long>(text);
+    if (!steps || *steps < 2 || *steps > kMostSteps)
+        throw base::InputError("steps", "", base::shortened(text, 40) + " is not a number from 2 to 200");
+    simulation::SimulationOptions options{.model = *state.model, .analysis = state.analysis, .threads = 1};
+    if (!simulation::is_nonlinear(scene.surface, options)) return;
+    options.load_steps = static_cast<int>(*steps);
+    scene.results.front().result.load_steps =
+        simulation::simulate(scene.surface, *scene.load_case, options, scene.control).load_steps;
+}
+
 /// A file as `fretwork export` writes it, with its remarks. `solved` may be null.
-HttpAnswer exported(const Target& target, const Situation& situation, const SolvedPtr& solved) {
+HttpAnswer exported(const Target& target, const Situation& situation, const SolvedPtr& solved,
+                    const base::Control& control) {
     const exports::WriterRow& writer = find_target_writer(target);
     const State& state = *situation.state;
     exports::Scene scene{open_surface(state).surface};
+    scene.control = control;
     read_drawing(target, scene);
     if (!state.load_cases->empty()) {
         const simulation::LoadCase load_case = load_case_of(situation);
@@ -78,6 +97,7 @@ HttpAnswer exported(const Target& target, const Situation& situation, const Solv
                 scene.surface, load_case, {.model = *state.model, .analysis = state.analysis});
         }
     }
+    add_load_path(target, state, scene);
     if (writer.is_made()) scene.making = read_making(target, scene.conditions);
     exports::Written written = writer.write(scene);
     if (writer.is_made()) {
@@ -113,8 +133,8 @@ bool ExportTarget::shows_answer() const {
 }
 
 HttpAnswer ExportTarget::file_of(const Situation& situation, const std::filesystem::path& folder,
-                                 const SolvedPtr& solved) const {
-    if (!is_project()) return exported(target_, situation, solved);
+                                 const SolvedPtr& solved, const base::Control& control) const {
+    if (!is_project()) return exported(target_, situation, solved, control);
     return {.type = "application/json",
             .body = simulation::project_text(make_project(*situation.state, folder)),
             .download_name = target_.value("to")};

@@ -22,7 +22,7 @@ class ExportTarget {
     /// @param folder  paths in a project are relative to it
     /// @param solved  may be null
     [[nodiscard]] HttpAnswer file_of(const Situation& situation, const std::filesystem::path& folder,
-                                     const SolvedPtr& solved) const;
+                                     const SolvedPtr& solved, const base::Control& control) const;
 
   private:
     [[nodiscard]] bool is_project() const;
