@@ -15,7 +15,7 @@ import { PaintPanel } from './panels/paint_panel';
 import { StatusLine } from './panels/status_line';
 import { TopBar } from './panels/top_bar';
 import { ConflictSheet } from './manners/conflict';
-import { SaveAsSheet } from './manners/save_as';
+import { FolderSheet } from './manners/folder_sheet';
 import { UnsavedSheet } from './manners/unsaved';
 import { Start, takeFile } from './start/start';
 import { Views } from './views/views';
@@ -53,7 +53,7 @@ export function App() {
       <HelpSheet />
       <UnsavedSheet />
       <ConflictSheet />
-      <SaveAsSheet />
+      <FolderSheet />
       <Notes />
       <Tooltip />
     </div>

@@ -2,7 +2,10 @@
 // Files in and out: the browser's machine gives and takes, the server's machine keeps the project.
 
 import { currentScene } from '../views/space/current';
+import { pngPicture, svgPicture } from '../views/pictures/picture';
+import { record } from '../views/pictures/record';
 import type { Discarding } from '../protocol/requests';
+import { giveFile } from './own_files';
 import { ask, tryAsk } from './studio';
 import { makingQuery, type Made } from './making';
 import { shapeIndex } from './look';
@@ -18,32 +21,34 @@ export async function base64(file: Blob): Promise<string> {
   return btoa(text);
 }
 
-export function offer(blob: Blob, name: string): void {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(blob);
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
-}
-
 const stem = (): string => (documentNow.peek()?.name || 'surface').replace(/\.json$/, '');
 
-export async function savePicture(): Promise<void> {
+/** Says what went wrong. */
+async function give(name: string, make: () => Promise<Blob | null>): Promise<void> {
+  try {
+    await giveFile(name, make);
+  } catch (error) {
+    tell((error as Error).message, 'error');
+  }
+}
+
+export async function savePicture(ending: 'png' | 'svg' = 'png'): Promise<void> {
   const scene = currentScene.peek();
-  if (scene) offer(await scene.stage.picture(), `${stem()}.png`);
+  if (!scene) return tell(W.files.pictureNeeds3D, 'error');
+  if (ending === 'png') return give(`${stem()}.png`, () => pngPicture(scene));
+  return give(`${stem()}-3d.svg`, () => Promise.resolve(new Blob([svgPicture(scene)], { type: 'image/svg+xml' })));
+}
+
+export async function saveVideo(): Promise<void> {
+  const scene = currentScene.peek();
+  if (scene) await give(`${stem()}.webm`, () => record(scene));
 }
 
 export const openUpload = async (file: File, more: Discarding): Promise<boolean> =>
   (await tryAsk('upload', { name: file.name, text_base64: await base64(file), ...more })) !== null;
 
-export async function download(): Promise<void> {
-  try {
-    const { text } = await ask('download');
-    offer(new Blob([text], { type: 'application/json' }), `${stem()}.json`);
-  } catch (error) {
-    tell((error as Error).message, 'error');
-  }
-}
+export const download = (): Promise<void> =>
+  give(`${stem()}.json`, async () => new Blob([(await ask('download')).text], { type: 'application/json' }));
 
 export interface ExportRow {
   ending: string;
@@ -54,6 +59,7 @@ export interface ExportRow {
 /** Our words for kinds of file that people know; others come with the program's. */
 const KNOWN: ExportRow[] = [
   { ending: 'html', title: W.files.webPage, words: W.files.theBentSurfaceIn },
+  { ending: 'glb', title: W.files.gltf, words: W.files.movingForSlides },
   { ending: 'svg', title: W.files.svg, words: W.files.drawing },
   { ending: 'dxf', title: W.files.dxf, words: W.files.forLaserCutters, made: 'cut' },
   { ending: 'stl', title: W.files.stl, words: W.files.solidForDPrinting, made: 'solid' },
@@ -77,29 +83,33 @@ export function offered(): ExportRow[] {
 }
 
 /** Files hold the answer to the load. A mode, or a step on the way to the load, is only to be seen here. */
-function isAnotherShape(made?: Made): boolean {
+/** Files that move show all of the way. */
+const MOVES = 'glb';
+const STEPS = '30';
+
+function isAnotherShape(ending: string, made?: Made): boolean {
   const now = shapes.peek();
+  if (ending === MOVES && now?.kind === 'path') return false;
   if (!now || now.shapes.length === 0 || made === 'cut' || made === 'solid') return false;
   return now.kind !== 'path' || shapeIndex.peek() < now.shapes.length - 1;
 }
 
 /** The server writes it as the command line does. Refusals come with a reason. */
 export async function exportTo({ ending, made }: ExportRow): Promise<void> {
-  if (isAnotherShape(made)) {
+  if (isAnotherShape(ending, made)) {
     tell(W.files.filesContainTheResult, 'error');
     return;
   }
   // The page's address may say more than the token, which is not of the file.
   const query = new URLSearchParams({ token: new URLSearchParams(location.search).get('token') ?? '' });
   query.set('to', `${stem()}.${ending}`);
+  if (ending === MOVES) query.set('steps', STEPS);
   for (const [name, text] of Object.entries(made ? makingQuery(made) : {})) query.set(name, text);
-  try {
+  await give(`${stem()}.${ending}`, async () => {
     const answer = await fetch(`/export?${query}`);
     if (!answer.ok) throw new Error((await answer.text()).trim() || W.files.theExportFailed(answer.status));
-    offer(await answer.blob(), `${stem()}.${ending}`);
     const remark = answer.headers.get('Fretwork-Remark');
     if (remark) tell(`${remark[0]!.toUpperCase()}${remark.slice(1)}.`, 'warning');
-  } catch (error) {
-    tell((error as Error).message, 'error');
-  }
+    return answer.blob();
+  });
 }

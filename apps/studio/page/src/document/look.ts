@@ -32,6 +32,9 @@ export const showRest = signal(false);
 export const showMarks = signal(true);
 export const shadows = signal(true);
 
+/** In perspective, or parallel: lengths across the view can be compared. */
+export const projection = signal<'perspective' | 'parallel'>('perspective');
+
 /** Playback of a load path or of a mode: which shape, and the phase within it. */
 export const playing = signal(false);
 export const shapeIndex = signal(0);

@@ -4,6 +4,7 @@
 import { signal } from '@preact/signals';
 import { Refusal } from '../protocol/connection';
 import type { SaveConflict } from '../protocol/messages';
+import { askForPath } from './folders';
 import { ask, tryAsk } from './studio';
 import { documentNow } from './store';
 import { tell } from './tell';
@@ -13,15 +14,6 @@ export type ConflictChoice = 'theirs' | 'mine' | 'elsewhere' | 'stay';
 /** The question that is open, and what takes its answer. */
 export const conflictAsked = signal<{ conflict: SaveConflict; answer: (choice: ConflictChoice) => void } | null>(null);
 
-/** The question for a path that is open, and what takes its answer; null: do not save. */
-export const pathAsked = signal<((path: string | null) => void) | null>(null);
-
-async function askForPath(): Promise<string | null> {
-  const path = await new Promise<string | null>((answer) => (pathAsked.value = answer));
-  pathAsked.value = null;
-  return path;
-}
-
 /** To its file; a document that has none asks for one. Resolves to whether it lies there now. */
 export async function save(): Promise<boolean> {
   if (documentNow.peek()?.path) return write({});
@@ -30,7 +22,7 @@ export async function save(): Promise<boolean> {
 
 /** To another file, which is the document's from then on. */
 export async function saveElsewhere(): Promise<boolean> {
-  const path = await askForPath();
+  const path = await askForPath('save');
   return path ? write({ path }) : false;
 }
 

@@ -26,8 +26,6 @@ export function Gallery() {
         <Button kind="bare" title={W.gallery.chartOfTwoProperties} shortcut="C" icon={ChartScatter} pressed={galleryWide.value} onPress={() => (galleryWide.value = !galleryWide.value)} />
       </div>
       <div class="gallery-tools">
-        <Choice label={W.gallery.filter} value={scope.value} onPick={(value) => (scope.value = value)}
-          options={[{ value: 'all', title: W.gallery.allPatterns }, { value: 'palette', title: W.gallery.inThePalette }, { value: 'calibrated', title: W.gallery.calibrated }]} />
         <Choice label={W.gallery.sortBy} value={sortBy.value} onPick={(name) => (sortBy.value = name)} options={PROPERTIES.map(({ name, title }) => ({ value: name, title }))} />
         <Button kind="bare" title={descending.value ? W.gallery.largestFirst : W.gallery.smallestFirst} icon={descending.value ? ArrowDownWideNarrow : ArrowUpNarrowWide}
           onPress={() => (descending.value = !descending.value)} />
@@ -35,6 +33,8 @@ export function Gallery() {
       {galleryWide.value && <Chart />}
       <div class="gallery-count">
         <span aria-live="polite" id="gallery-count">{table ? W.gallery.ofPatterns(rows.length.toLocaleString('en'), table.patterns.length.toLocaleString('en')) : W.gallery.loading}</span>
+        <Choice label={W.gallery.filter} value={scope.value} onPick={(value) => (scope.value = value)}
+          options={[{ value: 'all', title: W.gallery.allPatterns }, { value: 'palette', title: W.gallery.inThePalette }, { value: 'calibrated', title: W.gallery.calibrated }]} />
         {filtering.value && <Button kind="bare" title={W.gallery.showAll} icon={X} onPress={clearFilters} />}
       </div>
       {table && rows.length === 0 ? (

@@ -13,6 +13,9 @@ const POINTER: [string, string][] = [
   [W.help.wheel, 'zoom'],
   [W.help.dragAnArrowTip, W.help.changeTheForceShift],
   [W.help.middleDragOrSpace, W.help.panInD],
+  [W.help.fingers, W.help.fingersDo],
+  [W.help.arrowKeys2D, W.help.goAndAct],
+  [W.help.arrowKeys3D, W.help.orbitAndZoom],
 ];
 
 export function HelpSheet() {

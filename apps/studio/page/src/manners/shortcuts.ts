@@ -12,6 +12,7 @@ import {
 import { holdChosen } from '../panels/hold_panel';
 import { pressChosen } from '../panels/load_panel';
 import { currentScene } from '../views/space/current';
+import { switchProjection } from '../views/space/view_bar';
 import { fit } from '../views/plane/viewport';
 import { W } from '../words';
 
@@ -76,6 +77,7 @@ export const SHORTCUTS: Shortcut[] = [
   { keys: '6', words: W.shortcuts.isometric, group: W.shortcuts.view, run: () => currentScene.value?.look('iso') },
   { keys: '7', words: W.shortcuts.top, group: W.shortcuts.view, run: () => currentScene.value?.look('top') },
   { keys: '8', words: W.shortcuts.front, group: W.shortcuts.view, run: () => currentScene.value?.look('front') },
+  { keys: '9', words: W.cameras.parallel, group: W.shortcuts.view, run: switchProjection },
   { keys: 'F', words: W.shortcuts.fitDView, group: W.shortcuts.view, run: () => currentScene.value?.look(null) },
   { keys: '0', words: W.shortcuts.fitDView2, group: W.shortcuts.view, run: fit },
   { keys: 'Tab ↹', words: W.shortcuts.nextControl, group: W.shortcuts.view, run: () => undefined },

@@ -39,6 +39,7 @@ export function ExportMenu() {
       <button type="button" id="save-as-menu" onClick={() => pick(() => void saveElsewhere())}><b>{W.saveAs.menu}</b><span>{W.saveAs.menuWords}</span></button>
       <button type="button" data-export="json" onClick={() => pick(() => void download())}><b>{W.exportMenu.project}</b><span>{W.exportMenu.everythingForTheStudio}</span></button>
       <button type="button" data-export="png" onClick={() => pick(() => void savePicture())}><b>{W.exportMenu.picture}</b><span>{W.exportMenu.theDViewPng}</span></button>
+      <button type="button" data-export="picture-svg" onClick={() => pick(() => void savePicture('svg'))}><b>{W.exportMenu.vectorPicture}</b><span>{W.exportMenu.theDViewSvg}</span></button>
       <hr />
       {offered().map((row) => (
         <button key={row.ending} type="button" data-export={row.ending} onClick={() => pick(() => void exportTo(row))}><b>{row.title}</b><span>{row.words}</span></button>

@@ -72,6 +72,24 @@ export interface DesignRequest {
   seed?: number;
 }
 
+/** Something in a folder of the server's machine. */
+export interface FolderEntry {
+  name: string;
+  path: string;
+  /** Seconds since 1970, of its last change. */
+  time: number;
+}
+export interface FolderListing {
+  path: string;
+  /** null at the top. */
+  parent: string | null;
+  home: string | null;
+  folders: FolderEntry[];
+  files: FolderEntry[];
+  /** Entries beyond the most that are listed. */
+  left_out: number;
+}
+
 type Nothing = Record<never, never>;
 
 /** Each request with what it says, and with its answer. */
@@ -87,6 +105,7 @@ export interface Requests {
   recoverable: { says: Nothing; answer: { recoverable: Recoverable[] } };
   recover: { says: Discarding & { key: string }; answer: Nothing };
   forget: { says: { key: string }; answer: { recoverable: Recoverable[] } };
+  folder: { says: { path?: string; endings?: readonly string[] }; answer: FolderListing };
   save: { says: { path?: string; replaces?: string }; answer: { path: string } };
   download: { says: Nothing; answer: { text: string } };
 

@@ -2,7 +2,7 @@
 // Where work begins: an example, an outline of one's own, or a project that is there.
 
 import { signal } from '@preact/signals';
-import { FolderOpen, X } from 'lucide-preact';
+import { FolderOpen, HardDrive, X } from 'lucide-preact';
 import { openUpload } from '../document/files';
 import { documentNow, hello, line } from '../document/store';
 import { ask } from '../document/studio';
@@ -16,6 +16,7 @@ import { Mark } from '../panels/top_bar';
 import { ExampleDrawing } from './example_drawing';
 import { NewFromOutline, painting } from './new_from_outline';
 import { outline, outlineRequest, takeOutline, tilesRequest } from './outline';
+import { askForPath } from '../document/folders';
 import { forgetRecent } from '../document/recent';
 import { RecentList } from './recent_list';
 import { RecoverList } from './recover_list';
@@ -51,6 +52,11 @@ const fromExample = (name: string) => begin(W.start.openingTheExample, (left) =>
 async function openRecent(path: string): Promise<void> {
   await begin(W.start.opening, (left) => ask('open', { path, ...left }));
   if (trouble.peek()) forgetRecent(path);
+}
+
+async function browse(): Promise<void> {
+  const path = await askForPath('open');
+  if (path) await begin(W.start.opening, (left) => ask('open', { path, ...left }));
 }
 
 async function fromOutline(): Promise<void> {
@@ -110,6 +116,7 @@ export function Start() {
         <NewFromOutline busy={busy.value !== null} choose={() => choose(OUTLINES, (one) => void takeFile(one))} take={(file) => void takeFile(file)} make={() => void fromOutline()} />
         <div class="start-foot">
           <Button kind="bare" title={W.start.aProjectFileOn} icon={FolderOpen} label={W.start.openAProject} onPress={() => choose('.json', (file) => void takeFile(file))} />
+          <Button kind="bare" id="browse" title={W.folder.browseTip} icon={HardDrive} label={W.folder.browse} onPress={() => void browse()} />
           {busy.value && <span class="busy" role="status"><i class="pulse" />{busy.value}</span>}
         </div>
       </div>

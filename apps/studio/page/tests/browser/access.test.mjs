@@ -34,11 +34,18 @@ const STATES = {
   'side view': (page) => page.click('#draw-curve'),
   look: mode('look'),
   plane: (page) => page.click('[data-value=plane]'),
+  'tiles by pattern': (page) => page.selectOption('#tile-colour', 'pattern'),
+  'tiles by stiffness': (page) => page.selectOption('#tile-colour', 'bending'),
   space: (page) => page.click('[data-value=space]'),
   'both views': (page) => page.click('[data-value=both]'),
   export: (page) => page.click('#export'),
   'for cutting': (page) => page.click('.making summary'),
   'after export': (page) => page.keyboard.press('Escape'),
+  folders: async (page) => {
+    await page.keyboard.press('Control+Shift+S');
+    await page.waitForSelector('.folder-row');
+  },
+  'after folders': (page) => page.keyboard.press('Escape'),
   keys: (page) => page.click('#help'),
   'after keys': (page) => page.keyboard.press('Escape'),
   chart: async (page) => {

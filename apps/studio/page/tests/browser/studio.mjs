@@ -55,16 +55,19 @@ export async function startStudioIn(test, place, ...words) {
 }
 
 /** A page. Without a graphics card drawing takes seconds, so the surface in space is drawn for pictures alone. */
-export async function openPage(test, address, { width = 1280, height = 800, theme = 'light' } = {}) {
+export async function openPage(test, address, { width = 1280, height = 800, theme = 'light', touch = false } = {}) {
   const browser = await chromium.launch({
     executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
     // WebGL in software, and the page itself put together without it: else every frame of the page waits for it.
     args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-gpu-compositing'],
   });
   test.after(() => browser.close());
-  const page = await browser.newPage({ viewport: { width, height }, colorScheme: theme });
+  const page = await browser.newPage({ viewport: { width, height }, colorScheme: theme, hasTouch: touch });
   page.setDefaultTimeout(PATIENCE_MS);
-  await page.addInitScript(() => (window.fretworkPaused = true));
+  await page.addInitScript(() => {
+    window.fretworkPaused = true;
+    window.showSaveFilePicker = undefined; // a dialog of the system, which nobody answers here
+  });
   page.troubles = [];
   page.on('pageerror', (error) => page.troubles.push(error.message));
   page.on('console', (message) => message.type() === 'error' && page.troubles.push(message.text()));

@@ -10,6 +10,8 @@ import type { Viewport } from './viewport';
 export interface TilePicture {
   surface: Surface;
   patterns: readonly string[];
+  /** The colour of each tile, null for the plain one; null: all are plain. */
+  fills: readonly (string | null)[] | null;
   barWidth: number;
 }
 
@@ -60,9 +62,10 @@ const MOST_SINGLY = 40;
 /** The tiles that have another pattern than the ones on the canvas; null if all must be drawn. */
 function changedTiles(canvas: HTMLCanvasElement, now: Drawn): number[] | null {
   const before = drawn.get(canvas);
-  const isSame = before && before.view === now.view && before.ratio === now.ratio && before.theme === now.theme;
+  const isFilled = (picture: TilePicture): boolean => picture.fills !== null;
+  const isSame = before && isFilled(before.picture) === isFilled(now.picture) && before.view === now.view && before.ratio === now.ratio && before.theme === now.theme;
   if (!isSame || before.picture.surface !== now.picture.surface || before.picture.barWidth !== now.picture.barWidth) return null;
-  const changed = now.picture.patterns.flatMap((pattern, tile) => (pattern === before.picture.patterns[tile] ? [] : [tile]));
+  const changed = now.picture.patterns.flatMap((pattern, tile) => (pattern === before.picture.patterns[tile] && now.picture.fills?.[tile] === before.picture.fills?.[tile] ? [] : [tile]));
   return changed.length > MOST_SINGLY ? null : changed;
 }
 
@@ -87,16 +90,34 @@ function drawAgain(context: CanvasRenderingContext2D, view: Viewport, picture: T
   context.restore();
 }
 
-function drawSome(context: CanvasRenderingContext2D, view: Viewport, { surface, patterns, barWidth }: TilePicture, some: readonly number[]): void {
+/** On coloured tiles bars are dark in both themes. */
+const DARK_BARS = '#22303c';
+
+function fillTiles(context: CanvasRenderingContext2D, surface: Surface, fills: readonly (string | null)[], some: readonly number[]): void {
+  const tilesOf = new Map<string, number[]>();
+  for (const tile of some) {
+    const colour = fills[tile];
+    if (!colour) continue;
+    const alike = tilesOf.get(colour) ?? [];
+    if (alike.push(tile) === 1) tilesOf.set(colour, alike);
+  }
+  for (const [colour, tiles] of tilesOf) {
+    context.fillStyle = colour;
+    context.fill(outline(surface, tiles));
+  }
+}
+
+function drawSome(context: CanvasRenderingContext2D, view: Viewport, { surface, patterns, fills, barWidth }: TilePicture, some: readonly number[]): void {
   const tiles = outline(surface, some);
   context.fillStyle = themeColour('--raised');
   context.fill(tiles);
+  if (fills) fillTiles(context, surface, fills, some);
   context.lineWidth = 0.75 / view.zoom;
   context.strokeStyle = themeColour('--line');
   context.stroke(tiles);
   context.lineCap = 'round';
   context.lineWidth = Math.max(barWidth, 1 / view.zoom);
-  context.strokeStyle = themeColour('--bar');
+  context.strokeStyle = fills ? DARK_BARS : themeColour('--bar');
   const bars = new Path2D();
   for (const tile of some) if (patterns[tile]) bars.addPath(fanPath(surface, tile, patterns[tile]));
   context.stroke(bars);

@@ -4,6 +4,7 @@
 import { effect, type ReadonlySignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { tilePatterns } from '../../document/patterns_now';
+import { tileFills } from '../../document/tile_colours';
 import { barSection, beams } from '../../document/store';
 import { surface } from '../../document/surface';
 import { heldNodes, loadMarks, prescribedMarks } from '../../document/marks';
@@ -16,6 +17,7 @@ import { drawOverlay } from './draw_overlay';
 import { drawTiles } from './draw_tiles';
 import { drawing, hoveredNode, hoveredNodes, hoveredTiles } from './overlay_state';
 import { PlaneBar } from './plane_bar';
+import { TileColoursCard } from './tile_colours_card';
 import { attachPlanePointer } from './plane_pointer';
 import { fit, viewport } from './viewport';
 import { W } from '../../words';
@@ -49,12 +51,13 @@ export function PlaneView() {
       <canvas ref={lower} />
       <canvas ref={upper} id="plane" data-mode={mode.value} tabIndex={0} aria-label={W.plane.dViewWheelTo} />
       <PlaneBar />
+      <TileColoursCard />
       {split.value === 'plane' && <NextStep />}
     </div>
   );
 }
 
-const tileSignals = [viewport, surface, theme, tilePatterns, barSection];
+const tileSignals = [viewport, surface, theme, tilePatterns, tileFills, barSection];
 const markSignals = [
   viewport, surface, theme, mode, probed, selectedNodes, selectedTiles, heldNodes, loadMarks, prescribedMarks, hoveredTiles, hoveredNode, hoveredNodes, drawing, problems, placeLookedAt,
   liveTarget, choosesNodes, choosesTiles, beams,
@@ -88,7 +91,7 @@ function sized(canvas: HTMLCanvasElement): { context: CanvasRenderingContext2D; 
 function showTiles(canvas: HTMLCanvasElement): void {
   const { context, ratio } = sized(canvas);
   const now = surface.value;
-  if (now) drawTiles(context, viewport.value, ratio, { surface: now, patterns: tilePatterns.value, barWidth: barSection.value.width });
+  if (now) drawTiles(context, viewport.value, ratio, { surface: now, patterns: tilePatterns.value, fills: tileFills.value, barWidth: barSection.value.width });
   else context.clearRect(0, 0, canvas.width, canvas.height);
 }
 

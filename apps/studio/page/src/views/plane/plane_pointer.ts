@@ -7,6 +7,8 @@ import { choosingTool, tilesTool } from './paint_tools';
 import { nodesTool } from './node_tools';
 import type { Gesture, PlanePointer, Tool } from './gesture';
 import { hoveredNode, hoveredTiles } from './overlay_state';
+import { Fingers } from './fingers';
+import { attachPlaneKeys } from './plane_keys';
 import { moved, toPlane, viewport, zoomedAt } from './viewport';
 
 const FINGER_PX = 16;
@@ -30,19 +32,30 @@ export function attachPlanePointer(canvas: HTMLCanvasElement): () => void {
   let gesture: Gesture | null = null;
   let moving = false;
   let space = false;
+  const fingers = new Fingers();
 
   canvas.addEventListener('pointerdown', (event) => {
     canvas.focus({ preventScroll: true });
     canvas.setPointerCapture(event.pointerId);
+    if (event.pointerType === 'touch' && fingers.press(event)) return;
     moving = event.button === 1 || event.button === 2 || space;
     if (!moving && event.button === 0) gesture = toolNow().press(read(canvas, event));
   }, options);
   canvas.addEventListener('pointermove', (event) => {
+    if (event.pointerType === 'touch') {
+      const begun = fingers.move(event);
+      if (begun === 'view') return;
+      if (begun) gesture = toolNow().press(read(canvas, begun));
+    }
     if (moving) viewport.value = moved(viewport.peek(), event.movementX, event.movementY);
     else if (gesture) for (const part of event.getCoalescedEvents?.() ?? [event]) gesture.move(read(canvas, part));
     if (!moving) toolNow().hover(read(canvas, event));
   }, options);
   const release = (event: PointerEvent) => {
+    if (event.pointerType === 'touch') {
+      const tapped = fingers.release(event);
+      if (tapped) gesture = toolNow().press(read(canvas, tapped));
+    }
     gesture?.end(read(canvas, event));
     gesture = null;
     moving = false;
@@ -65,6 +78,7 @@ export function attachPlanePointer(canvas: HTMLCanvasElement): () => void {
     event.preventDefault();
     space = event.type === 'keydown';
   };
+  attachPlaneKeys(canvas, toolNow, handlers.signal);
   window.addEventListener('keydown', spaceKey, options);
   window.addEventListener('keyup', spaceKey, options);
   return () => handlers.abort();

@@ -3,6 +3,7 @@
 
 import { signal } from '@preact/signals';
 import { surface, type Box } from '../../document/surface';
+import { tileColour } from '../../document/tile_colours';
 import type { Point } from '../../protocol/messages';
 
 export interface Viewport {
@@ -28,10 +29,11 @@ export const toPlane = ({ zoom, center, width, height }: Viewport, [px, py]: Poi
   center[1] - (py - height / 2) / zoom,
 ];
 
-export function fitted(view: Viewport, { min, max }: Box, reserved = 0): Viewport {
-  const room = Math.max(view.height - reserved, 50);
+/** `reserved`: pixels at the top that are covered; `foot`: those at the bottom. */
+export function fitted(view: Viewport, { min, max }: Box, reserved = 0, foot = 0): Viewport {
+  const room = Math.max(view.height - reserved - foot, 50);
   const zoom = MARGIN * Math.min(view.width / (max[0] - min[0] || 1), room / (max[1] - min[1] || 1));
-  return { ...view, zoom, center: [(min[0] + max[0]) / 2, (min[1] + max[1]) / 2 + reserved / 2 / zoom] };
+  return { ...view, zoom, center: [(min[0] + max[0]) / 2, (min[1] + max[1]) / 2 + (reserved - foot) / 2 / zoom] };
 }
 
 /** Zoom so that what is below the pointer stays there. */
@@ -50,11 +52,13 @@ export const moved = (view: Viewport, dx: number, dy: number): Viewport => ({
 });
 
 const TOOLBAR_PX = 56;
+const FOOT_PX = 44;
+const FOOT_WITH_LEGEND_PX = 84;
 
 /** See all of the surface. */
 export function fit(): void {
   const now = surface.peek();
-  if (now) viewport.value = fitted(viewport.peek(), now.box, TOOLBAR_PX);
+  if (now) viewport.value = fitted(viewport.peek(), now.box, TOOLBAR_PX, tileColour.peek() === 'none' ? FOOT_PX : FOOT_WITH_LEGEND_PX);
 }
 
 const PLACE_SIDES = 12;

@@ -29,6 +29,8 @@ export interface Drag {
 }
 
 const REACH_PX = 18;
+/** Of a finger. */
+export const TOUCH_REACH_PX = 32;
 const AXES = { ux: new Vector3(1, 0, 0), uy: new Vector3(0, 1, 0), uz: new Vector3(0, 0, 1) };
 
 function rayAt(at: [number, number], { camera, size }: View): Ray {
@@ -37,9 +39,9 @@ function rayAt(at: [number, number], { camera, size }: View): Ray {
   return caster.ray;
 }
 
-const near = (place: Vector3, at: [number, number], view: View): boolean => {
+const near = (place: Vector3, at: [number, number], view: View, reach: number): boolean => {
   const seen = onScreen(place, view.camera, view.size);
-  return seen !== null && Math.hypot(seen[0] - at[0], seen[1] - at[1]) < REACH_PX;
+  return seen !== null && Math.hypot(seen[0] - at[0], seen[1] - at[1]) < reach;
 };
 
 interface Handle {
@@ -66,8 +68,8 @@ export function handles(arrows: ArrowScale): Handle[] {
 }
 
 /** The handle under the pointer; undefined where there is none. */
-export const handleAt = (at: [number, number], view: View, arrows: ArrowScale): Handle | undefined =>
-  handles(arrows).find(({ place }) => near(place, at, view));
+export const handleAt = (at: [number, number], view: View, { arrows, reach = REACH_PX }: { arrows: ArrowScale; reach?: number }): Handle | undefined =>
+  handles(arrows).find(({ place }) => near(place, at, view, reach));
 
 function dragArrow(mark: LoadMark, key: 'force' | 'moment', { view, arrows, tip }: { view: View; arrows: ArrowScale; tip: Vector3 }): Drag {
   const merge = newGesture('load');

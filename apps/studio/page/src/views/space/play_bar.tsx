@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Playback of a load path or of modes.
 
-import { Pause, Play, X } from 'lucide-preact';
+import { Pause, Play, Video, X } from 'lucide-preact';
+import { saveVideo } from '../../document/files';
 import { playing, shapeIndex } from '../../document/look';
 import { play, stop } from '../../document/shown';
 import { shapes } from '../../document/store';
 import { digits } from '../../document/units';
 import { Button } from '../../widgets/widgets';
 import { W } from '../../words';
+import { canRecord, recorded } from '../pictures/record';
 
 export function PlayBar() {
   const now = shapes.value;
@@ -30,7 +32,8 @@ export function PlayBar() {
           if (now.kind === 'path') stop();
           shapeIndex.value = Number(event.currentTarget.value);
         }} />
-      <output>{words}</output>
+      <output>{recorded.value === null ? words : W.record.share(Math.round(100 * recorded.value))}</output>
+      {canRecord() && <Button kind="bare" id="record" title={recorded.value === null ? W.record.video : W.record.recording} icon={Video} disabled={recorded.value !== null || now.shapes.length < now.expected} onPress={() => void saveVideo()} />}
       <Button kind="bare" title={W.playBar.close} icon={X} onPress={close} />
     </div>
   );

@@ -4,7 +4,7 @@
 import { beams } from '../../document/store';
 import { surface } from '../../document/surface';
 import { mode, probed, selectedNodes } from '../../document/ui';
-import { handleAt, type Drag } from './handles';
+import { handleAt, TOUCH_REACH_PX, type Drag } from './handles';
 import { nearestBar, nearestOnScreen } from './placed';
 import type { SceneView } from './scene_view';
 
@@ -24,7 +24,7 @@ export function attachPointer(canvas: HTMLCanvasElement, view: SceneView): () =>
   const down = (event: PointerEvent) => {
     if (event.button !== 0) return;
     pressed = at(event);
-    drag = handleAt(pressed, seen(), view.arrows)?.take(pressed, seen()) ?? null;
+    drag = handleAt(pressed, seen(), { arrows: view.arrows, reach: event.pointerType === 'touch' ? TOUCH_REACH_PX : undefined })?.take(pressed, seen()) ?? null;
     if (!drag) return;
     view.stage.controls.enabled = false;
     view.dragging = true;
@@ -35,7 +35,7 @@ export function attachPointer(canvas: HTMLCanvasElement, view: SceneView): () =>
   const isToldAtOnce = 'onpointerrawupdate' in canvas;
   const move = (event: PointerEvent) => {
     if (drag && !isToldAtOnce) follow(event);
-    else if (event.buttons === 0) canvas.style.cursor = handleAt(at(event), seen(), view.arrows) ? 'grab' : '';
+    else if (event.buttons === 0) canvas.style.cursor = handleAt(at(event), seen(), { arrows: view.arrows }) ? 'grab' : '';
   };
   const up = (event: PointerEvent) => {
     const place = at(event);

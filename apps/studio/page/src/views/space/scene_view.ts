@@ -3,7 +3,7 @@
 
 import { effect } from '@preact/signals';
 import { Box3, Vector3 } from 'three';
-import { field, ranges, scale, shadows, showFull, showMarks, showRest, type FieldName } from '../../document/look';
+import { field, projection, ranges, scale, shadows, showFull, showMarks, showRest, type FieldName } from '../../document/look';
 import { heldNodes, loadMarks, prescribedMarks } from '../../document/marks';
 import { shown } from '../../document/shown';
 import { barSection, beams, compared, live, others, shapes, strength } from '../../document/store';
@@ -13,8 +13,8 @@ import { activeEntry, mode, selectedNodes } from '../../document/ui';
 import { theme, themeColour } from '../../manners/theme';
 import type { Beams } from '../../protocol/binary';
 import { Bars } from './bars';
-import { colourChoice } from './colours';
-import { FieldValues, fieldRow, available, MODE_ROW } from './fields';
+import { colourChoice, type ColourMap } from './colours';
+import { FieldValues, fieldRow, available, MODE_ROW, type Values } from './fields';
 import { GapFiller } from './fill_gaps';
 import { arrowScale, MarksView, type ArrowScale } from './marks_view';
 import { handles } from './handles';
@@ -45,6 +45,8 @@ export class SceneView {
   private readonly marks = new MarksView();
   private readonly target = new TargetView();
   private readonly values = new FieldValues();
+  /** What the bars of the live model are coloured by; null: one colour. */
+  valuesNow: Values | null = null;
   private filler: { of: Beams; gaps: GapFiller } | null = null;
   /** The surface that the camera was last set for; it is set again when the surface is bent for the first time. */
   private framed: { of: object; bent: boolean } | null = null;
@@ -64,6 +66,7 @@ export class SceneView {
       effect(() => this.showTarget()),
       effect(() => this.frame()),
       effect(() => void (this.stage.shadows = shadows.value)),
+      effect(() => void (this.stage.projection = projection.value)),
     );
   }
 
@@ -92,7 +95,7 @@ export class SceneView {
     void colourChoice.value;
     if (!now || !bars || now.solution.nodes !== bars.nodes) {
       this.main.factor = 0;
-      this.main.setColours(null, 'sizes');
+      this.setColours(null, 'sizes');
       this.main.colour = dark ? '#c3c8cf' : '#b4b7bb';
       legend.value = null;
       this.stage.draw();
@@ -119,13 +122,18 @@ export class SceneView {
     const values = usable ? this.values.take(row, now.solution, now.fields, { error, strength: strength.value }) : null;
     const set = ranges.value[row.name];
     if (values && set) Object.assign(values, { ...set, isCut: true });
-    this.main.setColours(values, row.map);
+    this.setColours(values, row.map);
     legend.value = values && { row, low: values.low, high: values.high, isCut: values.isCut };
+  }
+
+  private setColours(values: Values | null, map: ColourMap): void {
+    this.valuesNow = values;
+    this.main.setColours(values, map);
   }
 
   private colourMode(name: FieldName, now: NonNullable<typeof shown.value>): void {
     const values = name === 'plain' ? null : this.values.take(MODE_ROW, now.solution, [], { error: null, strength: null });
-    this.main.setColours(values, MODE_ROW.map);
+    this.setColours(values, MODE_ROW.map);
     legend.value = values && { row: MODE_ROW, low: 0, high: 1, isCut: false };
   }
 
@@ -203,6 +211,11 @@ export class SceneView {
     const { clientWidth: width, clientHeight: height } = this.stage.renderer.domElement;
     this.stage.camera.updateMatrixWorld();
     return onScreen(place, this.stage.camera, { width, height });
+  }
+
+  /** Metres across the view for a pixel of the page; null in perspective, where they differ. */
+  get metresPerPixel(): number | null {
+    return this.stage.metresPerPixel;
   }
 
   look(from: ViewName | null): void {

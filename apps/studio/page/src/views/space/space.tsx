@@ -29,6 +29,7 @@ export function SpaceView() {
     const resized = new ResizeObserver(() => view.stage.resize(box.clientWidth, box.clientHeight));
     resized.observe(box);
     const detach = attachPointer(element, view);
+    element.addEventListener('keydown', (event) => turnByKey(event, view));
     const place = () => placePin(pin.current, view, box);
     view.stage.beforeDraw(place);
     const stop = effect(() => {
@@ -56,6 +57,21 @@ export function SpaceView() {
       </div>
     </div>
   );
+}
+
+const KEY_TURN = Math.PI / 18;
+const TURNS: Record<string, [number, number]> = { ArrowLeft: [-KEY_TURN, 0], ArrowRight: [KEY_TURN, 0], ArrowUp: [0, KEY_TURN], ArrowDown: [0, -KEY_TURN] };
+const KEY_ZOOM: Record<string, number> = { '+': 1.15, '=': 1.15, '-': 1 / 1.15 };
+
+/** Arrows turn the view, plus and minus go nearer and farther. */
+function turnByKey(event: KeyboardEvent, { stage }: SceneView): void {
+  const turn = TURNS[event.key];
+  const zoom = KEY_ZOOM[event.key];
+  if ((!turn && !zoom) || event.ctrlKey || event.metaKey) return;
+  event.preventDefault();
+  event.stopPropagation();
+  if (turn) stage.turn(...turn);
+  else stage.approach(zoom);
 }
 
 /** The room that the text beside it needs. */

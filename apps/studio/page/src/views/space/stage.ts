@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Camera and picture. Drawn when something changed, not all the time; and once it rests, finer and finer.
 
-import { BasicShadowMap, Box3, Color, NeutralToneMapping, PCFShadowMap, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
+import { BasicShadowMap, Box3, Color, NeutralToneMapping, PCFShadowMap, Scene, Spherical, Vector3, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 import { Accumulator } from './accumulator';
+import { Cameras, type Projection } from './cameras';
 import { Lights, spread } from './lights';
 import { drawsInSoftware } from './software';
 import { W } from '../../words';
@@ -34,7 +35,7 @@ export type Quality = 'quick' | 'fine';
 
 export class Stage {
   readonly scene = new Scene();
-  readonly camera = new PerspectiveCamera(32, 1, 0.001, 100);
+  private readonly cameras = new Cameras();
   readonly renderer: WebGLRenderer;
   readonly controls: OrbitControls;
   private readonly lights = new Lights(this.scene);
@@ -49,6 +50,7 @@ export class Stage {
   private readonly paused = window.fretworkPaused === true;
   private framing: Framing | null = null;
   private readonly before = new Set<(quality: Quality) => void>();
+  private readonly after = new Set<() => void>();
 
   constructor(canvas: HTMLCanvasElement) {
     this.renderer = new WebGLRenderer({ canvas, antialias: !drawsInSoftware, alpha: true, powerPreference: 'high-performance' });
@@ -56,7 +58,6 @@ export class Stage {
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = drawsInSoftware ? BasicShadowMap : PCFShadowMap;
     this.renderer.toneMapping = NeutralToneMapping;
-    this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener('change', () => this.draw());
     this.controls.addEventListener('start', () => (this.framing = null));
@@ -66,6 +67,31 @@ export class Stage {
   /** Called right before each picture. */
   beforeDraw(action: (quality: Quality) => void): void {
     this.before.add(action);
+  }
+
+  /** Called right after each quick picture, while it can be read. Returns what ends that. */
+  afterDraw(action: () => void): () => void {
+    this.after.add(action);
+    return () => this.after.delete(action);
+  }
+
+  get camera(): Cameras['now'] {
+    return this.cameras.now;
+  }
+  get projection(): Projection {
+    return this.cameras.projection;
+  }
+  /** Metres across the view for a pixel of the page; null in perspective, where they differ. */
+  get metresPerPixel(): number | null {
+    return this.projection === 'perspective' ? null : (2 * this.cameras.halfHeightAt(this.controls.target)) / this.size.height;
+  }
+  /** What is seen stays as large as it is, at the place that the camera looks at. */
+  set projection(projection: Projection) {
+    if (projection === this.cameras.projection) return;
+    this.controls.object = this.cameras.switchTo(projection, this.controls.target);
+    this.setOffset();
+    this.controls.update();
+    this.draw();
   }
 
   draw(): void {
@@ -90,6 +116,7 @@ export class Stage {
     this.prepare('quick');
     this.lights.quick(!drawsInSoftware);
     this.renderer.render(this.scene, this.camera);
+    for (const action of this.after) action();
   }
 
   /** Draws with this many samples, at once. */
@@ -149,6 +176,12 @@ export class Stage {
     this.camera.setViewOffset(width, height, x - 0.5, BAR_PX / 2 + y - 0.5, width, height);
     this.lights.sample(fine.count);
     fine.take(this.scene, this.camera);
+    this.setOffset();
+  }
+
+  /** The middle of the picture lies above the bar at the bottom. */
+  private setOffset(): void {
+    const { width, height } = this.size;
     this.camera.setViewOffset(width, height, 0, BAR_PX / 2, width, height);
   }
 
@@ -157,10 +190,9 @@ export class Stage {
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.setSize(width, height, false);
     this.size = { width, height };
-    this.camera.aspect = width / height;
-    this.camera.setViewOffset(width, height, 0, BAR_PX / 2, width, height);
+    this.cameras.aspect = width / height;
+    this.setOffset();
     this.usable = Math.max(0.3, (height - BAR_PX) / height);
-    this.camera.updateProjectionMatrix();
     if (this.framing) this.look(this.framing);
     this.drawNow();
   }
@@ -190,27 +222,34 @@ export class Stage {
     const direction = from ? new Vector3(...DIRECTIONS[from]) : this.camera.position.clone().sub(this.controls.target);
     this.camera.position.copy(direction.normalize());
     this.camera.lookAt(0, 0, 0);
-    const { center, distance } = this.seeing(places);
+    const { center, distance, halfHeight } = this.cameras.seeing(places, this.usable);
     this.controls.target.copy(center);
-    this.camera.position.copy(center).addScaledVector(direction, FRAME_MARGIN * distance);
-    this.camera.near = distance / 200;
-    this.camera.far = distance * 20;
-    this.camera.updateProjectionMatrix();
+    this.cameras.place({ center, direction, distance: FRAME_MARGIN * distance, halfHeight: FRAME_MARGIN * halfHeight });
+    this.setOffset();
     this.controls.update();
     this.draw();
   }
 
-  /** Where the camera must look, and how far away it must be, to see all of some places, as it is turned now. */
-  private seeing(places: readonly Vector3[]): { center: Vector3; distance: number } {
-    const turn = this.camera.quaternion.clone().invert();
-    const seen = places.map((place) => place.clone().applyQuaternion(turn));
-    const box = new Box3().setFromPoints(seen);
-    const center = box.getCenter(new Vector3());
-    const upward = this.usable * Math.tan((this.camera.fov * Math.PI) / 360);
-    const sideward = (upward / this.usable) * this.camera.aspect;
-    let distance = 1e-3;
-    for (const at of seen) distance = Math.max(distance, at.z - center.z + Math.max(Math.abs(at.y - center.y) / upward, Math.abs(at.x - center.x) / sideward));
-    return { center: center.applyQuaternion(this.camera.quaternion), distance };
+  /** Turn around what is looked at, in radians: to the side, and up. */
+  turn(sideward: number, upward: number): void {
+    this.framing = null;
+    const arm = this.camera.position.clone().sub(this.controls.target);
+    const seen = new Spherical().setFromVector3(new Vector3(arm.x, arm.z, -arm.y));
+    seen.theta += sideward;
+    seen.phi -= upward;
+    seen.makeSafe();
+    const turned = new Vector3().setFromSpherical(seen);
+    this.camera.position.copy(this.controls.target).add(new Vector3(turned.x, -turned.z, turned.y));
+    this.controls.update();
+    this.draw();
+  }
+
+  /** Nearer by this factor, or farther. */
+  approach(factor: number): void {
+    this.framing = null;
+    this.cameras.approach(this.controls.target, factor);
+    this.controls.update();
+    this.draw();
   }
 
   /** Whether nobody has turned the view since it was set. */

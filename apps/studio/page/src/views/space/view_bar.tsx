@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Named views, how large displacements are drawn, what they are coloured by.
 
-import { Axis3d, Camera, Maximize, RectangleHorizontal, Square } from 'lucide-preact';
-import { field, SCALES, scale } from '../../document/look';
+import { Axis3d, Box, Camera, Maximize, RectangleHorizontal, Square } from 'lucide-preact';
+import { field, projection, SCALES, scale } from '../../document/look';
 import { compared } from '../../document/store';
 import { Button, Choice } from '../../widgets/widgets';
 import { savePicture } from '../../document/files';
@@ -11,6 +11,8 @@ import { available, FIELDS } from './fields';
 import { W } from '../../words';
 
 const stepOf = (value: number): number => SCALES.reduce((best, step, i) => (Math.abs(step - value) < Math.abs(SCALES[best] - value) ? i : best), 0);
+
+export const switchProjection = (): void => void (projection.value = projection.peek() === 'parallel' ? 'perspective' : 'parallel');
 
 export function ViewBar() {
   const options = FIELDS.filter((row) => available(row, Boolean(compared.value?.solution)));
@@ -22,6 +24,7 @@ export function ViewBar() {
         <Button kind="bare" title={W.viewBar.top} shortcut="7" icon={Square} onPress={() => scene?.look('top')} />
         <Button kind="bare" title={W.viewBar.front} shortcut="8" icon={RectangleHorizontal} onPress={() => scene?.look('front')} />
         <Button kind="bare" title={W.viewBar.fitView} shortcut="F" icon={Maximize} onPress={() => scene?.look(null)} />
+        <Button kind="bare" id="parallel" title={W.cameras.parallel} shortcut="9" icon={Box} pressed={projection.value === 'parallel'} onPress={switchProjection} />
         <Button kind="bare" title={W.viewBar.saveAPictureWith} icon={Camera} onPress={() => void savePicture()} />
       </div>
       <div class="card bar-group grow">

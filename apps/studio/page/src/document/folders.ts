@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Folders on the machine of the server, for who opens or saves a project there.
+
+import { signal } from '@preact/signals';
+import type { FolderListing } from '../protocol/requests';
+import { ask } from './studio';
+
+/** What is chosen: a project to open, or a name to save to. */
+export type FolderPurpose = 'open' | 'save';
+/** The panel that is open, and what takes the path; null: none. */
+export const folderAsked = signal<{ purpose: FolderPurpose; answer: (path: string | null) => void } | null>(null);
+/** What the panel shows; null while it loads. */
+export const folderNow = signal<FolderListing | null>(null);
+export const folderTrouble = signal<string | null>(null);
+
+const ENDINGS = ['.json'];
+
+/** Shows a folder; a later call overtakes an earlier one. Where it cannot be read, the last one stays, with the reason. */
+let latest = 0;
+export async function goTo(path?: string): Promise<void> {
+  const mine = ++latest;
+  folderTrouble.value = null;
+  try {
+    const listing = await ask('folder', { endings: ENDINGS, ...(path ? { path } : {}) });
+    if (mine === latest) folderNow.value = listing;
+  } catch (error) {
+    if (mine === latest) folderTrouble.value = (error as Error).message;
+  }
+}
+
+export async function askForPath(purpose: FolderPurpose): Promise<string | null> {
+  folderNow.value = null;
+  void goTo();
+  const path = await new Promise<string | null>((answer) => (folderAsked.value = { purpose, answer }));
+  folderAsked.value = null;
+  return path;
+}
+
+/** A name as typed, in a folder: a whole path stays one, and a project ends with .json. */
+export function pathOf(typed: string, folder: string | undefined): string | null {
+  const name = typed.trim();
+  if (!name) return null;
+  const whole = /^(\/|[A-Za-z]:[\\/])/.test(name) || !folder ? name : `${folder.replace(/\/$/, '')}/${name}`;
+  return /\.json$/i.test(whole) ? whole : `${whole}.json`;
+}
