@@ -206,6 +206,12 @@ TEST(MotionFile, WithoutAResultItIsTheSurfaceAtRest) {
     EXPECT_GT(file.floats("POSITION").size(), 1000U);
 }
 
+TEST(MotionFile, SaysAtItsStartWhoMadeIt) {
+    const std::string text = motion_glb(moving_scene());
+    EXPECT_LT(text.find("made by fretwork"), 200U) << "else it could not be replaced";
+    EXPECT_EQ(GlbFile(text).json["asset"]["version"], "2.0");
+}
+
 TEST(MotionFile, StopsWhenAsked) {
     const fretwork::test::StopAtLook stop(2);
     Scene scene = moving_scene();

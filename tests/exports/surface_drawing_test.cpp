@@ -108,8 +108,9 @@ TEST_F(SurfaceDrawing, DeformedStatesAreLayersWithTheirColoursAndLabels) {
     const Svg svg(deformed_svg(drawn, {.scale = 1.0, .rest = rim_lines(surface_)}));
     for (const DeformedLayer& layer : drawn) {
         const auto group = svg.layer(identifier_of(layer.label));
-        EXPECT_EQ(lines_of_layer(group), layer.lines.lines.size());
-        EXPECT_EQ(group.child("path").attribute("stroke").value(), layer.colour);
+        const auto lines = coloured_lines(group);
+        ASSERT_EQ(lines.size(), layer.lines.lines.size());
+        for (const auto& line : lines) EXPECT_EQ(line.attribute("stroke").value(), layer.colour);
         EXPECT_THAT(svg.words(), HasSubstr(layer.label + ": at most "));
     }
     EXPECT_EQ(lines_of_layer(svg.layer("at-rest")), rim_lines(surface_).lines.size());
@@ -159,6 +160,25 @@ TEST_F(SurfaceDrawing, LinesNearerToTheViewerAreDrawnOverThoseBehindThemWithAWhi
     const auto edge = lines[1].previous_sibling("path");
     EXPECT_STREQ(edge.attribute("stroke").value(), "#ffffff");
     EXPECT_GT(edge.attribute("stroke-width").as_double(), lines[1].attribute("stroke-width").as_double());
+}
+
+TEST_F(SurfaceDrawing, EachOfSeveralStatesHidesItsOwnLinesBehindOthers) {
+    DeformedLayer layer{"crossing", "#123456", {}};
+    layer.lines.nodes = {{-1, 0, 1}, {1, 0, 1}, {0, -1, 0}, {0, 1, 0}};
+    layer.lines.lines = {{0, 1}, {2, 3}};
+    layer.lines.displacements = mechanics::NodeValues::Zero(4, mechanics::kDofsPerNode);
+    DeformedLayer other = layer;
+    other.label = "other";
+    const Svg svg(deformed_svg(std::vector{layer, other}));
+    for (const char* name : {"crossing", "other"}) {
+        const auto lines = coloured_lines(svg.layer(name));
+        ASSERT_EQ(lines.size(), 2U);
+        // The upper one, which runs along x, is drawn last, on its white edge.
+        double x0 = 0.0, y0 = 0.0, x1 = 0.0, y1 = 0.0;
+        ASSERT_EQ(std::sscanf(lines[1].attribute("d").value(), "M%lf,%lfL%lf,%lf", &x0, &y0, &x1, &y1), 4);
+        EXPECT_GT(std::abs(x1 - x0), std::abs(y1 - y0));
+        EXPECT_STREQ(lines[1].previous_sibling("path").attribute("stroke").value(), "#ffffff");
+    }
 }
 
 /// The ends of a path of one line, mm.
@@ -215,7 +235,7 @@ TEST_F(SurfaceDrawing, TheFigureHoldsAllPanels) {
     EXPECT_EQ(children(svg.root(), "svg"), 3U);
     // One title of the document, and one of each tile in both panels that show them.
     EXPECT_EQ(svg.count("title"), 1U + 2 * surface_.tessellation.tiles.size());
-    EXPECT_EQ(lines_of_layer(svg.layer("deformed-paper6")), drawn[1].lines.lines.size());
+    EXPECT_EQ(coloured_lines(svg.layer("deformed-paper6")).size(), drawn[1].lines.lines.size());
     EXPECT_EQ(children(svg.layer("setup-supports"), "circle"), 2 * conditions_.supports.size());
 }
 

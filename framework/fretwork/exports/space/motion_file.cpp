@@ -244,7 +244,6 @@ class MotionFile {
     }
 
     void add_frame() {
-        file_["asset"] = {{"version", "2.0"}, {"generator", std::string(base::kMadeBy)}};
         file_["scene"] = 0;
         file_["scenes"] = Json::array({{{"nodes", {0}}}});
         // The format's y is up.
@@ -262,7 +261,7 @@ class MotionFile {
 
     /// Header, chunk of JSON, chunk of the buffer; each a multiple of four bytes.
     [[nodiscard]] std::string container() const {
-        std::string json = file_.dump();
+        std::string json = json_text();
         json.resize((json.size() + 3) / 4 * 4, ' ');
         const std::string& binary = buffer_.bytes();
         constexpr std::size_t kHeaders = 12 + 8 + 8;
@@ -273,6 +272,11 @@ class MotionFile {
         text += word(json.size()) + "JSON" + json;
         text += word(binary.size()) + std::string("BIN\0", 4) + binary;
         return text;
+    }
+    /// The program that made the file comes first: by this it knows its own files, which it may replace.
+    [[nodiscard]] std::string json_text() const {
+        const Json asset = {{"version", "2.0"}, {"generator", std::string(base::kMadeBy)}};
+        return "{\"asset\":" + asset.dump() + "," + file_.dump().substr(1);
     }
     static std::string word(std::size_t number) {
         const auto bits = static_cast<std::uint32_t>(number);

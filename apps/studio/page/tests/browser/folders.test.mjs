@@ -45,8 +45,8 @@ test('a project is opened from a folder, and a folder that cannot be read says s
   await page.waitForFunction((path) => document.querySelector('#folder-path').textContent === path, dirname(dirname(project)));
   const refused = await page.evaluate(() => window.fretwork.ask('folder', { path: '/nowhere/at/all' }).then(() => null, (error) => error.message));
   assert.match(refused, /not a folder/);
-  await page.click(`[data-path="${dirname(project)}"]`);
-  await page.click(`[data-path="${project}"]`);
+  await page.click(`.folder-row[data-path="${dirname(project)}"]`);
+  await page.click(`.folder-row[data-path="${project}"]`);
   assert.equal(await page.inputValue('#save-as-path'), project.split('/').at(-1));
   await page.click('#open-path');
   await page.waitForSelector('.start', { state: 'detached' });

@@ -172,27 +172,40 @@ class WhiteEdges {
     std::vector<std::vector<std::size_t>> drawn_at_;  ///< by node
 };
 
+/// The lines of a layer of a view.
+struct SeenLines {
+    const LineSet& lines;
+    const std::vector<Point2>& points;
+    const std::vector<double>& nearnesses;  ///< of nodes
+    double width;
+
+    [[nodiscard]] double of_ends(const std::vector<double>& values, std::size_t line) const {
+        return 0.5 * (values[lines.lines[line][0]] + values[lines.lines[line][1]]);
+    }
+};
+
 /// Lines that are nearer to the viewer hide those behind them: the farthest are drawn first, by their
-/// middles.
+/// middles. @param colour_of  gives a line's colour
+template <class ColourOf>
+void draw_lines(SvgCanvas& canvas, const SeenLines& seen, const ColourOf& colour_of) {
+    std::vector<std::size_t> order(seen.lines.lines.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return seen.of_ends(seen.nearnesses, i); });
+    const Segments segments = segments_of(seen.lines, seen.points);
+    WhiteEdges edges(seen.lines, segments, seen.width);
+    for (const std::size_t i : order) {
+        edges.draw(canvas, i);
+        canvas.segments(std::span(&segments[i], 1), {"none", colour_of(i), seen.width, 1.0});
+    }
+}
+
 void draw_coloured_lines(SvgCanvas& canvas, const LineSet& lines, const View& view, double largest) {
     const std::vector<double> sizes = displacement_sizes(lines);
-    const std::vector<double>& nearnesses = view.nearnesses.front();
-    const auto of_ends = [&](const std::vector<double>& values, std::size_t i) {
-        const auto& line = lines.lines[i];
-        return 0.5 * (values[line[0]] + values[line[1]]);
-    };
-    std::vector<std::size_t> order(lines.lines.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return of_ends(nearnesses, i); });
-    const Segments segments = segments_of(lines, view.points.front());
-    const double width = 1.6 * line_width(canvas.box());
-    WhiteEdges edges(lines, segments, width);
-    for (const std::size_t i : order) {
-        const int band = std::min(static_cast<int>(kBands * of_ends(sizes, i) / largest), kBands - 1);
-        edges.draw(canvas, i);
-        canvas.segments(std::span(&segments[i], 1),
-                        {"none", scale_colour((band + 0.5) / kBands), width, 1.0});
-    }
+    const SeenLines seen{lines, view.points.front(), view.nearnesses.front(), 1.6 * line_width(canvas.box())};
+    draw_lines(canvas, seen, [&](std::size_t line) {
+        const int band = std::min(static_cast<int>(kBands * seen.of_ends(sizes, line) / largest), kBands - 1);
+        return scale_colour((band + 0.5) / kBands);
+    });
 }
 
 }  // namespace
@@ -214,8 +227,8 @@ SvgCanvas deformed_panel(std::span<const DeformedLayer> layers, const DeformedVi
     draw_rest(canvas, view, options);
     for (std::size_t i = 0; i < layers.size(); ++i) {
         canvas.layer(layers[i].label);
-        canvas.segments(segments_of(layers[i].lines, view.points[i]),
-                        {"none", layers[i].colour, line_width(view.box), 1.0});
+        draw_lines(canvas, {layers[i].lines, view.points[i], view.nearnesses[i], line_width(view.box)},
+                   [&](std::size_t) { return layers[i].colour; });
     }
     canvas.layer("legend");
     int line = 0;

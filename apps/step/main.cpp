@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fretwork-step: what is made of a project, as a STEP file. A program of its own: it needs OpenCASCADE.
+#include "step_text.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/files/file.hpp>
+#include <fretwork/base/files/provenance.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/simulation/load_cases/conditions.hpp>
+#include <fretwork/simulation/project/project_library.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <typed/making_choice.hpp>
+
+namespace fretwork::step {
+namespace {
+
+struct Options {
+    std::string project;
+    std::string to;
+    std::string library;
+    std::string load_case;
+    typed::MakingChoice making{};
+    bool json = false;
+};
+
+/// A file that is no STEP file is not replaced.
+void require_replaceable(const std::filesystem::path& path) {
+    if (path.extension() != ".step" && path.extension() != ".stp")
+        throw base::InputError(path.string(), "", "has another ending than .step and .stp");
+    if (!std::filesystem::exists(path)) return;
+    if (base::read_text_file(path).rfind("ISO-10303-21", 0) != 0)
+        throw base::InputError(path.string(), "", "is there already, and is no STEP file");
+}
+
+simulation::Surface read_surface(const Options& options, const simulation::Project& project) {
+    if (project.setting && options.library.empty()) return simulation::make_surface(project, nullptr);
+    const std::optional<library::Library> library =
+        simulation::open_project_library(options.project, project, options.library);
+    return simulation::make_surface(project, library ? &*library : nullptr);
+}
+
+void run(const Options& options) {
+    require_replaceable(options.to);
+    const simulation::Project project = simulation::read_checked_project(options.project);
+    const simulation::Surface surface = read_surface(options, project);
+    std::optional<simulation::Conditions> conditions;
+    if (!options.load_case.empty())
+        conditions = simulation::resolve(simulation::find_load_case(project, options.load_case), surface);
+    const exports::Making making = typed::read_making(options.making, conditions ? &*conditions : nullptr);
+    const auto [shape, remarks] = fabrication::make_remarked_shape(surface, making.shape);
+    const std::string text = step_text(shape, std::filesystem::path(options.to).stem().string());
+    base::write_file_atomically(options.to, text);
+    for (const std::string& remark : remarks) std::fprintf(stderr, "fretwork-step: %s\n", remark.c_str());
+    const double volume = fabrication::area(shape) * shape.height;
+    if (options.json)
+        std::printf("{\"path\": \"%s\", \"solids\": %zu, \"volume\": %s, \"unit\": \"millimetre\"}\n",
+                    base::printable(options.to).c_str(), shape.pieces.size(),
+                    base::format_number(volume).c_str());
+    else
+        std::printf("%s: %zu solid%s, %s mm3\n", base::printable(options.to).c_str(), shape.pieces.size(),
+                    shape.pieces.size() == 1 ? "" : "s", base::format_number(1e9 * volume, 6).c_str());
+}
+
+void add_options(CLI::App& app, Options& options) {
+    app.add_option("project", options.project, "Project file")->required();
+    app.add_option("--to", options.to, "File to write: .step or .stp")->required();
+    app.add_option("--case", options.load_case, "Load case at whose supports --bolts are");
+    app.add_option("--library", options.library, "Library with the setting (default: the project's)");
+    app.add_option("--fillet", options.making.fillet,
+                   "Radius of inner corners between bars (default: sharp)");
+    app.add_option("--frame", options.making.frame, "Width of a frame along the rim");
+    app.add_option("--bolts", options.making.bolts, "Diameter of holes at the supports of --case");
+    app.add_option("--eye", options.making.eye,
+                   "Diameter of the discs around these holes (default: twice theirs)");
+    app.add_flag("--json", options.json, "Print what was written as JSON; volume in m3");
+    app.footer("Example: fretwork-step project.json --fillet 0.5mm --frame 4mm --to chair.step");
+}
+
+}  // namespace
+}  // namespace fretwork::step
+
+int main(int argc, char** argv) {
+    using namespace fretwork;
+    CLI::App app("What is made of a project as a STEP file: extruded outlines with true arcs, millimetres",
+                 "fretwork-step");
+    step::Options options;
+    step::add_options(app, options);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;
+    }
+    try {
+        step::run(options);
+    } catch (const base::Error& error) {
+        std::fprintf(stderr, "fretwork-step: %s\n", error.what());
+        return 2;
+    }
+    return 0;
+}
