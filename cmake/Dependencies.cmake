@@ -37,8 +37,6 @@ find_package(pugixml 1.12 REQUIRED)                          # outlines: SVG
 find_package(SQLite3 3.40 REQUIRED)                          # library
 find_package(PNG 1.6 REQUIRED)                               # tiling: images to paint by; exports: pictures
 find_package(Freetype 2.12 REQUIRED)                         # exports: letters in pictures
-find_file(FRETWORK_PICTURE_FONT DejaVuSans.ttf PATHS /usr/share/fonts /usr/local/share/fonts
-          PATH_SUFFIXES truetype/dejavu TTF dejavu NO_DEFAULT_PATH REQUIRED)  # exports: their shapes
 find_library(MUPARSER_LIBRARY muparser REQUIRED)             # tiling: expressions to paint by
 find_path(MUPARSER_INCLUDE_DIR muParser.h REQUIRED)
 if(NOT TARGET muparser::library)
