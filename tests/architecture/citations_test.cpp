@@ -44,6 +44,7 @@ std::map<std::string, std::string> citations() {
     for (const char* folder : {"docs", "framework", "experiments", "apps", "tests", "bench"}) {
         for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder)) {
             if (!endings.contains(entry.path().extension().string())) continue;
+            if (entry.path().string().find("node_modules") != std::string::npos) continue;  // not ours
             for (const std::string& key : cited_keys(base::read_text_file(entry.path())))
                 found.try_emplace(key, fs::relative(entry.path(), kRoot).generic_string());
         }

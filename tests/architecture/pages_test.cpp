@@ -18,13 +18,19 @@ namespace fs = std::filesystem;
 
 const fs::path kRoot = FRETWORK_SOURCE_DIR;
 
+/// Packages of the studio's page, where somebody works on it.
+bool is_of_others(const fs::path& file) {
+    return file.string().find("node_modules") != std::string::npos;
+}
+
 std::vector<fs::path> pages() {
     std::vector<fs::path> found;
     for (const auto& entry : fs::directory_iterator(kRoot))
         if (entry.path().extension() == ".md") found.push_back(entry.path());
     for (const char* folder : {"docs", "framework", "experiments", "apps", "tests", "bench"})
         for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder))
-            if (entry.path().extension() == ".md") found.push_back(entry.path());
+            if (entry.path().extension() == ".md" && !is_of_others(entry.path()))
+                found.push_back(entry.path());
     return found;
 }
 

@@ -92,7 +92,7 @@ TEST(StepText, EveryPieceIsASolid) {
 }
 
 std::string output_of(const std::string& command) {
-    FILE* pipe = ::popen((command + " 2>&1").c_str(), "r");
+    FILE* pipe = ::popen(("{ " + command + "; } 2>&1").c_str(), "r");
     std::string text;
     char buffer[4096];
     while (pipe != nullptr && std::fgets(buffer, sizeof(buffer), pipe) != nullptr) text += buffer;
