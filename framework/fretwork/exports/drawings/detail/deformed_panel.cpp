@@ -172,6 +172,9 @@ class WhiteEdges {
     std::vector<std::vector<std::size_t>> drawn_at_;  ///< by node
 };
 
+/// What lies below the lines of a layer.
+enum class Below { Nothing, OtherStates };
+
 /// The lines of a layer of a view.
 struct SeenLines {
     const LineSet& lines;
@@ -185,16 +188,17 @@ struct SeenLines {
 };
 
 /// Lines that are nearer to the viewer hide those behind them: the farthest are drawn first, by their
-/// middles. @param colour_of  gives a line's colour
+/// middles. Over other states there is no white, which would tear their lines where both meet.
+/// @param colour_of  gives a line's colour
 template <class ColourOf>
-void draw_lines(SvgCanvas& canvas, const SeenLines& seen, const ColourOf& colour_of) {
+void draw_lines(SvgCanvas& canvas, const SeenLines& seen, Below below, const ColourOf& colour_of) {
     std::vector<std::size_t> order(seen.lines.lines.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return seen.of_ends(seen.nearnesses, i); });
     const Segments segments = segments_of(seen.lines, seen.points);
     WhiteEdges edges(seen.lines, segments, seen.width);
     for (const std::size_t i : order) {
-        edges.draw(canvas, i);
+        if (below == Below::Nothing) edges.draw(canvas, i);
         canvas.segments(std::span(&segments[i], 1), {"none", colour_of(i), seen.width, 1.0});
     }
 }
@@ -202,7 +206,7 @@ void draw_lines(SvgCanvas& canvas, const SeenLines& seen, const ColourOf& colour
 void draw_coloured_lines(SvgCanvas& canvas, const LineSet& lines, const View& view, double largest) {
     const std::vector<double> sizes = displacement_sizes(lines);
     const SeenLines seen{lines, view.points.front(), view.nearnesses.front(), 1.6 * line_width(canvas.box())};
-    draw_lines(canvas, seen, [&](std::size_t line) {
+    draw_lines(canvas, seen, Below::Nothing, [&](std::size_t line) {
         const int band = std::min(static_cast<int>(kBands * seen.of_ends(sizes, line) / largest), kBands - 1);
         return scale_colour((band + 0.5) / kBands);
     });
@@ -228,6 +232,7 @@ SvgCanvas deformed_panel(std::span<const DeformedLayer> layers, const DeformedVi
     for (std::size_t i = 0; i < layers.size(); ++i) {
         canvas.layer(layers[i].label);
         draw_lines(canvas, {layers[i].lines, view.points[i], view.nearnesses[i], line_width(view.box)},
+                   i == 0 ? Below::Nothing : Below::OtherStates,
                    [&](std::size_t) { return layers[i].colour; });
     }
     canvas.layer("legend");
