@@ -37,6 +37,7 @@ struct TileOptions {
     std::string part = "largest";
     std::optional<std::string> width;
     std::optional<std::string> edge_length;
+    std::optional<std::string> angle;
     typed::PaintingText painting;
     std::string library;
     std::string setting;
@@ -62,6 +63,14 @@ double parse_length(const LengthOption& option, const std::string& text) {
         return base::parse_length(text);
     } catch (const base::InputError& error) {
         throw base::within(option.name, "", error);
+    }
+}
+
+double parse_angle(const std::string& text) {
+    try {
+        return base::parse_angle(text);
+    } catch (const base::InputError& error) {
+        throw base::within("--angle", "", error);
     }
 }
 
@@ -243,6 +252,7 @@ simulation::NewProjectOptions wanted_project(const TileOptions& options) {
                                          .layout = options.layout,
                                          .painting = typed::read_painting(options.painting)};
     if (options.edge_length) wanted.edge_length = parse_length(kEdgeLength, *options.edge_length);
+    if (options.angle) wanted.angle = parse_angle(*options.angle);
     wanted.narrow = kNarrow.at(options.narrow);
     if (options.keep_mesh) wanted.tiles = simulation::TilesFrom::Mesh;
     return wanted;
@@ -298,6 +308,9 @@ void add_tile(CLI::App& app, ExitCode&) {
     CLI::Option* edge_length =
         verb->add_option("--edge-length", options->edge_length,
                          "Wanted mean side of the tiles, such as 26mm (default: the setting's tile side)");
+    CLI::Option* angle = verb->add_option(
+        "--angle", options->angle,
+        "Angle of the rows of tiles to the x axis, such as 15deg (default: that of the most regular tiling)");
     verb->add_option("--narrow", options->narrow,
                      "Treatment of an outline narrower than a tile: refine makes smaller tiles, merge joins "
                      "these to few long ones, refuse gives an error")
@@ -306,6 +319,7 @@ void add_tile(CLI::App& app, ExitCode&) {
     verb->add_flag("--keep-mesh", options->keep_mesh,
                    "Take the faces of a flat OBJ, PLY or OFF as tiles, unchanged")
         ->excludes(edge_length)
+        ->excludes(angle)
         ->excludes(width);
     add_painting_options(*verb, options->painting);
     add_clearance_option(*verb, options->clearance);

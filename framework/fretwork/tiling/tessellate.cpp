@@ -67,17 +67,27 @@ double estimated_tiles(const outlines::Outline& outline, const TessellationOptio
     return std::abs(geometry::signed_area(outline.boundary)) / hexagon;
 }
 
-/// The starts that look best in a first sketch, best first, and as many as the number of tiles allows. A
-/// triangular lattice is the same again after 60 degrees. The lattices are turned by a share of the angle
-/// between two of them.
+/// The angles of the lattices that are sketched: the wanted one alone, or several, turned by a share of the
+/// angle between two of them. A triangular lattice is the same again after 60 degrees.
+std::vector<double> sketched_angles(const Task& task, double turned_by) {
+    if (task.options.angle) return {*task.options.angle};
+    const bool is_graded = !task.field.is_uniform();
+    const int wanted = is_graded ? (task.options.lattice_angles + 1) / 2 : task.options.lattice_angles;
+    const int count = task.has_many() ? std::min(wanted, kAnglesOfMany) : wanted;
+    std::vector<double> angles(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) angles[i] = std::numbers::pi / 3 * (i + turned_by) / count;
+    return angles;
+}
+
+/// The starts that look best in a first sketch, best first, and as many as the number of tiles allows.
 std::vector<Start> best_starts(const Task& task, double turned_by, Work& work) {
     const bool is_graded = !task.field.is_uniform();
-    const int angles = is_graded ? (task.options.lattice_angles + 1) / 2 : task.options.lattice_angles;
-    const std::size_t count = task.has_many() ? std::min(angles, kAnglesOfMany) : angles;
+    const std::vector<double> angles = sketched_angles(task, turned_by);
+    const std::size_t count = angles.size();
     std::vector<std::pair<detail::Sketch, Start>> ranking(count);
     work.begin_part(count * detail::rough_steps(task.options), kSketchingShare);
     base::parallel_for(count, task.options.threads, [&](std::size_t i) {
-        Start start{std::numbers::pi / 3 * (static_cast<double>(i) + turned_by) / static_cast<double>(count)};
+        Start start{angles[i]};
         const detail::Sketch sketch = detail::make_sketch(task, start, work);
         start.factor = sketch.factor;
         ranking[i] = {sketch, start};
@@ -370,6 +380,9 @@ void TessellationOptions::validate() const {
     if (remeshing_iterations < 1 || relaxation_iterations < 0 || lattice_angles < 0)
         throw base::InputError(
             "a tessellation needs at least one iteration of remeshing, and no number below zero");
+    if (angle && !std::isfinite(*angle))
+        throw base::InputError(
+            "the angle of a tessellation's rows is not a number, where radians are needed");
 }
 
 TessellationResult tessellate(const outlines::Outline& outline, const pattern::NodeLayout& layout,
@@ -382,7 +395,8 @@ TessellationResult tessellate(const outlines::Outline& outline, const pattern::N
     detail::check_small_parts(clean.outline, options.edge_length, options.control);
     if (options.narrow == Narrow::Refuse) refuse_narrow(clean.outline, options);
     Work work(options.control, "tiling");
-    Candidate best = best_tiling(clean.outline, options, kTurnedBy, work);
+    const std::span<const double> turns = std::span(kTurnedBy).first(options.angle ? 1 : kTurnedBy.size());
+    Candidate best = best_tiling(clean.outline, options, turns, work);
     if (!best.defects.empty() && best.defects.front().kind == detail::DefectKind::TooMany)
         refuse_many(clean.outline, best.report);
     if (!best.defects.empty()) refuse(clean.outline, options, best.defects.front(), work);

@@ -8,6 +8,7 @@
 #include <fretwork/tiling/tessellation.hpp>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,9 @@ struct TessellationOptions {
     int remeshing_iterations = 10;   ///< number of iterations of the isotropic remeshing
     int relaxation_iterations = 40;  ///< number of iterations towards a centroidal tessellation
     int lattice_angles = 12;  ///< number of triangular lattices to try in addition to the remeshed triangles
+    /// The angle of the rows of tiles to the x axis, rad: one lattice at this angle is tried and nothing
+    /// else. It is the same again after 60 degrees. None: the most regular of several tilings.
+    std::optional<double> angle{};
     /// Number of threads; 0: one for each processor; the result does not depend on the number.
     int threads = 0;
     /// Progress and stop. The stop is checked in every loop. Some calls of CGAL and of the standard library

@@ -39,6 +39,7 @@ tiling::TessellationResult new_tiles(const std::vector<outlines::Outline>& parts
     tiling::TessellationOptions tiles;
     tiles.edge_length = options.edge_length.value_or(setting.tile_side);
     tiles.smallest_side = std::min(mechanics::rectangle_width(setting.section), 0.25 * tiles.edge_length);
+    tiles.angle = options.angle;
     tiles.narrow = options.narrow;
     tiles.control = options.control;
     return tessellate_named(parts, options.outline_name, layout, tiles);

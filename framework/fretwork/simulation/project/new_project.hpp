@@ -25,6 +25,7 @@ struct NewProjectOptions {
     std::string outline_name{};
     /// Wanted mean side of the tiles, m; none: the setting's tile side.
     std::optional<double> edge_length{};
+    std::optional<double> angle{};                   ///< of the rows of tiles, rad; none: the most regular
     TilesFrom tiles = TilesFrom::Outline;            ///< source of the tiles
     tiling::Narrow narrow = tiling::Narrow::Refine;  ///< treatment of an outline that is narrower than a tile
     /// Name or file of the node layout; empty: the library's layout, or paper7.

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/geometry/polygon.hpp>
+#include <fretwork/mechanics/frame/section.hpp>
+#include <fretwork/reduction/scenarios/setting_file.hpp>
+#include <fretwork/simulation/load_cases/conditions.hpp>
+#include <fretwork/simulation/project/retiling.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace fretwork::simulation {
+namespace {
+
+using geometry::Point2;
+using tiling::Tessellation;
+using tiling::TileIndex;
+
+double longest_side(const Tessellation& tessellation) {
+    double longest = 0.0;
+    for (const TileIndex tile : tessellation.tiles.indices()) {
+        const geometry::Polygon polygon = tiling::tile_polygon(tessellation, tile);
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const Point2& a = polygon[i];
+            const Point2& b = polygon[(i + 1) % polygon.size()];
+            longest = std::max(longest, std::hypot(b.x - a.x, b.y - a.y));
+        }
+    }
+    return longest;
+}
+
+/// Finds the tile of a tessellation whose centroid is nearest to a place.
+class NearestTile {
+  public:
+    explicit NearestTile(const Tessellation& tessellation) {
+        for (const TileIndex tile : tessellation.tiles.indices())
+            sorted_.push_back({geometry::centroid(tiling::tile_polygon(tessellation, tile)), tile});
+        std::ranges::sort(sorted_, {}, [](const Entry& entry) { return entry.place.x; });
+    }
+    /// From the place's x outwards, until a difference in x alone is larger than the distance found.
+    [[nodiscard]] TileIndex operator()(const Point2& place) const {
+        const auto begin =
+            std::ranges::lower_bound(sorted_, place.x, {}, [](const Entry& entry) { return entry.place.x; });
+        Best best;
+        for (auto entry = begin; entry != sorted_.end() && entry->place.x - place.x <= best.distance; ++entry)
+            best.look_at(*entry, place);
+        for (auto entry = begin; entry != sorted_.begin() && place.x - (entry - 1)->place.x <= best.distance;
+             --entry)
+            best.look_at(*(entry - 1), place);
+        return best.tile;
+    }
+
+  private:
+    struct Entry {
+        Point2 place;
+        TileIndex tile;
+    };
+    struct Best {
+        double distance = std::numeric_limits<double>::infinity();
+        TileIndex tile{};
+        void look_at(const Entry& entry, const Point2& place) {
+            const double away = std::hypot(entry.place.x - place.x, entry.place.y - place.y);
+            if (std::pair(away, entry.tile.value) < std::pair(distance, tile.value))
+                *this = {away, entry.tile};
+        }
+    };
+    std::vector<Entry> sorted_;
+};
+
+using FromTiles = base::IndexVector<TileIndex, TileIndex>;
+
+FromTiles nearest_tiles(const Tessellation& old_tiles, const Tessellation& new_tiles) {
+    const NearestTile nearest(old_tiles);
+    FromTiles from;
+    for (const TileIndex tile : new_tiles.tiles.indices())
+        from.push_back(nearest(geometry::centroid(tiling::tile_polygon(new_tiles, tile))));
+    return from;
+}
+
+template <class Entry>
+bool is_by_number(const Entry& entry) {
+    return std::holds_alternative<NodesById>(entry.where);
+}
+
+template <class Entry>
+int drop_numbers(std::vector<Entry>& entries) {
+    return static_cast<int>(std::erase_if(entries, is_by_number<Entry>));
+}
+
+/// An entry of a file has one row for each of its components.
+int drop_numbers(std::vector<LoadCase::PrescribedDisplacement>& rows) {
+    int entries = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const bool continues = i > 0 && rows[i].where == rows[i - 1].where;
+        if (is_by_number(rows[i]) && !continues) ++entries;
+    }
+    std::erase_if(rows, is_by_number<LoadCase::PrescribedDisplacement>);
+    return entries;
+}
+
+/// The new tiles that come from some old ones.
+LoadCase::AreaLoad::Tiles tiles_from(const LoadCase::AreaLoad::Tiles& old_tiles, const FromTiles& from) {
+    LoadCase::AreaLoad::Tiles tiles;
+    for (const TileIndex tile : from.indices()) {
+        if (std::ranges::find(old_tiles.numbers, static_cast<int>(from[tile].value)) !=
+            old_tiles.numbers.end())
+            tiles.numbers.push_back(static_cast<int>(tile.value));
+    }
+    return tiles;
+}
+
+int carry_area_loads(std::vector<LoadCase::AreaLoad>& loads, const FromTiles& from) {
+    return static_cast<int>(std::erase_if(loads, [&](LoadCase::AreaLoad& load) {
+        if (const auto* where = std::get_if<Selection>(&load.where))
+            return std::holds_alternative<NodesById>(*where);
+        auto& tiles = std::get<LoadCase::AreaLoad::Tiles>(load.where);
+        tiles = tiles_from(tiles, from);
+        return tiles.numbers.empty();
+    }));
+}
+
+void carry_load_case(LoadCase& load_case, const FromTiles& from, DroppedEntries& dropped) {
+    dropped.supports += drop_numbers(load_case.supports);
+    dropped.loads += drop_numbers(load_case.loads) + carry_area_loads(load_case.area_loads, from);
+    dropped.prescribed += drop_numbers(load_case.prescribed);
+}
+
+std::vector<Project::TileModelChoice> carried_models(const Project& project, const FromTiles& from) {
+    const std::vector<std::string> models = models_by_tile(project);
+    if (models.empty()) return {};
+    std::map<std::string, std::vector<TileIndex>> tiles;
+    for (const TileIndex tile : from.indices()) {
+        const std::string& model = models[from[tile]];
+        if (!model.empty()) tiles[model].push_back(tile);
+    }
+    std::vector<Project::TileModelChoice> choices;
+    for (auto& [model, chosen] : tiles) choices.push_back({model, std::move(chosen)});
+    return choices;
+}
+
+}  // namespace
+
+NewTiles new_tiles(const Project& project, const RetilingOptions& options) {
+    const reduction::Setting setting = project.setting.value_or(reduction::paper_setting());
+    std::vector<outlines::Outline> parts{project.outline};
+    parts.insert(parts.end(), project.further_outlines.begin(), project.further_outlines.end());
+    tiling::TessellationOptions wanted;
+    wanted.edge_length = options.edge_length;
+    wanted.smallest_side = std::min(mechanics::rectangle_width(setting.section), 0.25 * options.edge_length);
+    wanted.angle = options.angle;
+    wanted.control = options.control;
+    NewTiles made;
+    made.layout = options.layout.value_or(project.layout);
+    tiling::TessellationResult result = tiling::tessellate_parts(parts, made.layout, wanted);
+    made.tessellation = std::move(result.tessellation);
+    made.report = result.report;
+    made.largest_side = longest_side(made.tessellation);
+    return made;
+}
+
+CarriedOver carry_over(const Project& project, const NewTiles& tiles) {
+    CarriedOver carried{project, nearest_tiles(project.tessellation, tiles.tessellation), {}};
+    Project& next = carried.project;
+    const bool is_same_layout =
+        pattern::node_layout_text(tiles.layout) == pattern::node_layout_text(project.layout);
+    next.layout = tiles.layout;
+    next.tessellation = tiles.tessellation;
+    next.tile_models = carried_models(project, carried.from);
+    if (is_same_layout) {
+        next.tessellation.patterns = project.tessellation.patterns;
+        for (const TileIndex tile : carried.from.indices())
+            next.tessellation.tiles[tile].pattern = project.tessellation.tiles[carried.from[tile]].pattern;
+    } else {
+        next.library_path.clear();
+        next.library_hash.clear();
+    }
+    for (LoadCase& load_case : next.load_cases) {
+        carry_load_case(load_case, carried.from, carried.dropped);
+        check_selections(load_case, next.tessellation);
+    }
+    return carried;
+}
+
+}  // namespace fretwork::simulation
