@@ -52,6 +52,7 @@ std::span<const Studio::Impl::RequestRow> Studio::Impl::requests() {
         {"forget", &Impl::forget},
         {"design", &Impl::begin_design},
         {"stop_design", &Impl::stop_design},
+        {"retile", &Impl::retile},
     };
     return kRequests;
 }

@@ -3,6 +3,7 @@
 
 #include <studio/designing/designs.hpp>
 #include <studio/document/kept_work.hpp>
+#include <studio/document/retiling.hpp>
 #include <studio/files/exported_file.hpp>
 #include <studio/server/pages.hpp>
 #include <studio/solving/error_watch.hpp>
@@ -77,6 +78,9 @@ class Studio::Impl final : public Service {
     void stop_design(const Request& request);
     void take_design(const DesignFound& found);
 
+    // studio_retile.cpp: other tiles for the outline
+    void retile(const Request& request);
+
     // studio_files.cpp: documents from files, and files from documents
     void make_new(const Request& request);
     void measure(const Request& request);
@@ -112,7 +116,8 @@ class Studio::Impl final : public Service {
     KeptWork kept_;
     LiveView view_;
     std::vector<ExportRequest> waiting_exports_;
-    Background files_;  ///< work of a second or two
+    RetilingPtr last_retiling_;  ///< null: none; a preview is followed by the same tiles
+    Background files_;           ///< work of a second or two
     LongJobs jobs_;
     MakingWatch making_;
     ErrorWatch errors_;

@@ -63,7 +63,7 @@ TEST(StudioMessages, AServerWithoutAProjectSaysSo) {
     Client client(studio.address());
     const Json answer = client.ask("hello", {{"protocol", 1}});
     EXPECT_FALSE(answer["has_document"].get<bool>());
-    EXPECT_EQ(answer["examples"].size(), 3U);
+    EXPECT_EQ(answer["examples"].size(), 6U);
     EXPECT_GE(answer["models"].size(), 3U);
     EXPECT_THAT(client.ask("undo")["error"].get<std::string>(), HasSubstr("no document yet"));
 }

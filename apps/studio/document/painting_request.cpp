@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <tuple>
 
 namespace fretwork::studio {
 namespace {
@@ -50,12 +51,17 @@ class PaletteWriter {
     std::map<std::string, int> places_;
 };
 
+void paint_by_hand(Painting& painting, std::size_t tile, int place) {
+    painting.patterns[tile] = place;
+    painting.recipes[tile] = nullptr;
+}
+
 Painted with_one_pattern(const State& state, const JsonReader& request) {
     request.allow_only({"id", "do", "merge", "tiles", "pattern"});
     Painted result{*state.painting};
     const auto tiles = read_tiles(request.at("tiles"), state);
     const int place = PaletteWriter(result.painting, state.ground->layout).place_of(request.at("pattern"));
-    for (const std::size_t tile : tiles) result.painting.patterns[tile] = place;
+    for (const std::size_t tile : tiles) paint_by_hand(result.painting, tile, place);
     result.tiles = tiles.size();
     return result;
 }
@@ -67,8 +73,9 @@ Painted tile_by_tile(const State& state, const JsonReader& request) {
     const auto ids = request.at("patterns").elements(state.tile_count());
     for (std::size_t t = 0; t < ids.size(); ++t) {
         const int place = palette.place_of(ids[t]);
-        result.tiles += place != result.painting.patterns[t] ? 1 : 0;
-        result.painting.patterns[t] = place;
+        if (place == result.painting.patterns[t]) continue;
+        ++result.tiles;
+        paint_by_hand(result.painting, t, place);
     }
     return result;
 }
@@ -92,7 +99,30 @@ std::optional<library::Library> library_for(const PaintingText& text, const Stat
     return library;
 }
 
-Painted by_choice(const State& state, const std::vector<TileIndex>& tiles, const PaintingText& text) {
+/// Paintings that say by place, or by chance, which pattern a tile gets.
+bool is_recipe(const simulation::PaintingChoice& choice) {
+    return std::holds_alternative<simulation::PaintByField>(choice) ||
+           std::holds_alternative<simulation::PaintByColours>(choice) ||
+           std::holds_alternative<simulation::PaintAtRandom>(choice);
+}
+
+bool is_same(const PaintingRecipe& one, const PaintingRecipe& other) {
+    const auto words_of = [](const PaintingText& text) {
+        return std::tie(text.patterns, text.palette, text.property, text.range, text.dither);
+    };
+    return words_of(one.text) == words_of(other.text) && one.file == other.file;
+}
+
+/// One that a tile has already, if it says the same: to paint twice alike changes nothing.
+std::shared_ptr<const PaintingRecipe> known_or_new(const Painting& painting, const PaintingRecipe& wanted) {
+    for (const auto& recipe : painting.recipes) {
+        if (recipe && is_same(*recipe, wanted)) return recipe;
+    }
+    return std::make_shared<const PaintingRecipe>(wanted);
+}
+
+Painted by_choice(const State& state, const std::vector<TileIndex>& tiles, const PaintingText& text,
+                  const PaintingRecipe& recipe) {
     const simulation::PaintingChoice choice = typed::read_painting(text);
     const auto library = library_for(text, state);
     tiling::Tessellation tessellation = make_project(state, "/").tessellation;
@@ -100,27 +130,36 @@ Painted by_choice(const State& state, const std::vector<TileIndex>& tiles, const
         tessellation, tiles, choice, {state.ground->layout, *state.setting, library ? &*library : nullptr});
     Painted result{*state.painting, done.size()};
     PaletteWriter palette(result.painting, state.ground->layout);
-    for (const TileIndex tile : done)
+    const auto kept = is_recipe(choice) ? known_or_new(*state.painting, recipe) : nullptr;
+    for (const TileIndex tile : done) {
         result.painting.patterns[tile] = palette.place_of(*tiling::pattern_of(tessellation, tile));
+        result.painting.recipes[tile] = kept;
+    }
     return result;
+}
+
+Painted by_recipe(const State& state, const std::vector<TileIndex>& tiles, const PaintingRecipe& recipe) {
+    if (!recipe.file) return by_choice(state, tiles, recipe.text, recipe);
+    return read_sent(*recipe.file, [&](const std::filesystem::path& path) {
+        PaintingText text = recipe.text;
+        text.patterns += path.string();
+        return by_choice(state, tiles, text, recipe);
+    });
 }
 
 /// The file that the choice reads may come with the request.
 Painted chosen(const State& state, const JsonReader& request) {
     request.allow_only(
         {"id", "do", "merge", "tiles", "patterns", "palette", "property", "range", "dither", "file"});
-    PaintingText text = read_painting_text(request);
+    const PaintingText text = read_painting_text(request);
     const auto tiles = chosen_tiles(state, request);
     const auto file = request.find("file");
-    if (!file) return by_choice(state, tiles, text);
+    if (!file) return by_recipe(state, tiles, {text});
     file->allow_only({"name", "text_base64"});
     if (text.patterns != "image:" && text.patterns != "colours:")
         file->fail("is what the patterns 'image:' and 'colours:' read, and these are '" + text.patterns +
                    "'");
-    return read_sent(parse_sent_file(*file), [&](const std::filesystem::path& path) {
-        text.patterns += path.string();
-        return by_choice(state, tiles, text);
-    });
+    return by_recipe(state, tiles, {text, parse_sent_file(*file)});
 }
 
 }  // namespace
@@ -148,12 +187,33 @@ PaintingText read_painting_text(const JsonReader& request) {
             .prefix = ""};
 }
 
+std::string kind_of(const PaintingRecipe& recipe) {
+    return recipe.text.patterns.substr(0, recipe.text.patterns.find(':'));
+}
+
+Painting painted_again(const State& state) {
+    std::vector<std::shared_ptr<const PaintingRecipe>> recipes;
+    std::map<const PaintingRecipe*, std::vector<TileIndex>> tiles;
+    for (std::size_t t = 0; t < state.tile_count(); ++t) {
+        const auto& recipe = state.painting->recipes[t];
+        if (!recipe) continue;
+        if (!tiles.contains(recipe.get())) recipes.push_back(recipe);
+        tiles[recipe.get()].emplace_back(t);
+    }
+    State painted = state;
+    for (const auto& recipe : recipes)
+        painted.painting =
+            std::make_shared<const Painting>(by_recipe(painted, tiles.at(recipe.get()), *recipe).painting);
+    return *painted.painting;
+}
+
 Painting painted_as(const State& state, const tiling::Tessellation& painted) {
     Painting painting = *state.painting;
     PaletteWriter palette(painting, state.ground->layout);
     for (const TileIndex tile : painted.tiles.indices()) {
         const pattern::NamedPattern* pattern = tiling::pattern_of(painted, tile);
-        painting.patterns[tile] = pattern == nullptr ? -1 : palette.place_of(*pattern);
+        const int place = pattern == nullptr ? -1 : palette.place_of(*pattern);
+        if (place != painting.patterns[tile]) paint_by_hand(painting, tile, place);
     }
     return painting;
 }

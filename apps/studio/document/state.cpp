@@ -33,7 +33,8 @@ std::vector<Project::TileModelChoice> tile_model_choices(const std::vector<std::
 }
 
 std::size_t size_of(const Painting& painting) {
-    return (painting.patterns.size() + painting.turns.size()) * sizeof(int) + 64 * painting.palette.size();
+    return (painting.patterns.size() + painting.turns.size()) * sizeof(int) +
+           painting.recipes.size() * sizeof(painting.recipes.front()) + 64 * painting.palette.size();
 }
 
 std::size_t size_of(const std::vector<simulation::LoadCase>& load_cases) {
@@ -46,9 +47,10 @@ std::size_t size_of(const std::vector<simulation::LoadCase>& load_cases) {
 }  // namespace
 
 State make_state(const Project& project, const std::filesystem::path& folder) {
-    Painting painting{project.tessellation.patterns, {}, {}};
+    Painting painting{project.tessellation.patterns, {}, {}, {}};
     for (const tiling::Tile& tile : project.tessellation.tiles) painting.patterns.push_back(tile.pattern);
     painting.turns.resize(painting.patterns.size());
+    painting.recipes.resize(painting.patterns.size());
     LibraryLink library;
     if (!project.library_path.empty()) {
         library.path = std::filesystem::absolute(folder / project.library_path).lexically_normal();

@@ -15,6 +15,7 @@ namespace fretwork::studio {
 struct SentFile {
     std::string name;  ///< its ending says what kind of file it is
     std::string content{};
+    friend bool operator==(const SentFile&, const SentFile&) = default;
 };
 
 /// The keys `name` and `text_base64` of an object; which others it may have is for the caller to say.
