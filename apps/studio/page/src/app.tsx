@@ -18,6 +18,7 @@ import { ConflictSheet } from './manners/conflict';
 import { FolderSheet } from './manners/folder_sheet';
 import { UnsavedSheet } from './manners/unsaved';
 import { Start, takeFile } from './start/start';
+import { TourCard } from './tour/tour_card';
 import { Views } from './views/views';
 import { Tooltip } from './widgets/tooltip';
 import './panels/panels.css';
@@ -50,6 +51,7 @@ export function App() {
       )}
       {ready && <StatusLine />}
       {(startOpen.value || (!ready && hello.value)) && <Start />}
+      <TourCard />
       <HelpSheet />
       <UnsavedSheet />
       <ConflictSheet />

@@ -9,7 +9,7 @@ import * as store from './store';
 import { target } from './target';
 import { lookedAt } from './truth';
 import { tell } from './tell';
-import { pending } from './ui';
+import { activeEntry, pending, selectedNodes, selectedTiles } from './ui';
 import { W } from '../words';
 
 /** Which event the next solution belongs to: a binary message follows the event that announces it. */
@@ -87,7 +87,7 @@ const isSameSurface = (next: StudioDocument): boolean =>
   JSON.stringify(store.documentNow.peek()?.interface_nodes) === JSON.stringify(next.interface_nodes);
 
 function forget(next: StudioDocument): void {
-  if (!isSameSurface(next)) target.value = [];
+  if (!isSameSurface(next)) forgetNumbers();
   [designing.value, designed.value] = [null, null];
   store.estimated.value = null;
   pending.value = new Map();
@@ -98,6 +98,14 @@ function forget(next: StudioDocument): void {
   store.compared.value = null;
   store.shapes.value = null;
   forgetMaking();
+}
+
+/** Numbers of tiles and nodes mean others on other tiles. */
+function forgetNumbers(): void {
+  target.value = [];
+  selectedTiles.value = new Set();
+  selectedNodes.value = new Set();
+  activeEntry.value = null;
 }
 
 function forgetMaking(): void {
@@ -116,6 +124,7 @@ function confirmPainting(): void {
 function change(message: Partial<StudioDocument>): void {
   const before = store.documentNow.value;
   if (!before) return;
+  if (message.tiles) forget({ ...before, ...message });
   store.documentNow.value = { ...before, ...message };
   if (message.painting) confirmPainting();
   if (message.painting || message.turns || message.setting) forgetMaking();

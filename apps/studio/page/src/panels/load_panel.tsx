@@ -12,6 +12,7 @@ import { NumberField } from '../widgets/number';
 import { CaseBar } from './case_bar';
 import { Combination } from './combination';
 import { ChosenNodes } from './chosen_nodes';
+import { LoadFactor } from './load_factor';
 import { LoadRow } from './load_row';
 import { PrescribedRow } from './prescribed_row';
 import { W } from '../words';
@@ -74,6 +75,7 @@ export function LoadPanel() {
           {loadMarks.value.map((mark) => <LoadRow key={`load-${mark.index}`} mark={mark} />)}
           {prescribedMarks.value.map((mark) => <PrescribedRow key={`move-${mark.index}`} mark={mark} />)}
         </ul>
+        <LoadFactor />
         <Combination />
       </div>
     </>

@@ -10,7 +10,9 @@ import { Gallery } from '../gallery/gallery';
 import { orderedPalette } from '../gallery/order';
 import { pngInBase64 } from '../painting/read_image';
 import { Button, Choice } from '../widgets/widgets';
+import { retileOpen } from '../document/retile';
 import { obstacle } from './models';
+import { RetilePanel } from './retile_panel';
 import { W } from '../words';
 
 const targets = (): number[] => {
@@ -35,6 +37,11 @@ function chooseImage(): void {
 }
 
 export function PaintPanel() {
+  if (retileOpen.value) return <RetilePanel />;
+  return <Painting />;
+}
+
+function Painting() {
   const chosen = selectedTiles.value;
   const models = hello.value?.models ?? [];
   const model = documentNow.value?.tile_models[[...chosen][0]] ?? '';

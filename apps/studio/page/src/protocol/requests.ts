@@ -90,6 +90,38 @@ export interface FolderListing {
   left_out: number;
 }
 
+/** Other tiles for the outline of the document. */
+export interface RetileRequest {
+  tile_size: number;
+  /** Of the rows of tiles, in radians; left out: the most regular tiling. */
+  angle?: number;
+  /** The name of a layout; left out: the document's. */
+  layout?: string;
+  /** `keep`: by place; `made:one`: one that can be made; else the pattern of all tiles. */
+  patterns?: string;
+  preview?: true;
+}
+/** The tiles that come, or have come. */
+export interface Retiled {
+  tiles: number;
+  interface_nodes: number;
+  /** Lengths of the sides, in metres. */
+  side: { mean: number; deviation: number; smallest: number; largest: number };
+  /** In radians. */
+  smallest_angle: number;
+  hexagon_share: number;
+  refined_share: number;
+  /** Entries of load cases on nodes by number, which cannot be kept. */
+  dropped: { supports: number; loads: number; prescribed: number };
+  /** How many tiles each kind of painting by place has painted: `field`, `image`, `colours`, `random`. */
+  painted_again: Record<string, number>;
+  unpainted: number;
+  remarks: string[];
+  /** In previews. */
+  vertices?: Point[];
+  polygons?: number[][];
+}
+
 type Nothing = Record<never, never>;
 
 /** Each request with what it says, and with its answer. */
@@ -117,6 +149,7 @@ export interface Requests {
   set_load_case: { says: Merging & { index: number; load_case: LoadCase }; answer: Edited };
   remove_load_case: { says: { index: number }; answer: Edited };
   select_load_case: { says: { index: number }; answer: Nothing };
+  retile: { says: RetileRequest; answer: Retiled };
   undo: { says: Nothing; answer: Nothing };
   redo: { says: Nothing; answer: Nothing };
 

@@ -2,7 +2,7 @@
 // Where work begins: an example, an outline of one's own, or a project that is there.
 
 import { signal } from '@preact/signals';
-import { FolderOpen, HardDrive, X } from 'lucide-preact';
+import { Compass, FolderOpen, HardDrive, X } from 'lucide-preact';
 import { openUpload } from '../document/files';
 import { documentNow, hello, line } from '../document/store';
 import { ask } from '../document/studio';
@@ -13,13 +13,14 @@ import { mode, selectedNodes, selectedTiles, startOpen } from '../document/ui';
 import { Button } from '../widgets/widgets';
 import type { Discarding } from '../protocol/requests';
 import { Mark } from '../panels/top_bar';
-import { ExampleDrawing } from './example_drawing';
+import { ExamplePicture } from './example_picture';
 import { NewFromOutline, painting } from './new_from_outline';
 import { outline, outlineRequest, takeOutline, tilesRequest } from './outline';
 import { askForPath } from '../document/folders';
 import { forgetRecent } from '../document/recent';
 import { RecentList } from './recent_list';
 import { RecoverList } from './recover_list';
+import { startTourAfter, TOUR_EXAMPLE } from '../tour/tour';
 import { W } from '../words';
 import './start.css';
 
@@ -47,6 +48,15 @@ async function begin(words: string, request: (left: Discarding) => Promise<{ rem
 }
 
 const fromExample = (name: string) => begin(W.start.openingTheExample, (left) => ask('new', { example: name, ...left }));
+
+async function takeTour(): Promise<void> {
+  const before = documentNow.peek();
+  await begin(W.tour.opening, async (left) => {
+    const made = await ask('new', { example: TOUR_EXAMPLE, ...left });
+    startTourAfter(before);
+    return made;
+  });
+}
 
 /** A file that is no longer there leaves the list. */
 async function openRecent(path: string): Promise<void> {
@@ -96,6 +106,7 @@ export function Start() {
             <h1>{W.start.fretworkStudio}</h1>
             <p>{W.start.paintTilesSetSupports}</p>
           </div>
+          <Button id="take-tour" title={W.tour.beginTip} icon={Compass} label={W.tour.begin} disabled={busy.value !== null || !info} onPress={() => void takeTour()} />
           {documentNow.value && <Button kind="bare" title={W.start.back} shortcut="Esc" icon={X} onPress={close} />}
         </header>
         {trouble.value && <p class="trouble" role="alert" id="start-trouble">{inShownUnits(trouble.value)}</p>}
@@ -105,7 +116,7 @@ export function Start() {
         <div class="examples">
           {(info?.examples ?? []).map((example) => (
             <button key={example.name} type="button" class="example" data-example={example.name} disabled={busy.value !== null} onClick={() => void fromExample(example.name)}>
-              <ExampleDrawing name={example.name} />
+              <ExamplePicture name={example.name} />
               <b>{example.title}</b>
               <span>{example.description}</span>
             </button>

@@ -111,6 +111,23 @@ const ACTIONS = {
     await go(page, 'look');
     await page.click(`[data-model=${oneOf(['condensed', 'corotational', 'full'], random)}]`);
   },
+  async loadFactor(page, { random }) {
+    await go(page, 'load');
+    const slider = page.locator('#load-factor');
+    if ((await slider.count()) === 0) return;
+    await slider.focus();
+    await page.keyboard.press(oneOf(['ArrowLeft', 'ArrowRight', 'PageDown'], random));
+  },
+  async retile(page, { random }) {
+    await go(page, 'paint');
+    await page.click('#retile');
+    await page.fill('#retile-side', (55 + 12 * random()).toFixed(2));
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(() => document.querySelector('#retile-tiles, #retile-trouble') && document.querySelector('.retile').dataset.busy === 'false');
+    if (await page.isEnabled('#retile-apply')) await page.click('#retile-apply');
+    await page.waitForFunction(() => document.querySelector('.retile').dataset.busy === 'false');
+    await page.click('#retile-close');
+  },
   save,
   commandLine: changeFile,
   async reload(page) {

@@ -2,7 +2,7 @@
 // The state of the page after each message of the server.
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import * as store from '../../src/document/store';
-import { pending } from '../../src/document/ui';
+import { pending, selectedNodes, selectedTiles } from '../../src/document/ui';
 import type { Beams, Solution } from '../../src/protocol/binary';
 import type { Solved } from '../../src/protocol/messages';
 import { documentWith } from './document_of_tests';
@@ -119,6 +119,18 @@ describe('the document', () => {
     takeEvent({ event: 'making', revision: 2, words: ['narrow'], counts: { overlap: 0, gap: 1, opening: 0 }, places: [] });
     takeEvent({ event: 'document', revision: 3, ...documentWith() });
     expect([store.live.value, store.making.value, pending.value.size, store.revision.value]).toEqual([null, null, 0, 3]);
+  });
+});
+
+describe('other tiles', () => {
+  it('take the solution and all numbers of nodes and tiles away', () => {
+    takeEvent(solved());
+    takeBinary(solution());
+    [selectedTiles.value, selectedNodes.value] = [new Set([1]), new Set([3])];
+    const { tiles, interface_nodes, vertices, rim, sides, painting, turns, tile_models } = documentWith();
+    takeEvent({ event: 'changed', revision: 3, tiles: [...tiles], interface_nodes: interface_nodes.slice(0, 3), vertices, rim, sides, painting, turns, tile_models });
+    expect([store.live.value, selectedTiles.value.size, selectedNodes.value.size]).toEqual([null, 0, 0]);
+    expect(store.documentNow.value?.interface_nodes.length).toBe(3);
   });
 });
 

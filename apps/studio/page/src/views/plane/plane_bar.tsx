@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tools of the plane, at its top.
 
-import { BoxSelect, Brush, Lasso, Maximize, PaintBucket, Pipette, Replace, Spline, SquareDashedMousePointer, TrendingUp } from 'lucide-preact';
+import { BoxSelect, Brush, Hexagon, Lasso, Maximize, PaintBucket, Pipette, Replace, Spline, SquareDashedMousePointer, TrendingUp } from 'lucide-preact';
 import { brushRings, choosesNodes, choosesTiles, designPicks, mode, nodeTool, paintTool, type NodeTool, type PaintTool } from '../../document/ui';
+import { retileOpen, toggleRetile } from '../../document/retile';
 import { Button, Segments } from '../../widgets/widgets';
 import { W } from '../../words';
 import { fit } from './viewport';
@@ -41,6 +42,7 @@ export function PlaneBar() {
         </label>
       )}
       <span class="gap" />
+      {painting && <Button kind="bare" id="retile" title={W.retile.tip} icon={Hexagon} pressed={retileOpen.value} onPress={toggleRetile} />}
       <Button kind="bare" title={W.planeBar.fitView} shortcut="0" icon={Maximize} onPress={fit} />
     </div>
   );
