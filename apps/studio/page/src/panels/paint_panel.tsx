@@ -10,9 +10,9 @@ import { Gallery } from '../gallery/gallery';
 import { orderedPalette } from '../gallery/order';
 import { pngInBase64 } from '../painting/read_image';
 import { Button, Choice } from '../widgets/widgets';
-import { retileOpen } from '../document/retile';
+import { retileOpen } from '../tiles/retile';
 import { obstacle } from './models';
-import { RetilePanel } from './retile_panel';
+import { RetilePanel } from '../tiles/retile_panel';
 import { W } from '../words';
 
 const targets = (): number[] => {

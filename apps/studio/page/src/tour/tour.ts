@@ -6,7 +6,7 @@ import { documentNow, loadCase, others } from '../document/store';
 import type { StudioDocument } from '../protocol/messages';
 import { mode, type Mode } from '../document/ui';
 import { exportOpen } from '../panels/export_menu';
-import { retileOpen } from '../document/retile';
+import { retileOpen } from '../tiles/retile';
 import { W } from '../words';
 
 export interface Step {

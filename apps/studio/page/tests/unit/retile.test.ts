@@ -8,7 +8,7 @@ vi.stubGlobal('localStorage', { getItem: () => null, setItem: () => undefined })
 vi.mock('../../src/document/studio', () => ({ ask: () => Promise.resolve({}), tryAsk: () => Promise.resolve(null) }));
 const store = await import('../../src/document/store');
 const { comes, droppedWords, isOtherLayout, paintingWords, patterns, preview, request, retileOpen, side, tilesAbout, toggleRetile, wantedAngle, wantedLayout, wantedSide } = await import(
-  '../../src/document/retile'
+  '../../src/tiles/retile'
 );
 
 const TILES: Retiled = {

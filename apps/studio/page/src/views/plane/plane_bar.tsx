@@ -3,7 +3,7 @@
 
 import { BoxSelect, Brush, Hexagon, Lasso, Maximize, PaintBucket, Pipette, Replace, Spline, SquareDashedMousePointer, TrendingUp } from 'lucide-preact';
 import { brushRings, choosesNodes, choosesTiles, designPicks, mode, nodeTool, paintTool, type NodeTool, type PaintTool } from '../../document/ui';
-import { retileOpen, toggleRetile } from '../../document/retile';
+import { retileOpen, toggleRetile } from '../../tiles/retile';
 import { Button, Segments } from '../../widgets/widgets';
 import { W } from '../../words';
 import { fit } from './viewport';

@@ -5,7 +5,7 @@ import { X } from 'lucide-preact';
 import {
   applyTiles, comes, droppedWords, isOtherLayout, lookAhead, paintingWords, patterns, retileTrouble, retiling, side, sideRange, tilesAbout, toggleRetile, wantedAngle,
   wantedLayout, wantedPatterns, wantedSide, type Patterns,
-} from '../document/retile';
+} from './retile';
 import { documentNow, hello } from '../document/store';
 import { boxOf, surface } from '../document/surface';
 import { brushOrFirst } from '../document/ui';

@@ -4,10 +4,10 @@
 import { computed, effect, signal } from '@preact/signals';
 import { Latest } from '../protocol/latest';
 import type { Retiled, RetileRequest } from '../protocol/requests';
-import { documentNow } from './store';
-import { ask } from './studio';
-import { areaOf, surface } from './surface';
-import { brushOrFirst } from './ui';
+import { documentNow } from '../document/store';
+import { ask } from '../document/studio';
+import { areaOf, surface } from '../document/surface';
+import { brushOrFirst } from '../document/ui';
 import { W } from '../words';
 
 /** Area of a hexagon with sides of 1. */
