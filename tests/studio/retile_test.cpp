@@ -104,7 +104,8 @@ TEST(StudioRetiling, HandPaintedTilesStayByPlace) {
     const Project after = shown(client);
     for (const TileIndex tile : after.tessellation.tiles.indices()) {
         const double x = middle_of(after, tile);
-        if (std::abs(x - 0.2) > 0.04) EXPECT_EQ(id_of(after, tile), x < 0.2 ? "0-5+5-6" : "0-1+1-6");
+        if (std::abs(x - 0.2) < 0.04) continue;
+        EXPECT_EQ(id_of(after, tile), x < 0.2 ? "0-5+5-6" : "0-1+1-6");
     }
 }
 
