@@ -48,11 +48,22 @@ const STATES = {
   'after folders': (page) => page.keyboard.press('Escape'),
   keys: (page) => page.click('#help'),
   'after keys': (page) => page.keyboard.press('Escape'),
-  chart: async (page) => {
+  'other tiles': async (page) => {
     await mode('paint')(page);
+    await page.click('#retile');
+    await page.fill('#retile-side', '33');
+    await page.keyboard.press('Enter');
+    await page.waitForSelector('#retile-tiles');
+  },
+  chart: async (page) => {
+    await page.click('#retile-close');
     await page.keyboard.press('c');
   },
   start: (page) => page.click('.document-name'),
+  tour: async (page) => {
+    await page.click('#take-tour');
+    await page.waitForSelector('.tour');
+  },
 };
 
 for (const theme of ['light', 'dark']) {
