@@ -26,7 +26,7 @@ const std::set<std::string> kOtherTexts = {
     "--forbid",  "--edge-length", "--shard",       "--model",      "--optimizer", "--tiles",      "--box",
     "--polygon", "--property",    "--range",       "--clearance",  "--strength",  "--deck-for",   "name",
     "new_name",  "--name",        "--problems",    "--optimizers", "--policy",    "--solver",     "--branch",
-    "--masses",  "pattern",       "--address",     "--part",       "--narrow",    "--scale"};
+    "--masses",  "pattern",       "--address",     "--part",       "--narrow",    "--scale",      "--angle"};
 
 /// --patterns lists ids; that of `tile` may be a file.
 bool is_other_text(const CLI::App& verb, const CLI::Option& option) {

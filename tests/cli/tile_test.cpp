@@ -102,6 +102,23 @@ TEST(TileCommand, SaysWhatItDoesWhereTheOutlineIsNarrow) {
                 AllOf(HasSubstr("band.json: the outline is 0.02 m wide near"), HasSubstr("work")));
 }
 
+TEST(TileCommand, LaysRowsOfTilesAtAnAngle) {
+    const TemporaryFolder folder;
+    const std::string tile =
+        "fretwork tile experiments/outlines/specimen.svg --edge-length 15mm --json --angle ";
+    const auto project_at = [&](const std::string& angle) {
+        const Outcome tiled = run_command(tile + angle + " --out p.json", folder.path());
+        EXPECT_EQ(tiled.exit_code, 0) << tiled.err;
+        return base::read_text_file(folder.path() / "p.json");
+    };
+    const std::string level = project_at("0");
+    EXPECT_NE(project_at("20deg"), level);
+    EXPECT_EQ(project_at("0rad"), level);
+    const Outcome refused = run_command(tile + "steep --out q.json", folder.path());
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, AllOf(HasSubstr("--angle"), HasSubstr("steep")));
+}
+
 TEST(TileCommand, KeepsTheLibraryOfAProjectThatIsThere) {
     const TemporaryFolder folder;
     const std::string tile = "fretwork tile experiments/outlines/specimen.svg --edge-length ";

@@ -55,8 +55,6 @@ constexpr double kMostTilesTried = 400;   // with all sides together: seconds, w
 constexpr double kTipArea = 1e-3;         // of the outline: a sharp tip may lose so much
 constexpr double kTipsArea = 8e-3;        // the same of all tips
 constexpr double kNegligibleArea = 4e-4;  // of the outline: a narrow part may lose so much
-constexpr double kSmallestEdge = 1e-9;    // m; products of such lengths are far from underflow
-constexpr double kLargestEdge = 1e6;      // m
 /// Beyond, in tile sides from the origin, rounding of coordinates reaches the size of the smallest details.
 constexpr double kFarthest = 1e9;
 constexpr double kHexagonArea = 1.5 * std::numbers::sqrt3;  // of side 1
@@ -371,19 +369,6 @@ void refuse_narrow(const outlines::Outline& outline, const TessellationOptions& 
 }
 
 }  // namespace
-
-void TessellationOptions::validate() const {
-    if (!(edge_length >= kSmallestEdge) || !(edge_length <= kLargestEdge))
-        throw base::InputError("the edge length of a tessellation is " + geometry::metres(edge_length) +
-                               ", where a length from " + geometry::metres(kSmallestEdge) + " to " +
-                               geometry::metres(kLargestEdge) + " is needed");
-    if (remeshing_iterations < 1 || relaxation_iterations < 0 || lattice_angles < 0)
-        throw base::InputError(
-            "a tessellation needs at least one iteration of remeshing, and no number below zero");
-    if (angle && !std::isfinite(*angle))
-        throw base::InputError(
-            "the angle of a tessellation's rows is not a number, where radians are needed");
-}
 
 TessellationResult tessellate(const outlines::Outline& outline, const pattern::NodeLayout& layout,
                               const TessellationOptions& options) {

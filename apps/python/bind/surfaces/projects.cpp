@@ -150,6 +150,7 @@ void bind_making(py::module_& m) {
                "its file; of a mesh, where its faces come from")
         .field("edge_length", &NewProjectOptions::edge_length,
                "m, wanted mean side of the tiles; None: the setting's tile side")
+        .field("angle", &NewProjectOptions::angle, "rad, of the rows of tiles; None: the most regular tiling")
         .field("tiles", &NewProjectOptions::tiles, "")
         .field("narrow", &NewProjectOptions::narrow, "what to do where the outline is narrower than a tile")
         .field(

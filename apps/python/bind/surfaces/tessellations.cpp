@@ -76,6 +76,7 @@ void bind_tessellate(py::module_& m) {
         .field("remeshing_iterations", &TessellationOptions::remeshing_iterations, "")
         .field("relaxation_iterations", &TessellationOptions::relaxation_iterations, "")
         .field("lattice_angles", &TessellationOptions::lattice_angles, "number of lattices that are tried")
+        .field("angle", &TessellationOptions::angle, "rad, of the rows of tiles; None: the best of several")
         .field("threads", &TessellationOptions::threads, "0: all there are; the result does not depend on it")
         .done();
     Record<TessellationReport>(m, "TessellationReport", "The measures of a tiling.")
