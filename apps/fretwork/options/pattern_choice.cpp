@@ -18,11 +18,21 @@ std::size_t parse_count(std::string_view text, const char* option, const char* w
     throw base::InputError(option, "", "'" + std::string(text) + "' is not a " + what);
 }
 
+std::vector<NamedPattern> computed_patterns(const library::Library& library) {
+    const std::vector<NamedPattern> all = library.patterns();
+    const std::vector<library::PatternSummary> summaries = library.summaries(all);
+    std::vector<NamedPattern> computed;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (summaries[i].samples > 0) computed.push_back(all[i]);
+    return computed;
+}
+
 }  // namespace
 
 std::vector<pattern::NamedPattern> wanted_patterns(const library::Library& library,
                                                    const std::string& choice) {
     if (choice == "all") return library.patterns();
+    if (choice == "computed") return computed_patterns(library);
     if (choice.starts_with("sample:")) {
         return library.sample(
             parse_count(std::string_view(choice).substr(7), "--patterns", "number of patterns"));

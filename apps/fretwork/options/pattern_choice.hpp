@@ -8,8 +8,8 @@
 
 namespace fretwork::app {
 
-/// The patterns that --patterns asks for, in the library's order: "all", ids joined by commas, or "sample:N"
-/// for N of them spread over the numbers of edges. Throws InputError.
+/// The patterns that --patterns asks for, in the library's order: "all", "computed" for those with responses,
+/// ids joined by commas, or "sample:N" for N of them spread over the numbers of edges. Throws InputError.
 std::vector<pattern::NamedPattern> wanted_patterns(const library::Library& library,
                                                    const std::string& choice);
 

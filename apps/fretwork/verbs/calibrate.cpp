@@ -312,8 +312,10 @@ void add_calibrate(CLI::App& app, ExitCode& exit_code) {
     CLI::App* verb = app.add_subcommand(
         "calibrate", "Compute the responses of a library's patterns, and fit a reduced model to each.");
     verb->add_option("--library", options->library_path, "The library: patterns in, results out")->required();
-    verb->add_option("--patterns", options->patterns,
-                     "all, ids joined by commas, or sample:N for N spread over the numbers of edges")
+    verb->add_option(
+            "--patterns", options->patterns,
+            "all, computed (those with responses), ids joined by commas, or sample:N for N spread over "
+            "the numbers of edges")
         ->capture_default_str();
     verb->add_option("--threads", options->fill.threads, "Threads to use; 0: one for each processor")
         ->check(thread_check());

@@ -15,6 +15,7 @@
 #include <fretwork/exports/drawings/pattern_drawing.hpp>
 #include <fretwork/exports/drawings/property_chart.hpp>
 #include <fretwork/exports/tables/library_meshes.hpp>
+#include <fretwork/exports/tables/library_stiffness.hpp>
 #include <fretwork/library/library.hpp>
 #include <fretwork/library/merge.hpp>
 
@@ -50,6 +51,7 @@ struct LibraryOptions {
     std::vector<std::filesystem::path> inputs;
     std::string csv;
     std::string meshes;
+    std::string stiffness;
     std::string svg;
     std::string scenarios;
     std::string chart;
@@ -187,13 +189,14 @@ std::string property_chart(const Library& library, const base::Control& control)
 }
 
 void check_wishes(const LibraryOptions& options) {
-    if (options.csv.empty() && options.meshes.empty() && options.svg.empty() && options.chart.empty()) {
+    const bool uses_patterns = !options.meshes.empty() || !options.svg.empty() || !options.stiffness.empty();
+    if (options.csv.empty() && options.chart.empty() && !uses_patterns) {
         throw base::InputError("library export", "",
-                               "needs --csv DIR, --meshes DIR, --svg FILE or --chart FILE");
+                               "needs --csv DIR, --meshes DIR, --stiffness DIR, --svg FILE or --chart FILE");
     }
-    const bool uses_patterns = !options.meshes.empty() || !options.svg.empty();
     if (options.patterns != "all" && !uses_patterns)
-        throw base::InputError("--patterns", "", "is for --svg and --meshes, and neither is given");
+        throw base::InputError("--patterns", "",
+                               "is for --svg, --meshes and --stiffness, and none of them is given");
     if (options.json)
         throw base::InputError("--json", "", "is for list, find, show and merge: export prints nothing");
 }
@@ -214,6 +217,9 @@ void write_files(const LibraryOptions& options) {
             .kind = options.ply ? exports::MeshKind::Ply : exports::MeshKind::Obj, .control = control};
         exports::add_meshes(library, wanted, meshes, folders.emplace_back(options.meshes));
     }
+    if (!options.stiffness.empty())
+        exports::add_stiffness(library, wanted, {.control = control},
+                               folders.emplace_back(options.stiffness));
     control.check();
     for (base::FolderBatch& folder : folders) folder.commit();
     drawings.commit();
@@ -276,9 +282,13 @@ void add_library(CLI::App& app, ExitCode&) {
     exporting->add_option("--csv", options->csv, "Folder for the tables, one CSV file each");
     exporting->add_option("--meshes", options->meshes,
                           "Folder for the edge mesh and the reduced model's geometry of each pattern");
+    exporting->add_option("--stiffness", options->stiffness,
+                          "Folder for stiffness.npy (patterns x 6n x 6n, SI, n interface nodes, for small "
+                          "displacements) and patterns.txt, the patterns in its order");
     exporting->add_option("--svg", options->svg, "Sheet of the patterns with their reduced models");
     exporting->add_option("--patterns", options->patterns,
-                          "Patterns that --svg and --meshes write: all, ids joined by commas, or sample:N");
+                          "Patterns that --svg, --meshes and --stiffness write: all, computed (those with "
+                          "responses), ids joined by commas, or sample:N");
     exporting->add_option(
         "--chart", options->chart,
         "Property chart as SVG: stiffness against mass, bending against in-plane stiffness");
@@ -287,6 +297,7 @@ void add_library(CLI::App& app, ExitCode&) {
     declare_files(*showing, {output("--svg", kSvgFile), output("--scenarios", kSvgFile)});
     declare_files(*merging, {output("output", kLibraryFile), input("inputs")});
     declare_files(*exporting, {output_folder("--csv", kTables), output_folder("--meshes", ".obj .ply"),
+                               output_folder("--stiffness", "stiffness.npy patterns.txt"),
                                output("--svg", kSvgFile), output("--chart", kSvgFile)});
 }
 
