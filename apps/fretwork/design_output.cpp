@@ -43,6 +43,14 @@ void print_unknowns(const DesignReport& report) {
         std::printf("bars %.4g mm wide and %.4g mm thick\n", 1e3 * *report.width, 1e3 * *report.thickness);
 }
 
+void print_utilization(const DesignReport& report) {
+    const std::string error = report.utilization_error
+                                  ? ", estimated error by one element a beam " +
+                                        base::format_number(100.0 * *report.utilization_error, 2) + " %"
+                                  : "";
+    std::printf("largest utilization: %.3g %%%s\n", 100.0 * *report.largest_utilization, error.c_str());
+}
+
 void warn_line(const std::string& line) {
     std::fprintf(stderr, "fretwork: %s\n", base::printable(line).c_str());
 }
@@ -55,12 +63,13 @@ void print_design_json(const DesignReport& report) {
                        {"error_best_uniform", member_json(report.best_uniform, &TargetError::mean)},
                        {"best_uniform_pattern", report.best_uniform_pattern},
                        {"uniform_tried", report.uniform_tried},
-                       {"error_relaxed", nullptr},
+                       {"error_relaxed", or_null(report.relaxed)},
                        {"bound", or_null(report.bound)},
                        {"stable", member_json(report.error, &TargetError::is_stable)},
                        {"stable_from_flat", member_json(report.error, &TargetError::is_on_path)},
                        {"model_error", report.model_error},
                        {"largest_utilization", or_null(report.largest_utilization)},
+                       {"utilization_error", or_null(report.utilization_error)},
                        {"close_bars", report.close_bars},
                        {"load_cases", report.load_cases},
                        {"factors", report.factors},
@@ -102,8 +111,10 @@ void print_design(const DesignReport& report) {
         std::printf("no painting of these patterns comes nearer than %.3g %% (root mean square, linear)\n",
                     100.0 * *report.bound);
     print_unknowns(report);
-    if (report.largest_utilization)
-        std::printf("largest utilization: %.3g %%\n", 100.0 * *report.largest_utilization);
+    if (report.relaxed)
+        std::printf("mixtures of patterns in each tile are predicted to come to %.3g %% (root mean square)\n",
+                    100.0 * *report.relaxed);
+    if (report.largest_utilization) print_utilization(report);
     if (report.slides) std::puts("nodes slide along the target's surface: only distances to it count");
     std::printf(
         "%s, %s and %d of all beams, %.2g s; %s\n", counted(report.patterns.size(), "pattern").c_str(),
@@ -113,7 +124,7 @@ void print_design(const DesignReport& report) {
 
 void warn_of_design(const DesignReport& report, const design::DesignOptions& options) {
     for (const design::DesignWarning& warning : design::design_warnings(report, options))
-        warn_line(warning.text + (warning.factor_may_help ? " (--free factor searches one)" : ""));
+        warn_line(plain_text(warning) + (warning.factor_may_help ? " (--free factor searches one)" : ""));
 }
 
 }  // namespace fretwork::app

@@ -5,7 +5,7 @@
 #include "rows.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/design/search/full_check.hpp>
+#include <fretwork/design/checks/full_check.hpp>
 #include <fretwork/design/search/preparation.hpp>
 #include <fretwork/design/search/search.hpp>
 #include <fretwork/simulation/simulate.hpp>
@@ -154,6 +154,8 @@ void print_design(const Arguments& arguments, const Instance& instance) {
     row.swaps = report.swaps_scored;
     row.model_error = report.model_error;
     row.end = design::design_end_name(report.end);
+    row.relaxed = report.relaxed.value_or(NAN);
+    row.outside = report.gamut.share_outside().value_or(NAN);
     if (arguments.angle <= 0.0) {
         row.equal = 0.0;
         const tiling::Tessellation& found = report.project.tessellation;

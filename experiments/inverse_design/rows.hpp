@@ -28,16 +28,19 @@ struct Row {
     double half = NAN;     ///< s, until the misfit had come to half of the best single pattern's
     double model_error = NAN;
     std::string end;
-    double equal = NAN;  ///< tiles that have the pattern of the hidden painting
+    double equal = NAN;    ///< tiles that have the pattern of the hidden painting
+    double relaxed = NAN;  ///< misfit that mixtures of patterns are predicted to reach
+    double outside = NAN;  ///< share of the tiles whose wanted curvatures are outside of the gamut
 };
 
 inline void print(const Row& row) {
-    std::printf("%s,%zu,%s,%s,%llu,%.3f,%.6f,%.6f,%.4f,%d,%d,%zu,%ld,%.3f,%.5f,%.0f,%.0f,%.6f,%s,%.0f\n",
-                row.method.c_str(), row.tiles, row.target.c_str(), row.palette.c_str(),
-                static_cast<unsigned long long>(row.seed), row.bent, row.uniform, row.error,
-                row.error / row.uniform, row.solutions, row.full_solutions, row.patterns, row.swaps,
-                row.seconds, row.unit, row.seconds / row.unit, row.half / row.unit, row.model_error,
-                row.end.c_str(), row.equal);
+    std::printf(
+        "%s,%zu,%s,%s,%llu,%.3f,%.6f,%.6f,%.4f,%d,%d,%zu,%ld,%.3f,%.5f,%.0f,%.0f,%.6f,%s,%.0f,%.6f,%.3f\n",
+        row.method.c_str(), row.tiles, row.target.c_str(), row.palette.c_str(),
+        static_cast<unsigned long long>(row.seed), row.bent, row.uniform, row.error, row.error / row.uniform,
+        row.solutions, row.full_solutions, row.patterns, row.swaps, row.seconds, row.unit,
+        row.seconds / row.unit, row.half / row.unit, row.model_error, row.end.c_str(), row.equal, row.relaxed,
+        row.outside);
 }
 
 }  // namespace fretwork::experiments

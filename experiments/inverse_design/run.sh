@@ -49,6 +49,7 @@ for seed in $two; do
   for shape in field two arch dome; do
     row "${shape}_$seed" inverse_design_shapes --shape $shape --seed "$seed"
   done
+  row "domefree_$seed" inverse_design_shapes --shape dome --free-factor --seed "$seed"
   for hidden in graded patchy; do
     design "128_${hidden}_${seed}_table" --columns 16 --rows 8 --hidden $hidden --patterns 24 --seed "$seed" --baseline table
   done

@@ -20,9 +20,7 @@ using design::FreeVector;
 using mechanics::Dof;
 using mechanics::DofSet;
 using simulation::LoadCase;
-using simulation::NodesAtSide;
 using simulation::NodesInBox;
-using simulation::Side;
 
 constexpr double kPi = 3.14159265358979323846;
 
@@ -32,6 +30,7 @@ struct Arguments {
     std::uint64_t seed = 1;
     int solutions = 0;
     int threads = 2;
+    bool free_factor = false;
 };
 
 struct Shape {
@@ -138,23 +137,37 @@ void make_two(Shape& shape, const Arguments& arguments) {
     shape.options.free_factor = true;
 }
 
-/// A circular arch of 60 degrees, pinned along left and right: the right side is pushed in, and how far is
-/// unknown.
+/// The nodes on a line across the surface: x or y within a tenth of a tile side.
+NodesInBox on_line(const Shape& shape, bool is_across, double place) {
+    const double near = 0.1 * shape.project.setting->tile_side;
+    if (is_across) return {{place - near, -10.0, place + near, 10.0}};
+    return {{-10.0, place - near, 10.0, place + near}};
+}
+
+/// The load that lifts a surface which is pushed in to one side, so that it has one branch.
+LoadCase::Load lift() {
+    return {NodesInBox{{-10, -10, 10, 10}}, {0, 0, 0.02}, Eigen::Vector3d::Zero(), LoadCase::Amount::Total};
+}
+
+/// A circular arch of 60 degrees between two lines of pins, the outermost nodes at left and right: the right
+/// one is pushed in, and how far is unknown. Its target has the pins where they are.
 void make_arch(Shape& shape) {
     const geometry::Box box = tiling::bounding_box(shape.project.tessellation);
-    const double length = box.width();
+    const double inset = 0.25 * shape.project.setting->tile_side;
+    const double left = box.xmin + inset;
+    const double right = box.xmax - inset;
+    const double length = right - left;
     const double angle = kPi / 3.0;
     const double radius = length / angle;
     const double shortening = length - 2.0 * radius * std::sin(0.5 * angle);
     LoadCase push;
     push.name = "push";
-    push.supports = {{NodesAtSide{Side::Left}, DofSet{{true, true, true, false, false, false}}},
-                     {NodesAtSide{Side::Right}, DofSet{{false, true, true, false, false, false}}}};
-    push.prescribed = {{NodesAtSide{Side::Right}, Dof::ux, -0.8 * shortening}};
-    push.loads = {
-        {NodesInBox{{-10, -10, 10, 10}}, {0, 0, 0.02}, Eigen::Vector3d::Zero(), LoadCase::Amount::Total}};
+    push.supports = {{on_line(shape, true, left), DofSet{{true, true, true, false, false, false}}},
+                     {on_line(shape, true, right), DofSet{{false, true, true, false, false, false}}}};
+    push.prescribed = {{on_line(shape, true, right), Dof::ux, -0.8 * shortening}};
+    push.loads = {lift()};
     shape.project.load_cases = {push};
-    const double middle = 0.5 * (box.xmin + box.xmax);
+    const double middle = 0.5 * (left + right);
     add_goal(shape, "", [&](const geometry::Point2& place) -> FreeVector {
         const double along = place.x - middle;
         return {radius * std::sin(along / radius) - along - 0.5 * shortening, 0.0,
@@ -164,25 +177,31 @@ void make_arch(Shape& shape) {
     shape.options.free_prescribed = true;
 }
 
-/// A cap: all four sides are pushed in, and how far each is unknown; the height is a tenth of the span.
+/// A cap of a tenth of the span: four lines of nodes are held in height, on which the cap has no height, and
+/// are pushed in, each as far as the design likes.
 void make_dome(Shape& shape) {
     const geometry::Box box = tiling::bounding_box(shape.project.tessellation);
-    const double height = 0.1 * box.width();
+    const double side = shape.project.setting->tile_side;
+    const double step = 0.5 * std::sqrt(3.0) * side;  // odd columns are higher by this
+    const geometry::Box lines{box.xmin + 0.25 * side, box.ymin + step, box.xmax - 0.25 * side,
+                              box.ymax - step};
     LoadCase push;
     push.name = "push";
-    for (const Side side : {Side::Left, Side::Right, Side::Bottom, Side::Top}) {
-        push.supports.push_back({NodesAtSide{side}, DofSet{{false, false, true, false, false, false}}});
-        const bool is_across = side == Side::Left || side == Side::Right;
-        const double sign = side == Side::Left || side == Side::Bottom ? 1.0 : -1.0;
-        push.prescribed.push_back(
-            {NodesAtSide{side}, is_across ? Dof::ux : Dof::uy, sign * 0.006 * box.width()});
-    }
-    push.loads = {
-        {NodesInBox{{-10, -10, 10, 10}}, {0, 0, 0.02}, Eigen::Vector3d::Zero(), LoadCase::Amount::Total}};
+    const auto hold = [&](bool is_across, double place, double inwards) {
+        const NodesInBox where = on_line(shape, is_across, place);
+        push.supports.push_back({where, DofSet{{false, false, true, false, false, false}}});
+        push.prescribed.push_back({where, is_across ? Dof::ux : Dof::uy, inwards * 0.006 * lines.width()});
+    };
+    hold(true, lines.xmin, 1.0);
+    hold(true, lines.xmax, -1.0);
+    hold(false, lines.ymin, 1.0);
+    hold(false, lines.ymax, -1.0);
+    push.loads = {lift()};
     shape.project.load_cases = {push};
+    const double height = 0.1 * lines.width();
     add_goal(shape, "", [&](const geometry::Point2& place) -> FreeVector {
-        const double u = (place.x - box.xmin) / box.width();
-        const double v = (place.y - box.ymin) / (box.ymax - box.ymin);
+        const double u = (place.x - lines.xmin) / lines.width();
+        const double v = (place.y - lines.ymin) / (lines.ymax - lines.ymin);
         return {std::nullopt, std::nullopt, height * std::sin(kPi * u) * std::sin(kPi * v)};
     });
     shape.options.load_case = "push";
@@ -197,6 +216,7 @@ Shape shape_of(const Arguments& arguments) {
     shape.options.seed = arguments.seed;
     shape.options.threads = arguments.threads;
     if (arguments.solutions > 0) shape.options.most_solutions = arguments.solutions;
+    shape.options.free_factor = arguments.free_factor;
     if (arguments.shape == "field")
         make_field(shape, arguments);
     else if (arguments.shape == "two")
@@ -227,7 +247,7 @@ void print_shape(const Arguments& arguments) {
     experiments::Row row;
     row.method = "design";
     row.tiles = shape.project.tessellation.tiles.size();
-    row.target = arguments.shape;
+    row.target = arguments.shape + (arguments.free_factor ? " with its load free" : "");
     row.palette = arguments.patterns;
     row.seed = arguments.seed;
     row.bent = shape.largest / experiments::span_of(shape.project);
@@ -239,6 +259,9 @@ void print_shape(const Arguments& arguments) {
     row.swaps = report.swaps_scored;
     row.model_error = report.model_error;
     row.end = design::design_end_name(report.end);
+    row.relaxed = report.relaxed.value_or(NAN);
+    row.outside = report.gamut.share_outside().value_or(NAN);
+    for (const std::string& warning : report.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
     experiments::print(row);
 }
 
@@ -250,6 +273,7 @@ int main(int argc, char** argv) {
     app.add_option("--shape", arguments.shape, "field, two, arch or dome");
     app.add_option("--patterns", arguments.patterns, "Of the palette: a number drawn at random, or all");
     app.add_option("--seed", arguments.seed, "Of the instance and of the search");
+    app.add_flag("--free-factor", arguments.free_factor, "Search the factor on the loads, too");
     app.add_option("--solutions", arguments.solutions, "Most nonlinear solutions; 0: the default");
     app.add_option("--threads", arguments.threads, "Of the design");
     CLI11_PARSE(app, argc, argv);

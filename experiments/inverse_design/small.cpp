@@ -29,6 +29,7 @@ struct Arguments {
     int targets = 10;
     std::uint64_t seed = 1;  ///< of the palette and of the targets
     bool enumerate = false;
+    int only = -1;  ///< number of the only target that is searched for; below zero: all
     int solutions = 0;
 };
 
@@ -134,6 +135,7 @@ void print_enumeration(const Arguments& arguments, const Instance& instance) {
 /// The search with the reduced model alone, as a design makes it before the check with all beams.
 void print_designs(const Arguments& arguments, const Instance& instance) {
     for (std::size_t t = 0; t < instance.targets.size(); ++t) {
+        if (arguments.only >= 0 && static_cast<std::size_t>(arguments.only) != t) continue;
         const design::DesignOptions options = options_of(arguments, instance);
         const auto started = std::chrono::steady_clock::now();
         design::detail::Preparation preparation =
@@ -166,6 +168,7 @@ int main(int argc, char** argv) {
     app.add_option("--patterns", arguments.patterns, "Of the palette");
     app.add_option("--targets", arguments.targets, "Of this palette")->check(CLI::Range(1, 1000));
     app.add_option("--seed", arguments.seed, "Of the palette and of the targets");
+    app.add_option("--only", arguments.only, "Number of the only target to search for, from 0");
     app.add_option("--solutions", arguments.solutions,
                    "Most nonlinear solutions of the search; 0: the default");
     app.add_flag("--enumerate", arguments.enumerate, "Solve every painting instead of searching");

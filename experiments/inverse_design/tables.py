@@ -7,7 +7,7 @@ import statistics
 import sys
 
 COLUMNS = ("method tiles target patterns seed bent uniform error ratio solutions full_solutions used_patterns swaps seconds unit "
-           "units half_units model_error end equal").split()
+           "units half_units model_error end equal relaxed outside").split()
 
 
 def read_rows(folder):
@@ -32,6 +32,10 @@ def text(value, digits=3):
     return "" if value is None else f"{value:.{digits}g}"
 
 
+def percent(value):
+    return text(None if value is None else 100 * value)
+
+
 def main():
     folder = pathlib.Path(sys.argv[1])
     rows = read_rows(folder)
@@ -40,8 +44,8 @@ def main():
     groups = collections.defaultdict(list)
     for row in rows:
         groups[(row["method"], int(row["tiles"]), row["target"], row["patterns"])].append(row)
-    print("| search | tiles | target | patterns | runs | u_max / span | best uniform, % | error, % | ratio | worst ratio | solutions | swaps scored | units | units to half | tiles as hidden |")
-    print("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|")
+    print("| search | tiles | target | patterns | runs | u_max / span | best uniform, % | error, % | ratio | worst ratio | solutions | swaps scored | units | units to half | tiles as hidden | mixtures, % | curvatures outside, % |")
+    print("|---" * 17 + "|")
     for key in sorted(groups, key=lambda k: (k[1], k[2], k[0])):
         group = groups[key]
         ratios = [float(row["ratio"]) for row in group]
@@ -49,7 +53,8 @@ def main():
         print(f"| {key[0]} | {key[1]} | {key[2]} | {key[3]} | {len(group)} | {text(median(group, 'bent'), 2)} | "
               f"{text(uniform and 100 * uniform)} | {text(error and 100 * error)} | {text(statistics.median(ratios))} | "
               f"{text(max(ratios))} | {text(median(group, 'solutions'))} | {text(median(group, 'swaps') or None)} | {text(median(group, 'units'))} | "
-              f"{text(median(group, 'half_units'))} | {text(median(group, 'equal'))} |")
+              f"{text(median(group, 'half_units'))} | {text(median(group, 'equal'))} | {percent(median(group, 'relaxed'))} | "
+              f"{percent(median(group, 'outside'))} |")
 
 
 main()

@@ -38,7 +38,7 @@ TEST_F(DesignCommand, WritesAPaintedProjectAndWhatItReaches) {
     ASSERT_LE(done.exit_code, 1) << done.err;
     for (const char* key : {"error_mean", "error_largest", "error_best_uniform", "error_relaxed", "bound",
                             "patterns", "seconds", "solutions", "seed", "stable_from_flat", "width",
-                            "reach_of_ten_loads", "curvatures_outside", "warnings"})
+                            "reach_of_ten_loads", "curvatures_outside", "utilization_error", "warnings"})
         EXPECT_THAT(done.out, HasSubstr("\"" + std::string(key) + "\"")) << key;
     const auto designed = simulation::read_project(folder_.path() / "d.json");
     for (const tiling::Tile& tile : designed.tessellation.tiles) EXPECT_GE(tile.pattern, 0);
@@ -77,7 +77,7 @@ TEST_F(DesignCommand, RefusesBadInputInOneLine) {
     refused("--target named.json --palette 0-6", "named.json: /goals/0/case: unknown load case 'rain'");
     folder_.file("both.json", R"({"format": "fretwork/target/1", "goals": [
         {"nodes": [3], "displacements": [[0, 0, 0.01]]}, {"nodes": [3], "displacements": [[0, 0, 0.02]]}]})");
-    refused("--target both.json --palette 0-6", "both.json: /goals/1: wants uz = 0.02 m of node 3");
+    refused("--target both.json --palette 0-6", "both.json: /goals/1: wants uz = 20 mm of node 3");
 }
 
 /// What another project holds is not lost.

@@ -3,7 +3,7 @@
 #include "support.hpp"
 
 #include <fretwork/base/random.hpp>
-#include <fretwork/design/search/case_goals.hpp>
+#include <fretwork/design/goals/case_goals.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -112,8 +112,49 @@ TEST(DesignHonesty, WarnsOfGoalsForHeldNodes) {
     const DesignReport report = design(project, nullptr, target, options);
     ASSERT_EQ(report.warnings.size(), 1U);
     EXPECT_THAT(report.warnings.front(),
-                AllOf(HasSubstr("/goals/0 wants uz = 0.02 m of node"), HasSubstr("held at uz = 0 m"),
+                AllOf(HasSubstr("/goals/0 wants uz = 20 mm of node"), HasSubstr("held at uz = 0 mm"),
                       HasSubstr("of its nodes are held elsewhere")));
+    ASSERT_EQ(report.goal_warnings.size(), 1U);
+    EXPECT_THAT(report.goal_warnings.front().text, HasSubstr("wants uz = {0} of node"));
+    EXPECT_EQ(report.goal_warnings.front().values.front().value, 0.02);
+    EXPECT_EQ(plain_text(WarnedValue{0.25, WarnedValue::Quantity::Angle}), "14.32 deg");
+}
+
+/// The limit is kept with the error of one element a beam, and one without that is not kept.
+TEST(DesignHonesty, ComparesUtilizationWithItsErrorToTheLimit) {
+    simulation::Project project = small_project();
+    project.setting->strength = 50e6;
+    DesignOptions options = test::design_options(project);
+    options.most_solutions = 6;
+    const DesignReport any = design(project, nullptr, planted(project), options);
+    ASSERT_TRUE(any.largest_utilization);
+    EXPECT_FALSE(any.utilization_error) << "nobody asked";
+    EXPECT_TRUE(any.keeps_utilization(options));
+    options.max_utilization = *any.largest_utilization;
+    const DesignReport limited = design(project, nullptr, planted(project), options);
+    ASSERT_TRUE(limited.utilization_error);
+    EXPECT_GT(*limited.utilization_error, 0.0);
+    EXPECT_EQ(limited.keeps_utilization(options),
+              *limited.largest_utilization + *limited.utilization_error <= options.max_utilization);
+    EXPECT_FALSE(keeps_utilization(options, options.max_utilization, 1e-3));
+    EXPECT_FALSE(keeps_utilization(options, 0.1, std::nullopt)) << "of unknown error";
+    EXPECT_TRUE(keeps_utilization(options, 0.5 * options.max_utilization, 0.1 * options.max_utilization));
+}
+
+/// Where mixtures of patterns leave much, the load and the patterns limit the result; planted targets are
+/// within reach of them.
+TEST(DesignHonesty, SaysWhatMixturesOfPatternsArePredictedToReach) {
+    const simulation::Project project = small_project();
+    const Target near = planted(project);
+    const DesignReport report = design(project, nullptr, near, test::design_options(project));
+    ASSERT_TRUE(report.relaxed);
+    EXPECT_LT(*report.relaxed, report.best_uniform->mean);
+    // Tip force and clamp cannot twist a strip.
+    Target twist = near;
+    twist.goals = {{FormulaGoal{kAll, {"0", "0", "2*x*(y-0.05)"}}}};
+    const DesignReport far = design(project, nullptr, twist, test::design_options(project));
+    ASSERT_TRUE(far.relaxed);
+    EXPECT_GT(*far.relaxed, 10.0 * *report.relaxed);
 }
 
 std::string complaint(const simulation::Project& project, const Target& target,
@@ -126,7 +167,7 @@ TEST(DesignHonesty, RefusesGoalsThatContradictEachOther) {
     Target target = planted(project);
     target.goals.push_back({NodesGoal{{5}, {}, {{std::nullopt, std::nullopt, 0.5}}}});
     EXPECT_THAT(complaint(project, target, test::design_options(project)),
-                AllOf(HasSubstr("/goals/1: wants uz = 0.5 m of node 5"), HasSubstr("/goals/0 wants")));
+                AllOf(HasSubstr("/goals/1: wants uz = 500 mm of node 5"), HasSubstr("/goals/0 wants")));
     target.goals.back() = target.goals.front();
     DesignOptions options = test::design_options(project);
     options.most_solutions = 6;
@@ -139,7 +180,7 @@ TEST(DesignHonesty, RefusesGoalsOutOfAllBounds) {
         return complaint(project, {"", "", {std::move(goal)}}, test::design_options(project));
     };
     EXPECT_THAT(of({FormulaGoal{kAll, {"0", "0", "1e9"}}}),
-                AllOf(HasSubstr("/goals/0: asks for a displacement of 1e+09 m"), HasSubstr("metres")));
+                AllOf(HasSubstr("/goals/0: asks for a displacement of 1e+12 mm"), HasSubstr("metres")));
     EXPECT_THAT(of({RotationGoal{kAll, {3.0, 1.0, std::nullopt}}}),
                 AllOf(HasSubstr("/goals/0: /rotation"), HasSubstr("half a turn")));
     EXPECT_THAT(of({RotationGoal{kAll, {0.1, 0.0, 0.0}}, 1e-320}), HasSubstr("/goals/0: /weight"));

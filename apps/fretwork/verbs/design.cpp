@@ -134,8 +134,7 @@ void read_typed(DesignArguments& arguments, const simulation::Project& project) 
 }
 
 bool keeps_limits(const design::DesignReport& report, const design::DesignOptions& options) {
-    return report.close_bars == 0 && (options.max_utilization <= 0.0 ||
-                                      report.largest_utilization.value_or(0.0) <= options.max_utilization);
+    return report.close_bars == 0 && report.keeps_utilization(options);
 }
 
 void write_design(const DesignArguments& arguments, const design::DesignReport& report,
@@ -207,8 +206,8 @@ void add_limits(CLI::App& verb, DesignArguments& arguments) {
         ->type_name("SYMMETRY");
     verb.add_option("--max-mass", options.max_mass, "Most mass of all beams, kg")->check(not_negative());
     verb.add_option("--max-utilization", options.max_utilization,
-                    "Largest utilization, checked with all beams; the result is the best checked painting "
-                    "that keeps it")
+                    "Largest utilization, checked with all beams, together with the estimated error of one "
+                    "element a beam; the result is the best checked painting that keeps it")
         ->check(not_negative());
     verb.add_option(
             "--clearance", arguments.clearance,

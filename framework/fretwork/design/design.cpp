@@ -2,11 +2,12 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/task.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/design/checks/designed_project.hpp>
+#include <fretwork/design/checks/full_check.hpp>
 #include <fretwork/design/design.hpp>
 #include <fretwork/design/reach/reach_bound.hpp>
 #include <fretwork/design/reach/survey.hpp>
 #include <fretwork/design/reach/unknown_fit.hpp>
-#include <fretwork/design/search/full_check.hpp>
 #include <fretwork/design/search/preparation.hpp>
 #include <fretwork/design/search/search.hpp>
 #include <fretwork/simulation/results/bar_clearance.hpp>
@@ -45,8 +46,8 @@ class Designer {
     Designer(detail::Preparation preparation, const DesignOptions& options, const Stopwatch& watch,
              DesignReport& report)
         : trials_(std::move(preparation.parts), options.control.silent()),
-          palette_(std::move(preparation.palette)),
-          coordinates_(std::move(preparation.coordinates)),
+          choice_{std::move(preparation.palette), std::move(preparation.coordinates)},
+          whole_(std::move(preparation.whole)),
           options_(options),
           watch_(watch),
           report_(report),
@@ -54,17 +55,19 @@ class Designer {
 
     /// Leaves the best point in best(); throws Stopped, and then that is the best so far.
     void run() {
+        Search::Beginning beginning = begin();
         require_possible_mass();
-        report_.bound = detail::reach_bound(trials_, palette_, options_.control.silent());
-        std::vector<Solved> starts = solve_uniform();
-        const std::size_t listed = std::min(palette_.size(), options_.shortlist);
-        search_.set_columns({palette_.begin(), palette_.begin() + static_cast<std::ptrdiff_t>(listed)},
-                            palette_);
+        report_.bound = detail::reach_bound(trials_, palette(), options_.control.silent());
+        std::vector<Solved> starts = solve_uniform(std::move(beginning.uniform));
+        const std::size_t listed = std::min(palette().size(), options_.shortlist);
+        search_.set_columns({palette().begin(), palette().begin() + static_cast<std::ptrdiff_t>(listed)},
+                            palette());
         if (report_.bound.value_or(0.0) >= kHopeless * misfit_at_rest()) {
             report_.end = DesignEnd::Unreachable;
             return;
         }
         aim_beside(starts);
+        put_in_front(std::move(beginning.painted), starts);
         Solved found = search_.improve(starts.front(), reserve());
         best_ = found.point;
         report_.starts.push_back(std::sqrt(found.trial.objective));
@@ -73,6 +76,7 @@ class Designer {
         report_.end = search_.end();
         check_and_keep_best(found);
         correct_defect();
+        relax();
     }
 
     [[nodiscard]] const std::optional<Point>& best() const { return best_; }
@@ -95,6 +99,28 @@ class Designer {
     }
 
   private:
+    [[nodiscard]] const std::vector<std::size_t>& palette() const { return choice_.palette; }
+
+    /// A painting that is worth showing, before the whole palette is condensed and all single patterns are
+    /// tried. With other unknowns these are to be fitted before.
+    Search::Beginning begin() {
+        Search::Beginning beginning;
+        const bool has_solutions =
+            search_.most_solutions() >= 2 * static_cast<int>(options_.uniform_paintings);
+        if (trials_.initial_unknowns().size() == 0 && options_.max_patterns == 0 && has_solutions)
+            beginning = search_.begin(palette());
+        if (!whole_.empty()) choice_ = detail::extend_palette(trials_, whole_, options_);
+        return beginning;
+    }
+
+    /// A painting that is better than the best start is where the search goes on.
+    void put_in_front(std::optional<Solved> painted, std::vector<Solved>& starts) const {
+        if (!painted) return;
+        painted->trial.objective = trials_.misfit(painted->trial.displacements);
+        if (painted->trial.objective < starts.front().trial.objective)
+            starts.insert(starts.begin(), std::move(*painted));
+    }
+
     [[nodiscard]] double reserve() const { return 2.5 * check_seconds_; }
 
     [[nodiscard]] double misfit_at_rest() const {
@@ -106,7 +132,7 @@ class Designer {
 
     void require_possible_mass() const {
         if (options_.max_mass <= 0.0) return;
-        const detail::Lightest lightest = trials_.lightest(palette_);
+        const detail::Lightest lightest = trials_.lightest(palette());
         if (lightest.mass <= options_.max_mass) return;
         throw base::InputError(
             "the lightest painting weighs " + base::format_number(lightest.mass, 4) +
@@ -115,8 +141,8 @@ class Designer {
     }
 
     /// Uniform paintings, the best first; those with the best chances have their own best unknowns.
-    std::vector<Solved> solve_uniform() {
-        std::vector<Solved> starts = search_.try_uniform(palette_, coordinates_);
+    std::vector<Solved> solve_uniform(std::vector<Solved> known) {
+        std::vector<Solved> starts = search_.try_uniform(palette(), choice_.coordinates, std::move(known));
         if (starts.empty())
             throw base::InputError(
                 "no single pattern of the palette has a stable equilibrium under this load: a smaller load "
@@ -139,12 +165,14 @@ class Designer {
         return starts;
     }
 
+    [[nodiscard]] BeamDemand demand() const {
+        if (!trials_.parts().surface.setting.strength) return BeamDemand::None;
+        return options_.max_utilization > 0.0 ? BeamDemand::UtilizationAndError : BeamDemand::Utilization;
+    }
+
     FullCheck check(const Point& point) {
         const double before = watch_.seconds();
-        FullCheck found = detail::check_in_full(
-            trials_, point,
-            trials_.parts().surface.setting.strength ? BeamDemand::Utilization : BeamDemand::None,
-            options_.control);
+        FullCheck found = detail::check_in_full(trials_, point, demand(), options_.control);
         check_seconds_ = std::max(check_seconds_, watch_.seconds() - before);
         report_.full_solutions += found.solutions;
         return found;
@@ -202,8 +230,7 @@ class Designer {
         if (!check.is_found || !check.error.is_stable) return false;
         if (options_.max_mass > 0.0 && trials_.mass_of(point) > options_.max_mass) return false;
         if (close_bars_of(point) > 0) return false;
-        return options_.max_utilization <= 0.0 ||
-               check.largest_utilization.value_or(0.0) <= options_.max_utilization;
+        return keeps_utilization(options_, check.largest_utilization, check.utilization_error);
     }
 
     /// Checks a point, and goes back to the best one that was checked if it is no better.
@@ -253,6 +280,15 @@ class Designer {
         }
     }
 
+    /// The best that mixtures of patterns are predicted to reach, from the painting that is written.
+    void relax() {
+        if (!best_ || !watch_.has_left(reserve())) return;
+        const Trial trial = trials_.solve(*best_, options_.control);
+        trials_.count_solutions(-1);  // none of the search
+        if (!trial.is_found) return;
+        report_.relaxed = search_.relaxed_misfit({*best_, trial});
+    }
+
     struct Checked {
         Point point;
         FullCheck check;
@@ -265,8 +301,8 @@ class Designer {
     }
 
     Trials trials_;
-    std::vector<std::size_t> palette_;
-    Eigen::MatrixXd coordinates_;
+    detail::PaletteChoice choice_;
+    std::vector<pattern::NamedPattern> whole_;
     const DesignOptions& options_;
     const Stopwatch& watch_;
     DesignReport& report_;
@@ -277,42 +313,6 @@ class Designer {
     double check_seconds_ = 0.0;
     bool is_correcting_ = false;  ///< what the search says is of moved aims
 };
-
-/// Where bars have another section, the project carries it, and no library: that has the old one.
-void write_section(const Trials& trials, const Point& point, DesignReport& report) {
-    const auto& free = trials.parts().free;
-    if (!free.width && !free.thickness) return;
-    const reduction::Setting setting = trials.setting_at(point);
-    report.width = mechanics::rectangle_width(setting.section);
-    report.thickness = mechanics::rectangle_height(setting.section);
-    report.project.setting = setting;
-    if (report.project.library_path.empty()) return;
-    report.project.library_path.clear();
-    report.project.library_hash.clear();
-    report.warnings.emplace_back(
-        "the designed project names no library: its bars have another section than the library's");
-}
-
-/// The project with a point's painting, and with the load cases of its unknowns.
-void write_point(const Trials& trials, const Point& point, const std::vector<std::string>& names,
-                 DesignReport& report) {
-    simulation::Project& project = report.project;
-    project.tessellation = trials.surface_at(point).tessellation;
-    for (const pattern::NamedPattern& own : project.tessellation.patterns) report.patterns.push_back(own.id);
-    std::ranges::sort(report.patterns);
-    report.load_cases = names;
-    write_section(trials, point, report);
-    const auto& free = trials.parts().free;
-    for (std::size_t c = 0; c < names.size(); ++c) {
-        const simulation::LoadCase& wanted = trials.parts().cases[c].load_case;
-        const simulation::LoadCase own = trials.load_case_at(point, c);
-        report.factors.push_back(free.factor ? trials.factor_at(point, c) : 1.0);
-        if (own == wanted) continue;
-        for (simulation::LoadCase& stored : project.load_cases) {
-            if (stored.name == own.name) stored = own;
-        }
-    }
-}
 
 }  // namespace
 
@@ -341,9 +341,11 @@ DesignReport design(const simulation::Project& project, const library::Library* 
     DesignReport report;
     report.project = project;
     report.seed = options.seed;
-    detail::Preparation preparation = detail::prepare(project, library, target, options);
+    detail::Preparation preparation =
+        detail::prepare(project, library, target, options, detail::kFirstPatterns);
     const std::vector<std::string> names = preparation.load_cases;
-    report.warnings = preparation.warnings;
+    report.goal_warnings = preparation.warnings;
+    for (const DesignWarning& own : report.goal_warnings) report.warnings.push_back(plain_text(own));
     Designer designer(std::move(preparation), options, watch, report);
     try {
         designer.run();
@@ -355,11 +357,12 @@ DesignReport design(const simulation::Project& project, const library::Library* 
     if (const FullCheck* check = designer.check_of_best()) {
         report.error = check->error;
         report.largest_utilization = check->largest_utilization;
+        report.utilization_error = check->utilization_error;
     }
     for (const auto& own : designer.trials().parts().cases)
         report.slides = report.slides || own.goals.slides();
     designer.tell_shapes();
-    write_point(designer.trials(), *designer.best(), names, report);
+    detail::write_point(designer.trials(), *designer.best(), names, report);
     report.solutions = designer.trials().solutions();
     report.seconds = watch.seconds();
     return report;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fretwork/base/control.hpp>
+#include <fretwork/design/design_warning.hpp>
 #include <fretwork/design/gamut.hpp>
 #include <fretwork/design/symmetry.hpp>
 #include <fretwork/design/target/target.hpp>
@@ -37,7 +38,8 @@ struct DesignOptions {
     std::vector<tiling::TileIndex> keep;  ///< tiles that keep their patterns
     Symmetry symmetry;                    ///< symmetry that the painting must have
     double max_mass = 0.0;                ///< largest mass of all beams, kg; 0: any mass
-    /// Largest utilization of the setting's strength, checked with all beams; 0: any utilization.
+    /// Largest utilization of the setting's strength, checked with all beams; 0: any utilization. The
+    /// largest utilization plus DesignReport::utilization_error must not exceed it.
     double max_utilization = 0.0;
     bool free_factor = false;  ///< true: the factor on each load case's loads is searched, too
     /// True: the values of each load case's prescribed displacements are searched, too.
@@ -67,6 +69,14 @@ struct DesignOptions {
     /// Throws InputError if a value is invalid, or if it does not fit the project.
     void validate(const simulation::Project& project) const;
 };
+
+/// True if a largest utilization and its estimated error keep DesignOptions::max_utilization, if any. False
+/// if there is such a limit and one of the two is not known.
+inline bool keeps_utilization(const DesignOptions& options, const std::optional<double>& largest,
+                              const std::optional<double>& error) {
+    return options.max_utilization <= 0.0 ||
+           (largest && error && *largest + *error <= options.max_utilization);
+}
 
 /// Distances to the target over the nodes of its goals, as shares of the largest wanted displacement. The
 /// distances belong to the full model, in its nonlinear equilibrium on the stable path from flat.
@@ -128,6 +138,14 @@ struct DesignReport {
     std::vector<std::string> load_cases;  ///< names of the load cases
     /// Largest utilization, with all beams; none if the setting has no strength.
     std::optional<double> largest_utilization;
+    /// Estimated error of `largest_utilization` by the beams' division into single elements, by a solution
+    /// with two elements a beam (README.md). None unless DesignOptions::max_utilization is given, or if that
+    /// solution was not found.
+    std::optional<double> utilization_error{};
+    /// The misfit (see DesignProgress) that mixtures of the palette's patterns in each tile are predicted to
+    /// reach: a relaxed problem, linearized at the painting (README.md). A prediction, found by descent; no
+    /// bound. None if the search was stopped before.
+    std::optional<double> relaxed{};
     std::optional<double> width{};      ///< width of the bars, m; none if it is not free
     std::optional<double> thickness{};  ///< thickness of the bars, m; none if it is not free
     /// A lower bound of the misfit (see DesignProgress) of every painting with the palette. The bound is
@@ -135,8 +153,10 @@ struct DesignReport {
     /// targets.
     std::optional<double> bound{};
     std::size_t close_bars = 0;  ///< number of pairs of bars with a gap below the clearance
-    /// Warnings, one line each, such as about goals that nodes cannot reach.
+    /// Warnings, one line each, such as about goals that nodes cannot reach; lengths are in millimetres.
     std::vector<std::string> warnings{};
+    /// The first of `warnings`, with their lengths and angles as numbers.
+    std::vector<DesignWarning> goal_warnings{};
     /// Shapes of the painting; empty if it was not checked with all beams.
     std::vector<CaseShape> shapes{};
     std::vector<CaseShape> uniform_shapes{};  ///< shapes of the best single pattern
@@ -157,12 +177,17 @@ struct DesignReport {
     DesignEnd end = DesignEnd::NoSwapImproves;  ///< the reason for which the search ended
     bool slides = false;                        ///< true if nodes may slide along a target's surface
     double seconds = 0.0;                       ///< wall time, checks included, s
-    int solutions = 0;                          ///< number of nonlinear solutions of the search
+    /// Number of nonlinear solutions of the search. `relaxed` takes one more.
+    int solutions = 0;
     /// Number of nonlinear solutions of the checks, with all beams.
     int full_solutions = 0;
     /// Number of swaps of a pattern that were scored by superposition.
     long swaps_scored = 0;
     std::uint64_t seed = 0;  ///< seed of all random choices
+    /// True if the largest utilization and its estimated error keep DesignOptions::max_utilization, if any.
+    [[nodiscard]] bool keeps_utilization(const DesignOptions& options) const {
+        return design::keeps_utilization(options, largest_utilization, utilization_error);
+    }
     /// True if the painting's mean error is below the mean error of the best single pattern by a share of at
     /// least kLeastDesignGain, and below the largest wanted displacement. False if an error is not known.
     [[nodiscard]] bool is_better() const {

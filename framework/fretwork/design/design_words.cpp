@@ -59,6 +59,19 @@ std::string clearance_line(std::size_t pairs) {
            " not";
 }
 
+std::string utilization_line(const DesignReport& report, const DesignOptions& options) {
+    const std::string limit = short_number(options.max_utilization);
+    if (!report.largest_utilization)
+        return "it is not known whether the utilization stays below " + limit +
+               ": no painting was checked with all beams";
+    const std::string line = "no painting that was checked keeps the utilization below " + limit +
+                             ": that of the one that was written is " +
+                             short_number(*report.largest_utilization);
+    return report.utilization_error ? line + ", with an estimated error of " +
+                                          short_number(*report.utilization_error) + " by one element a beam"
+                                    : line + ", and its error by one element a beam is not known";
+}
+
 }  // namespace
 
 std::string_view design_end_words(DesignEnd end) {
@@ -79,14 +92,14 @@ std::string_view design_end_words(DesignEnd end) {
 std::vector<DesignWarning> design_warnings(const DesignReport& report, const DesignOptions& options) {
     std::vector<DesignWarning> warnings;
     if (auto load = load_warning(report, options)) warnings.push_back(std::move(*load));
-    for (const std::string& line : report.warnings) warnings.push_back({line});
+    for (std::size_t i = 0; i < report.warnings.size(); ++i)
+        warnings.push_back(i < report.goal_warnings.size() ? report.goal_warnings[i]
+                                                           : DesignWarning{report.warnings[i]});
     if (report.end == DesignEnd::Unreachable)
         warnings.push_back({"the target is out of reach: no painting of these patterns comes nearer than " +
                             short_number(100.0 * report.bound.value_or(0.0)) +
                             " % of the largest displacement wanted (root mean square, in linear theory)"});
-    if (options.max_utilization > 0.0 && report.largest_utilization.value_or(0.0) > options.max_utilization)
-        warnings.push_back({"no painting that was checked keeps the utilization below " +
-                            short_number(options.max_utilization)});
+    if (!report.keeps_utilization(options)) warnings.push_back({utilization_line(report, options)});
     if (report.close_bars > 0) warnings.push_back({clearance_line(report.close_bars)});
     return warnings;
 }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <fretwork/design/design.hpp>
+#include <fretwork/design/design_warning.hpp>
 
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -11,12 +11,6 @@ namespace fretwork::design {
 
 /// The reason for which a search ended, in words that follow "the design ended:".
 std::string_view design_end_words(DesignEnd end);
-
-/// One reason why a design falls short of what was asked for.
-struct DesignWarning {
-    std::string text;              ///< one line without a full stop
-    bool factor_may_help = false;  ///< true if another factor on the loads, which was not free, may help
-};
 
 /// The reasons why a design falls short, the load first: loads that do not fit the target, the warnings of
 /// the search, a target out of reach, and limits of the options that no checked painting keeps.

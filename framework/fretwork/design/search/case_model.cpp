@@ -85,6 +85,7 @@ class CaseLinearizer {
         const Eigen::Map<const VectorXd> loads(state_.unit_loads.data(), state_.unit_loads.size());
         model_.by_loads = adjoint.topRows(loads.size()).transpose() * loads;
         take_prescribed(gradients, adjoint);
+        if (sample_.between_tiles) take_flexibility();
         return std::move(model_);
     }
 
@@ -142,6 +143,28 @@ class CaseLinearizer {
         all.col(count).head(state_.unit_loads.size()) =
             Eigen::Map<const VectorXd>(state_.unit_loads.data(), state_.unit_loads.size());
         return all;
+    }
+
+    /// One solution for each strain of each tile.
+    void take_flexibility() {
+        Index size = 0;
+        for (const CaseModel::Tile& tile : model_.tiles) {
+            model_.first.push_back(size);
+            size += tile.strains.size();
+        }
+        MatrixXd forces = MatrixXd::Zero(linear_.loads.size(), size);
+        for (const TileIndex tile : model_.tiles.indices()) {
+            const MatrixXd own = linear_.tiles[tile].slopes.transpose() * basis_of(tile);
+            for (Index c = 0; c < own.cols(); ++c)
+                add_at_nodes(linear_.tiles[tile], own.col(c), forces.col(model_.first[tile] + c));
+        }
+        const MatrixXd motions = linear_.tangent.motions(forces, control_);
+        MatrixXd all(size, size);
+        for (const TileIndex tile : model_.tiles.indices())
+            all.middleRows(model_.first[tile], model_.tiles[tile].strains.size()) =
+                basis_of(tile).transpose() *
+                (linear_.tiles[tile].slopes * at_nodes(linear_.tiles[tile], motions));
+        model_.flexibility = 0.5 * (all + all.transpose());
     }
 
     /// A unit of each prescribed entry at its nodes.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/design/search/case_goals.hpp>
+#include <fretwork/design/goals/case_goals.hpp>
 #include <fretwork/design/search/tile_strains.hpp>
 #include <fretwork/simulation/session.hpp>
 
@@ -33,6 +33,10 @@ struct CaseModel {
     /// Derivative of the residuals with respect to the value of each prescribed entry, k rows.
     Eigen::MatrixXd by_prescribed;
     double energy = 0.0;  ///< elastic energy, J
+    /// Flexibility of all tiles together, the symmetric part of B T^-1 B^T; the rows and columns of a tile
+    /// begin at `first`. Only with SwapSample::between_tiles.
+    Eigen::MatrixXd flexibility;
+    base::IndexVector<tiling::TileIndex, Eigen::Index> first;
 };
 
 /// The effect of a swap in one tile: the stress f = -(1 + dk G)^-1 dk e on the tile after a change dk of its
@@ -64,6 +68,7 @@ struct SwapSample {
     Eigen::Index directions = 96;           ///< largest k
     std::uint64_t seed = 1;
     int threads = 0;
+    bool between_tiles = false;  ///< true: CaseModel::flexibility is computed
 };
 /// Linearize the goals of a load case. Pre: the session is at an equilibrium. Throws Stopped.
 CaseModel linearize_case(const CaseState& state, const SwapSample& sample, const base::Control& control);

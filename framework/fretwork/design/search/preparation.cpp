@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/random.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/design/search/free_section.hpp>
 #include <fretwork/design/search/preparation.hpp>
@@ -33,31 +34,55 @@ Surface reference_surface(const Surface& surface) {
 }
 
 /// The palette in an order in which its first members differ the most, and the coordinates of these
-/// (leading_coordinates).
+/// (leading_coordinates). The members that are candidates already are among those with coordinates.
 struct SpreadPalette {
     std::vector<NamedPattern> patterns;
     Eigen::MatrixXd coordinates;
 };
 
+/// So many members differ the most, and have coordinates.
+constexpr std::size_t kSpread = 128;
+
 SpreadPalette spread_palette(const Surface& surface, const std::vector<NamedPattern>& palette,
-                             std::size_t count, const DesignOptions& options) {
+                             const std::vector<NamedPattern>& known, const DesignOptions& options) {
     const CandidateTiles tile(reference_surface(surface), palette, {options.threads, options.control});
     const base::Control control = options.control.silent();
     const TileStrains strains(tile, options.threads, control);
     const Eigen::MatrixXd logs =
         stiffness_logarithms(strains, 0, tiling::mean_tile_side(surface.tessellation), control);
-    SpreadPalette spread;
+    auto chosen = spread_choice(logs, std::min(kSpread, palette.size()), control);
     std::vector<bool> is_taken(palette.size(), false);
-    const auto chosen = spread_choice(logs, std::min(count, palette.size()), control);
-    for (const std::size_t place : chosen) {
-        spread.patterns.push_back(palette[place]);
-        is_taken[place] = true;
+    for (const std::size_t place : chosen) is_taken[place] = true;
+    for (const NamedPattern& own : known) {
+        const auto place =
+            static_cast<std::size_t>(std::ranges::find(palette, own.id, &NamedPattern::id) - palette.begin());
+        if (place < palette.size() && !is_taken[place]) chosen.push_back(place);
+        if (place < palette.size()) is_taken[place] = true;
     }
+    SpreadPalette spread;
+    for (const std::size_t place : chosen) spread.patterns.push_back(palette[place]);
     for (std::size_t p = 0; p < palette.size(); ++p) {
         if (!is_taken[p]) spread.patterns.push_back(palette[p]);
     }
     spread.coordinates = leading_coordinates(logs(Eigen::all, chosen));
     return spread;
+}
+
+/// Candidates of a surface whose tiles form so many classes.
+std::size_t most_candidates(const CandidateTiles& tiles) {
+    return std::max(kFewestCandidates, kMostCondensed / tiles.class_count());
+}
+
+/// So many members, drawn at random, in their order.
+std::vector<NamedPattern> sampled(const std::vector<NamedPattern>& palette, std::size_t count,
+                                  std::uint64_t seed) {
+    if (palette.size() <= count) return palette;
+    base::SplitMix64 random(base::SplitMix64::mix(seed));
+    std::vector<NamedPattern> sample;
+    for (std::size_t p = 0; p < palette.size() && sample.size() < count; ++p) {
+        if (random.below(palette.size() - p) < count - sample.size()) sample.push_back(palette[p]);
+    }
+    return sample;
 }
 
 /// Names of the load cases that the goals speak of, in their order.
@@ -207,31 +232,11 @@ void require_free(const std::vector<DesignCase>& cases, const Surface& surface,
     if (options.free_width || options.free_thickness) require_rectangle(surface.setting.section);
 }
 
-/// Goals for nodes that are held, one line each. Values that are searched hold nothing yet.
-std::vector<std::string> warnings_about(const std::vector<DesignCase>& cases, const Surface& surface,
-                                        const DesignOptions& options) {
-    std::vector<std::string> lines;
-    for (const DesignCase& own : cases) {
-        simulation::LoadCase held = own.load_case;
-        held.gravity.setZero();
-        if (options.free_prescribed) held.prescribed.clear();
-        for (std::string& line : own.goals.against(simulation::resolve(held, surface)))
-            lines.push_back(std::move(line));
-    }
-    return lines;
-}
-
-}  // namespace
-
-Preparation prepare(const simulation::Project& project, const library::Library* library, const Target& target,
-                    const DesignOptions& options) {
-    Surface surface = simulation::make_surface(project, library);
-    surface.tile_models = {};
-    const std::vector<std::string> kept = kept_patterns(surface, options);
-    std::vector<TileGroup> groups = tile_groups(surface.tessellation, options.keep, options.symmetry);
-    if (groups.empty()) throw base::InputError("all tiles are kept: there is nothing to paint");
+/// The load cases with their goals. Throws InputError if what is free or wanted does not fit them.
+std::vector<DesignCase> checked_cases(const simulation::Project& project, const Target& target,
+                                      const Surface& surface, const std::vector<std::string>& names,
+                                      const DesignOptions& options) {
     std::vector<DesignCase> cases;
-    std::vector<std::string> names = case_names(target, project, options.load_case);
     for (const std::string& name : names)
         cases.push_back({simulation::find_load_case(project, name),
                          CaseGoals(target, name, options.load_case, surface.tessellation)});
@@ -240,14 +245,42 @@ Preparation prepare(const simulation::Project& project, const library::Library* 
     if (std::ranges::all_of(cases, [](const DesignCase& own) { return own.goals.largest() <= 0.0; }))
         throw base::InputError("", "/goals",
                                "the target asks for no displacement: the flat surface has it already");
-    const std::size_t classes = CandidateTiles(surface, {}, {options.threads, options.control}).class_count();
-    const std::size_t most = std::max(kFewestCandidates, kMostCondensed / classes);
-    std::vector<NamedPattern> allowed = within_number(options.palette, kept, options);
-    allowed = with_clearance(surface, std::move(allowed), options);
+    return cases;
+}
+
+/// Goals for nodes that are held. Values that are searched hold nothing yet.
+std::vector<DesignWarning> warnings_about(const std::vector<DesignCase>& cases, const Surface& surface,
+                                          const DesignOptions& options) {
+    std::vector<DesignWarning> warnings;
+    for (const DesignCase& own : cases) {
+        simulation::LoadCase held = own.load_case;
+        held.gravity.setZero();
+        if (options.free_prescribed) held.prescribed.clear();
+        for (DesignWarning& warning : own.goals.against(simulation::resolve(held, surface)))
+            warnings.push_back(std::move(warning));
+    }
+    return warnings;
+}
+
+}  // namespace
+
+Preparation prepare(const simulation::Project& project, const library::Library* library, const Target& target,
+                    const DesignOptions& options, std::size_t first) {
+    Surface surface = simulation::make_surface(project, library);
+    surface.tile_models = {};
+    const std::vector<std::string> kept = kept_patterns(surface, options);
+    std::vector<TileGroup> groups = tile_groups(surface.tessellation, options.keep, options.symmetry);
+    if (groups.empty()) throw base::InputError("all tiles are kept: there is nothing to paint");
+    std::vector<std::string> names = case_names(target, project, options.load_case);
+    std::vector<DesignCase> cases = checked_cases(project, target, surface, names, options);
+    std::vector<NamedPattern> allowed =
+        with_clearance(surface, within_number(options.palette, kept, options), options);
     if (needs_mirror_images(options.symmetry)) allowed = with_mirror_image(surface.layout, allowed);
-    SpreadPalette spread = spread_palette(surface, allowed, std::min(most, std::size_t{128}), options);
+    const std::size_t most = most_candidates(CandidateTiles(surface, {}, {options.threads, options.control}));
+    SpreadPalette spread = spread_palette(surface, sampled(allowed, first, options.seed), {}, options);
     std::vector<NamedPattern> candidates = std::move(spread.patterns);
     candidates.resize(std::min(candidates.size(), most));
+    if (allowed.size() <= first) allowed.clear();
     paint_whole(surface, groups, candidates.front());
     std::vector<std::size_t> palette(candidates.size());
     for (std::size_t p = 0; p < palette.size(); ++p) palette[p] = p;
@@ -255,7 +288,7 @@ Preparation prepare(const simulation::Project& project, const library::Library* 
     if (needs_mirror_images(options.symmetry)) mirrored = mirror_images(surface.layout, candidates);
     for (const TileIndex tile : options.keep)
         (void)place_of(candidates, *tiling::pattern_of(surface.tessellation, tile));
-    std::vector<std::string> warnings = warnings_about(cases, surface, options);
+    std::vector<DesignWarning> warnings = warnings_about(cases, surface, options);
     CandidateTiles condensed(surface, std::move(candidates), {options.threads, options.control});
     return {{std::move(surface),
              std::move(cases),
@@ -267,7 +300,24 @@ Preparation prepare(const simulation::Project& project, const library::Library* 
             std::move(names),
             std::move(palette),
             std::move(spread.coordinates),
-            std::move(warnings)};
+            std::move(warnings),
+            std::move(allowed)};
+}
+
+PaletteChoice extend_palette(Trials& trials, const std::vector<NamedPattern>& whole,
+                             const DesignOptions& options) {
+    const Surface& surface = trials.parts().surface;
+    std::vector<NamedPattern> candidates = trials.parts().candidates.patterns();
+    SpreadPalette spread = spread_palette(surface, whole, candidates, options);
+    const std::size_t most = std::max(static_cast<std::size_t>(spread.coordinates.cols()),
+                                      most_candidates(trials.parts().candidates));
+    spread.patterns.resize(std::min(spread.patterns.size(), most));
+    PaletteChoice choice{{}, std::move(spread.coordinates)};
+    for (const NamedPattern& own : spread.patterns) choice.palette.push_back(place_of(candidates, own));
+    std::vector<std::size_t> mirrored;
+    if (needs_mirror_images(options.symmetry)) mirrored = mirror_images(surface.layout, candidates);
+    trials.take_candidates(std::move(candidates), std::move(mirrored), options.control);
+    return choice;
 }
 
 }  // namespace fretwork::design::detail

@@ -9,6 +9,9 @@
 
 namespace fretwork::design::detail {
 
+/// The number of patterns with which a design makes its first painting before it condenses the whole palette.
+inline constexpr std::size_t kFirstPatterns = 24;
+
 /// The input of a search.
 struct Preparation {
     TrialParts parts;
@@ -16,12 +19,24 @@ struct Preparation {
     std::vector<std::size_t> palette;     ///< candidates for groups; the most different candidates come first
     /// Coordinates of the palette's first members, from leading_coordinates().
     Eigen::MatrixXd coordinates;
-    std::vector<std::string> warnings{};  ///< warnings, one line each, about goals for nodes that are held
+    std::vector<DesignWarning> warnings{};       ///< warnings about goals for nodes that are held
+    std::vector<pattern::NamedPattern> whole{};  ///< palette for extend_palette(); empty: all are candidates
 };
 
 /// Prepare a search, and condense as many candidates as the time allows. Throws InputError that names an
 /// unsuitable value; Stopped.
+/// @param first  the largest number of candidates that are condensed now, drawn at random
 Preparation prepare(const simulation::Project& project, const library::Library* library, const Target& target,
-                    const DesignOptions& options);
+                    const DesignOptions& options, std::size_t first = static_cast<std::size_t>(-1));
+
+/// The candidates for groups, as in Preparation.
+struct PaletteChoice {
+    std::vector<std::size_t> palette;
+    Eigen::MatrixXd coordinates;
+};
+/// Condense the candidates of the whole palette that the time allows, besides those that are there, whose
+/// indices stay. Throws Stopped.
+PaletteChoice extend_palette(Trials& trials, const std::vector<pattern::NamedPattern>& whole,
+                             const DesignOptions& options);
 
 }  // namespace fretwork::design::detail

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/random.hpp>
 #include <fretwork/design/search/search.hpp>
+#include <fretwork/design/swaps/relaxed_choice.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +20,6 @@ constexpr int kMostProposals = 4;
 constexpr double kLeastGain = 0.005;
 /// Before the last steps, a gain of less is not worth a solution.
 constexpr double kWorthwhileGain = 0.02;
-/// Objectives (squares of shares) below this are the reduced model's rounding.
-constexpr double kReached = 1e-14;
 /// Uniform paintings from which the search begins, as long as there are solutions left; then the best
 /// painting is kicked: so much of it is painted at random.
 constexpr std::size_t kOtherStarts = 3;
@@ -37,26 +36,6 @@ constexpr double kMostFactor = 8.0;
 constexpr int kSolutions = 40;
 /// A start is given up if its table promises this many times the best misfit.
 constexpr double kHopelessPromise = 1.3;
-/// Where groups x columns are so few, every change of one group or of two may be solved.
-constexpr std::size_t kSmallTable = 300;
-/// Changes of one group, and so many of two, that are solved around one painting.
-constexpr std::size_t kMostNeighbours = 60;
-
-/// Place of each pattern in the columns, which are sorted and have all of them.
-std::vector<std::size_t> places_of(const std::vector<std::size_t>& patterns,
-                                   const std::vector<std::size_t>& columns) {
-    std::vector<std::size_t> places;
-    for (const std::size_t pattern : patterns)
-        places.push_back(
-            static_cast<std::size_t>(std::ranges::lower_bound(columns, pattern) - columns.begin()));
-    return places;
-}
-
-/// The point with a choice's patterns.
-Point painted(Point point, const Choice& choice, const std::vector<std::size_t>& columns) {
-    for (std::size_t g = 0; g < choice.columns.size(); ++g) point.patterns[g] = columns[choice.columns[g]];
-    return point;
-}
 
 /// The radius of the next step: larger if this one gained what was promised, smaller if it gained little of
 /// it.
@@ -67,6 +46,20 @@ double adapted(double radius, double gained, double promised) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> places_of(const std::vector<std::size_t>& patterns,
+                                   const std::vector<std::size_t>& columns) {
+    std::vector<std::size_t> places;
+    for (const std::size_t pattern : patterns)
+        places.push_back(
+            static_cast<std::size_t>(std::ranges::lower_bound(columns, pattern) - columns.begin()));
+    return places;
+}
+
+Point painted(Point point, const Choice& choice, const std::vector<std::size_t>& columns) {
+    for (std::size_t g = 0; g < choice.columns.size(); ++g) point.patterns[g] = columns[choice.columns[g]];
+    return point;
+}
 
 int solution_limit(const DesignOptions& options, std::size_t groups) {
     if (options.most_solutions > 0) return options.most_solutions;
@@ -228,7 +221,7 @@ Solved Search::descend(Solved start, double reserve, const Demand& demand) {
     // The aims may have moved since it was solved. Tables are of the last equilibrium.
     if (trials_.is_at(current.point)) current.trial.objective = trials_.misfit(current.trial.displacements);
     for (int round = 0; may_go_on(reserve); ++round) {
-        if (current.trial.objective <= kReached) {
+        if (current.trial.objective <= kReachedObjective) {
             end_ = DesignEnd::NoSwapImproves;
             return current;
         }
@@ -267,36 +260,12 @@ Point Search::kicked(const Point& point, double share, std::uint64_t number) con
     return kicked;
 }
 
-bool Search::is_small() const {
-    return trials_.parts().groups.size() * all_.size() <= kSmallTable && options_.max_patterns == 0;
-}
-
-Solved Search::try_neighbours(Solved best, double reserve, int last_solution) {
-    const std::vector<bool> allowed(all_.size(), true);
-    const auto has_budget = [&] { return may_go_on(reserve) && trials_.solutions() < last_solution; };
-    for (bool is_better = true; is_better && has_budget() && best.trial.objective > kReached;) {
-        is_better = false;
-        if (!trials_.is_at(best.point)) best.trial = solve(best.point);
-        std::vector<std::size_t> columns = all_;
-        std::ranges::sort(columns);
-        const std::vector<std::size_t> start = places_of(best.point.patterns, columns);
-        const SwapTable table =
-            trials_.table(best.point, best.trial, columns, options_.seed, options_.control);
-        for (const Choice& choice :
-             neighbours(table, start, allowed, kMostNeighbours, options_.control.silent())) {
-            Point next = painted(best.point, choice, columns);
-            if (is_seen(next)) continue;
-            if (!has_budget()) break;
-            if (options_.max_mass > 0.0 && trials_.mass_of(next) > options_.max_mass) continue;
-            Trial trial = solve(next);
-            if (!trial.is_found || trial.objective >= best.trial.objective) continue;
-            best = {std::move(next), std::move(trial)};
-            note(best);
-            is_better = true;
-            break;
-        }
-    }
-    return best;
+double Search::relaxed_misfit(const Solved& solved) {
+    const std::vector<std::size_t> columns = columns_for(solved.point, 0);
+    const SwapTable table =
+        trials_.table(solved.point, solved.trial, columns, options_.seed, options_.control);
+    const auto start = places_of(solved.point.patterns, columns);
+    return std::sqrt(relaxed_choice(table, start, options_.control.silent()).objective);
 }
 
 int Search::left_for_defect() const {
@@ -307,7 +276,8 @@ Solved Search::improve_from_others(Solved best, const std::vector<Solved>& start
     const DesignEnd end = end_;
     const int last_solution = most_solutions_ - left;
     const auto has_budget = [&] {
-        return may_go_on(reserve) && trials_.solutions() < last_solution && best.trial.objective > kReached;
+        return may_go_on(reserve) && trials_.solutions() < last_solution &&
+               best.trial.objective > kReachedObjective;
     };
     const auto try_from = [&](const Solved& start) {
         const double gain = is_small() ? kLeastGain : kWorthwhileGain;
@@ -319,7 +289,7 @@ Solved Search::improve_from_others(Solved best, const std::vector<Solved>& start
     };
     for (std::size_t i = 1; i < std::min(starts.size(), kOtherStarts) && has_budget(); ++i)
         (void)try_from(starts[i]);
-    if (is_small()) best = try_neighbours(std::move(best), reserve, last_solution);
+    if (is_small()) best = search_nearby(std::move(best), reserve, last_solution);
     for (; kicks_ < kMostKicks && has_budget(); ++kicks_) {
         // On small surfaces every second start is all at random.
         const double share = !is_small() ? kKickedShare : kicks_ % 2 == 0 ? kKickedShareOfSmall : 1.0;
@@ -327,7 +297,7 @@ Solved Search::improve_from_others(Solved best, const std::vector<Solved>& start
         if (is_seen(start.point)) continue;
         start.trial = solve(start.point);
         if (start.trial.is_found && try_from(start) && is_small())
-            best = try_neighbours(std::move(best), reserve, last_solution);
+            best = search_nearby(std::move(best), reserve, last_solution);
     }
     end_ = end;
     return best;

@@ -38,24 +38,45 @@ struct Solved {
 /// DesignOptions::most_solutions.
 int solution_limit(const DesignOptions& options, std::size_t groups);
 
+/// Objectives (squares of shares) below this are the reduced model's rounding.
+inline constexpr double kReachedObjective = 1e-14;
+
+/// The place of each pattern in the columns. Pre: the columns are sorted and have all these patterns.
+std::vector<std::size_t> places_of(const std::vector<std::size_t>& patterns,
+                                   const std::vector<std::size_t>& columns);
+/// The point with the patterns of a choice.
+Point painted(Point point, const Choice& choice, const std::vector<std::size_t>& columns);
+
 /// The search for a painting with the reduced model.
 class Search {
   public:
     Search(Trials& trials, const DesignOptions& options, const Stopwatch& watch, DesignReport& report);
 
+    /// The uniform paintings and the painting with which a design begins.
+    struct Beginning {
+        std::vector<Solved> uniform;    ///< uniform paintings that were solved
+        std::optional<Solved> painted;  ///< painting that is better than these
+    };
+    /// Make a first painting, soon: solve uniform paintings of the first few members of the palette, and
+    /// improve the best one by few steps.
+    Beginning begin(const std::vector<std::size_t>& palette);
     /// Solve up to DesignOptions::uniform_paintings uniform paintings. The first of them have the first
     /// members of the palette, which are the most different; from their solutions, the members are predicted
     /// that are tried next. Returns the solved paintings, the best first; paintings without a stable
     /// equilibrium are left out.
     /// @param coordinates  Preparation::coordinates
+    /// @param found  uniform paintings that are solved already; each has its place in the palette
     std::vector<Solved> try_uniform(const std::vector<std::size_t>& palette,
-                                    const Eigen::MatrixXd& coordinates);
+                                    const Eigen::MatrixXd& coordinates, std::vector<Solved> found = {});
     /// Improve a painting until no swap is predicted to improve its mean square distance by a share of
     /// kLeastGain, or until only `reserve` (s) of the time is left. Returns the best point found.
     Solved improve(Solved start, double reserve);
     /// Improve other starts, and the best painting with some of its tiles painted at random, until only
     /// `left` solutions are left, or only `reserve` (s) of the time. Returns the best point found.
     Solved improve_from_others(Solved best, const std::vector<Solved>& starts, double reserve, int left);
+    /// The misfit that mixtures of the shortlist's patterns in each group are predicted to reach around a
+    /// point, by relaxed_choice(). Pre: the last trial was that of the point.
+    [[nodiscard]] double relaxed_misfit(const Solved& solved);
     /// The number of solutions that are left for the defect correction.
     [[nodiscard]] int left_for_defect() const;
     /// Set the patterns from which steps choose.
@@ -99,9 +120,13 @@ class Search {
     [[nodiscard]] bool is_seen(const Point& point) const;
     Trial solve(const Point& point);
     [[nodiscard]] bool is_small() const;
-    /// Solve changes of one group and of two groups, on small surfaces only. The changes that are predicted
-    /// to be the best come first, and the search continues from each that is better.
-    Solved try_neighbours(Solved best, double reserve, int last_solution);
+    /// True if all paintings can be ranked by a table of pairs.
+    [[nodiscard]] bool can_rank_all() const;
+    /// On small surfaces: solve the paintings that a table at the best one predicts to be the best, and
+    /// continue from each that is better. The paintings are all paintings if can_rank_all(), and else those
+    /// that differ in one group or in two.
+    Solved search_nearby(Solved best, double reserve, int last_solution);
+    std::vector<Point> promising(Solved& best);
     [[nodiscard]] double mass_for_groups(const Point& point, const SwapTable& table,
                                          const std::vector<std::size_t>& start) const;
     void limit_patterns(const Point& point, const SwapTable& table, const std::vector<std::size_t>& start,

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/parallel.hpp>
 #include <fretwork/design/search/free_section.hpp>
 #include <fretwork/design/search/trials.hpp>
 #include <fretwork/simulation/load_cases/conditions.hpp>
@@ -18,15 +17,6 @@ using Eigen::VectorXd;
 using mechanics::NodeValues;
 using simulation::LoadCase;
 using tiling::TileIndex;
-
-/// The largest step of a factor, as a share of it; of a prescribed displacement, in the largest wanted one;
-/// of a prescribed turn, rad.
-constexpr double kFactorStep = 0.5;
-constexpr double kPrescribedStep = 0.25;
-constexpr double kTurnStep = 0.25;
-/// Of a width or thickness, as a share of it; and that of the differences by which its effect is found.
-constexpr double kSectionStep = 0.2;
-constexpr double kSectionDifference = 1e-2;
 
 }  // namespace
 
@@ -214,11 +204,20 @@ void Trials::take_setting(const reduction::Setting& setting) {
 
 void Trials::refresh_candidates(const base::Control& control) {
     if (setting_ == candidate_setting_) return;
+    condense(parts_.candidates.patterns(), control.silent());
+}
+
+void Trials::take_candidates(std::vector<pattern::NamedPattern> candidates, std::vector<std::size_t> mirrored,
+                             const base::Control& control) {
+    condense(std::move(candidates), control);
+    parts_.mirrored = std::move(mirrored);
+}
+
+void Trials::condense(std::vector<pattern::NamedPattern> candidates, const base::Control& control) {
     simulation::Surface surface = parts_.surface;
     surface.setting = setting_;
-    parts_.candidates =
-        simulation::CandidateTiles(surface, parts_.candidates.patterns(), {parts_.threads, control.silent()});
-    strains_ = TileStrains(parts_.candidates, parts_.threads, control);
+    parts_.candidates = simulation::CandidateTiles(surface, std::move(candidates), {parts_.threads, control});
+    strains_ = TileStrains(parts_.candidates, parts_.threads, control.silent());
     candidate_setting_ = setting_;
 }
 
@@ -274,123 +273,6 @@ double Trials::scaled_objective(const Trial& trial) const {
         sum += own.wanted - 2.0 * multiple * own.both + multiple * multiple * own.there;
     }
     return scale_ * scale_ * sum;
-}
-
-SwapTable Trials::table(const Point& point, const Trial& trial, const std::vector<std::size_t>& columns,
-                        std::uint64_t seed, const base::Control& control) {
-    refresh_candidates(control);
-    std::vector<CaseModel> models;
-    for (std::size_t c = 0; c < sessions_.size(); ++c) {
-        const CaseState state{sessions_[c], parts_.cases[c].goals, trial.displacements[c], aims_[c],
-                              scale_,       unit_loads_[c]};
-        models.push_back(linearize_case(state,
-                                        {.candidates = parts_.candidates,
-                                         .strains = strains_,
-                                         .painting = painted_,
-                                         .patterns = columns,
-                                         .seed = seed,
-                                         .threads = parts_.threads},
-                                        control.silent()));
-    }
-    SwapTable table;
-    Index rows = 0;
-    for (const CaseModel& model : models) {
-        rows += model.residual.size();
-        table.unreached += model.unreached;
-        table.energy += model.energy;
-    }
-    table.residual.resize(rows);
-    Index row = 0;
-    for (const CaseModel& model : models) {
-        table.residual.segment(row, model.residual.size()) = model.residual;
-        row += model.residual.size();
-    }
-    table.responses.resize(parts_.groups.size());
-    table.energies.resize(std::ssize(columns), std::ssize(parts_.groups));
-    table.masses.resizeLike(table.energies);
-    base::parallel_for(parts_.groups.size(), parts_.threads, [&](std::size_t group) {
-        control.check();
-        fill_group(group, models, columns, table);
-    });
-    add_unknowns(models, point, table);
-    return table;
-}
-
-void Trials::fill_group(std::size_t group, const std::vector<CaseModel>& models,
-                        const std::vector<std::size_t>& columns, SwapTable& table) const {
-    auto& responses = table.responses[group];
-    responses.setZero(table.residual.size(), std::ssize(columns));
-    for (std::size_t c = 0; c < columns.size(); ++c) {
-        const auto column = static_cast<Index>(c);
-        double energy = 0.0;
-        double mass = 0.0;
-        for (const TileGroup::Member& member : parts_.groups[group].members) {
-            const std::size_t old = painted_[static_cast<std::size_t>(member.tile.value)];
-            const std::size_t wanted = member_pattern(member, columns[c]);
-            const std::size_t tile_class = parts_.candidates.class_of(member.tile);
-            mass += parts_.candidates.mass(tile_class, wanted);
-            if (wanted == old) continue;
-            const double more =
-                parts_.candidates.mass(tile_class, wanted) - parts_.candidates.mass(tile_class, old);
-            Index row = 0;
-            for (const CaseModel& model : models) {
-                const CaseModel::Tile& tile = model.tiles[member.tile];
-                const SwapAnswer answer = swap_answer(tile, strains_.stiffness(tile_class, old),
-                                                      strains_.stiffness(tile_class, wanted));
-                responses.col(column).segment(row, model.residual.size()) +=
-                    tile.reach * answer.stress + more * tile.of_weight;
-                energy += answer.energy;
-                row += model.residual.size();
-            }
-        }
-        table.energies(column, static_cast<Index>(group)) = energy;
-        table.masses(column, static_cast<Index>(group)) = mass;
-    }
-}
-
-void Trials::add_unknowns(const std::vector<CaseModel>& models, const Point& point, SwapTable& table) const {
-    table.by_factors.setZero(table.residual.size(), point.unknowns.size());
-    table.largest_steps.resize(point.unknowns.size());
-    Index row = 0;
-    Index next = 0;
-    for (std::size_t c = 0; c < models.size(); ++c) {
-        const Index rows = models[c].residual.size();
-        if (parts_.free.factor) {
-            table.by_factors.col(next).segment(row, rows) = models[c].by_loads;
-            table.largest_steps[next] = kFactorStep * std::abs(point.unknowns[next]);
-            ++next;
-        }
-        const auto& entries = parts_.cases[c].load_case.prescribed;
-        for (std::size_t e = 0; parts_.free.prescribed && e < entries.size(); ++e, ++next) {
-            table.by_factors.col(next).segment(row, rows) =
-                models[c].by_prescribed.col(static_cast<Index>(e));
-            table.largest_steps[next] =
-                static_cast<int>(entries[e].dof) < 3 ? kPrescribedStep * largest_ : kTurnStep;
-        }
-        row += rows;
-    }
-    if (parts_.free.width || parts_.free.thickness) add_section(models, point, table);
-}
-
-void Trials::add_section(const std::vector<CaseModel>& models, const Point& point, SwapTable& table) const {
-    const double width = mechanics::rectangle_width(setting_.section);
-    const double thickness = mechanics::rectangle_height(setting_.section);
-    const auto add = [&](Index unknown, const auto& setting) {
-        const double step = kSectionDifference * point.unknowns[unknown];
-        const auto rates = simulation::rates_along(sessions_.front().surface(), setting, step);
-        Index row = 0;
-        for (const CaseModel& model : models) {
-            table.by_factors.col(unknown).segment(row, model.residual.size()) =
-                residuals_by(model, strains_, parts_.candidates, rates);
-            row += model.residual.size();
-        }
-        table.largest_steps[unknown] = kSectionStep * point.unknowns[unknown];
-    };
-    Index next = first_of_section();
-    if (parts_.free.width)
-        add(next++, [&](double more) { return with_section(setting_, width + more, thickness); });
-    if (parts_.free.thickness)
-        add(next, [&](double more) { return with_section(setting_, width, thickness + more); });
 }
 
 }  // namespace fretwork::design::detail

@@ -3,12 +3,14 @@
 
 #include <fretwork/design/search/case_model.hpp>
 #include <fretwork/design/search/tile_groups.hpp>
+#include <fretwork/design/swaps/pair_table.hpp>
 #include <fretwork/design/swaps/swap_table.hpp>
 #include <fretwork/simulation/session.hpp>
 
 #include <cstdint>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace fretwork::design::detail {
@@ -79,6 +81,10 @@ class Trials {
     /// CaseGoals::observe().
     void set_aims(std::vector<mechanics::NodeValues> aims) { aims_ = std::move(aims); }
 
+    /// Condense other candidates, the first of which are those that are there. Throws Stopped.
+    void take_candidates(std::vector<pattern::NamedPattern> candidates, std::vector<std::size_t> mirrored,
+                         const base::Control& control);
+
     /// Solve a point. Throws Stopped.
     Trial solve(const Point& point, const base::Control& control);
     /// True if the last solution was the solution of this point, and was found.
@@ -87,6 +93,11 @@ class Trials {
     /// @param columns  the candidates that are the columns of the table
     SwapTable table(const Point& point, const Trial& trial, const std::vector<std::size_t>& columns,
                     std::uint64_t seed, const base::Control& control);
+    /// The same table with the interactions of any two groups, for surfaces with few groups and columns.
+    PairTable pair_table(const Point& point, const Trial& trial, const std::vector<std::size_t>& columns,
+                         std::uint64_t seed, const base::Control& control);
+    /// True if pair_table() with so many columns takes no longer than some ten solutions.
+    [[nodiscard]] bool has_few_pairs(std::size_t columns) const;
     /// The objective of displacements, as in Trial::objective, with the aims of set_aims().
     [[nodiscard]] double misfit(const std::vector<mechanics::NodeValues>& displacements) const {
         return objective(displacements, aims_);
@@ -137,9 +148,19 @@ class Trials {
     void take_setting(const reduction::Setting& setting);
     /// Condense the candidates again if the bars have changed.
     void refresh_candidates(const base::Control& control);
+    void condense(std::vector<pattern::NamedPattern> candidates, const base::Control& control);
     void add_section(const std::vector<CaseModel>& models, const Point& point, SwapTable& table) const;
     [[nodiscard]] double objective(const std::vector<mechanics::NodeValues>& displacements,
                                    const std::vector<mechanics::NodeValues>& aims) const;
+    std::vector<CaseModel> models_at(const Trial& trial, const SwapSample& sample,
+                                     const base::Control& control);
+    [[nodiscard]] SwapTable table_of(const std::vector<CaseModel>& models, const Point& point,
+                                     const std::vector<std::size_t>& columns,
+                                     const base::Control& control) const;
+    /// The change of the residuals if groups, each with the index of its group, get other patterns at once.
+    [[nodiscard]] Eigen::VectorXd joint_response(
+        const std::vector<CaseModel>& models,
+        const std::vector<std::pair<std::size_t, std::size_t>>& choices) const;
     void fill_group(std::size_t group, const std::vector<CaseModel>& models,
                     const std::vector<std::size_t>& columns, SwapTable& table) const;
     void add_unknowns(const std::vector<CaseModel>& models, const Point& point, SwapTable& table) const;

@@ -9,6 +9,15 @@
 namespace fretwork::design::detail {
 namespace {
 
+/// Of the first painting: the uniform ones that are solved before, the steps from the best of them, the
+/// radius of the first one, and the share of its objective at which the painting is good enough to go on with
+/// the others. Half of the distance is a quarter of its square; other single patterns may still be better.
+constexpr std::size_t kEarlyUniform = 3;
+constexpr int kEarlySteps = 5;
+constexpr double kEarlyRadius = 0.5;
+constexpr double kEarlyShare = 0.01;
+constexpr double kEarlyGain = 0.25;
+
 /// The weighted sum of the displacements of solutions.
 std::vector<mechanics::NodeValues> superposed(const std::vector<Solved>& solved,
                                               const Eigen::VectorXd& weights) {
@@ -32,14 +41,36 @@ void Search::try_one_uniform(std::size_t pattern, std::vector<Solved>& found) {
     note(found.back());
 }
 
+Search::Beginning Search::begin(const std::vector<std::size_t>& palette) {
+    Beginning beginning;
+    for (std::size_t p = 0; p < std::min(palette.size(), kEarlyUniform); ++p)
+        try_one_uniform(palette[p], beginning.uniform);
+    if (beginning.uniform.empty()) return beginning;
+    const Solved& best = *std::ranges::min_element(
+        beginning.uniform, {}, [](const Solved& solved) { return solved.trial.objective; });
+    set_columns(palette, palette);
+    Solved current = best;
+    if (!trials_.is_at(current.point)) current.trial = solve(current.point);
+    double radius = kEarlyRadius;
+    for (int round = 0; round < kEarlySteps && may_go_on(0.0) && current.trial.is_found; ++round) {
+        if (current.trial.objective <= kEarlyShare * best.trial.objective) break;
+        if (step(current, radius, round, {kEarlyGain, 0.0}) != Step::Better) break;
+    }
+    if (current.trial.is_found && current.trial.objective < best.trial.objective)
+        beginning.painted = std::move(current);
+    return beginning;
+}
+
 std::vector<Solved> Search::try_uniform(const std::vector<std::size_t>& palette,
-                                        const Eigen::MatrixXd& coordinates) {
-    std::vector<Solved> found;
+                                        const Eigen::MatrixXd& coordinates, std::vector<Solved> found) {
     const auto has_time = [&] { return found.empty() || watch_.has_left(0.7 * options_.seconds); };
     const std::size_t most = std::min(palette.size(), options_.uniform_paintings);
     const std::size_t spread = std::min(most, std::max<std::size_t>(2, (2 * most) / 3));
     std::vector<bool> is_tried(palette.size(), false);
-    for (std::size_t p = 0; p < most && (p < spread || found.size() < 2) && has_time(); ++p) {
+    for (std::size_t p = 0; p < palette.size(); ++p) is_tried[p] = is_seen(trials_.uniform(palette[p]));
+    for (std::size_t p = 0; p < palette.size() && report_.uniform_tried < most && has_time(); ++p) {
+        if (report_.uniform_tried >= spread && found.size() >= 2) break;
+        if (is_tried[p]) continue;
         try_one_uniform(palette[p], found);
         is_tried[p] = true;
     }

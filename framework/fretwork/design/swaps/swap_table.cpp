@@ -48,8 +48,7 @@ class Sweeper {
             squares_.col(static_cast<Index>(g)) = table.responses[g].colwise().squaredNorm().transpose();
         if (table.by_factors.cols() > 0) {
             factors_ = step_factors_of(table);
-            unknowns_ =
-                factors_.householderQ() * MatrixXd::Identity(table.by_factors.rows(), factors_.rank());
+            unknowns_ = unknown_basis(table);
         }
     }
 
@@ -251,6 +250,12 @@ void keep_best(std::vector<Choice>& choices, std::size_t count) {
 }
 
 }  // namespace
+
+MatrixXd unknown_basis(const SwapTable& table) {
+    if (table.by_factors.cols() == 0) return {};
+    const StepFactors factors = step_factors_of(table);
+    return factors.householderQ() * MatrixXd::Identity(table.by_factors.rows(), factors.rank());
+}
 
 VectorXd best_steps(const SwapTable& table, const VectorXd& residual) {
     if (table.by_factors.cols() == 0) return VectorXd();

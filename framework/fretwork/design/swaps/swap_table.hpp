@@ -41,6 +41,9 @@ struct Choice {
 /// largest step.
 Eigen::VectorXd best_steps(const SwapTable& table, const Eigen::VectorXd& residual);
 
+/// An orthonormal basis of the columns of SwapTable::by_factors; no columns if there are no unknowns.
+Eigen::MatrixXd unknown_basis(const SwapTable& table);
+
 struct SweepOptions {
     std::vector<bool> allowed;  ///< for each column, true if it may be chosen
     double radius = 0.5;        ///< largest energy of the change, as a share of the surface's energy

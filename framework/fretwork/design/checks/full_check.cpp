@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/design/search/full_check.hpp>
+#include <fretwork/design/checks/finer_beams.hpp>
+#include <fretwork/design/checks/full_check.hpp>
 #include <fretwork/simulation/results/beam_table.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fretwork::design::detail {
 namespace {
+
+/// The difference from a solution with twice as many elements, times this, is the error where the error falls
+/// with the square of the elements' length, as mechanics::estimate_discretization_error() assumes, too.
+constexpr double kErrorFromFiner = 4.0 / 3.0;
 
 double largest_utilization(const simulation::Session& session, const mechanics::Solution& solution) {
     const simulation::BeamTable table = simulation::beam_table(session, solution);
@@ -22,7 +28,9 @@ FullCheck check_in_full(const Trials& trials, const Point& point, BeamDemand bea
     FullCheck check;
     check.is_found = true;
     const simulation::Surface surface = trials.surface_at(point);
-    if (beams == BeamDemand::Utilization) check.largest_utilization = 0.0;
+    if (beams != BeamDemand::None) check.largest_utilization = 0.0;
+    std::optional<double> finer;
+    if (beams == BeamDemand::UtilizationAndError) finer = 0.0;
     for (std::size_t c = 0; c < trials.parts().cases.size(); ++c) {
         simulation::SimulationOptions options{.model = "full", .threads = trials.parts().threads};
         std::optional<simulation::Session> session(std::in_place, surface, trials.load_case_at(point, c),
@@ -39,12 +47,21 @@ FullCheck check_in_full(const Trials& trials, const Point& point, BeamDemand bea
         }
         check.is_found = check.is_found && result.solution.converged();
         check.error.is_stable = check.error.is_stable && result.solution.stable;
-        if (beams == BeamDemand::Utilization && check.is_found)
+        if (beams != BeamDemand::None && check.is_found)
             check.largest_utilization =
                 std::max(*check.largest_utilization, largest_utilization(*session, result.solution));
+        if (finer && check.is_found) {
+            const auto stress = largest_stress(
+                surface, session->load_case(),
+                {.elements = 2, .branch = options.branch, .threads = options.threads}, control.silent());
+            if (stress) finer = std::max(*finer, *stress / *surface.setting.strength);
+            if (!stress) finer.reset();
+            check.solutions += stress ? 1 : 0;
+        }
         check.displacements.push_back(std::move(result.solution.displacements));
     }
     if (!check.is_found) return check;
+    if (finer) check.utilization_error = kErrorFromFiner * std::abs(*finer - *check.largest_utilization);
     const Trials::Distances distances = trials.distances(check.displacements);
     check.error.mean = distances.mean;
     check.error.largest = distances.largest;

@@ -16,11 +16,12 @@ struct FullCheck {
     std::vector<mechanics::NodeValues>
         displacements{};  ///< displacements of all nodes, interface nodes first, for each load case
     std::optional<double> largest_utilization{};
+    std::optional<double> utilization_error{};  ///< DesignReport::utilization_error
     int solutions = 0;
 };
 
-/// The choice whether to compute the largest utilization of the beams.
-enum class BeamDemand { None, Utilization };
+/// The choice whether to compute the largest utilization of the beams, and to estimate its error.
+enum class BeamDemand { None, Utilization, UtilizationAndError };
 
 /// The shapes of the surface in a check, with the places at which the goals want their nodes.
 std::vector<CaseShape> shapes_of(const Trials& trials, const FullCheck& check);

@@ -2,7 +2,7 @@
 // Goals against each other, against what is held, and against where a surface is.
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/design/search/case_goals.hpp>
+#include <fretwork/design/goals/case_goals.hpp>
 
 #include <array>
 #include <cmath>
@@ -24,9 +24,12 @@ std::string component_name(std::size_t component) {
     return std::string(mechanics::kDofNames[component]);
 }
 
+WarnedValue warned_value(std::size_t component, double value) {
+    return {value, component < 3 ? WarnedValue::Quantity::Length : WarnedValue::Quantity::Angle};
+}
+
 std::string value_text(std::size_t component, double value) {
-    return component_name(component) + " = " + base::format_number(value, 4) +
-           (component < 3 ? " m" : " rad");
+    return component_name(component) + " = " + plain_text(warned_value(component, value));
 }
 
 /// The values at which components are held, by node and component.
@@ -69,10 +72,10 @@ void CaseGoals::require_agreement() const {
     }
 }
 
-std::vector<std::string> CaseGoals::against(const simulation::Conditions& held) const {
+std::vector<DesignWarning> CaseGoals::against(const simulation::Conditions& held) const {
     struct Conflict {
         std::set<Eigen::Index> nodes;
-        std::string first;
+        DesignWarning first;
     };
     std::map<std::size_t, Conflict> conflicts;
     const auto values = held_values(held);
@@ -87,20 +90,23 @@ std::vector<std::string> CaseGoals::against(const simulation::Conditions& held) 
             if (unit * std::abs(*components->wanted[c] - own->second) <= kFarFromHeld * largest_) continue;
             Conflict& conflict = conflicts[wish.goal];
             conflict.nodes.insert(wish.node);
-            if (!conflict.first.empty()) continue;
-            conflict.first = "wants " + value_text(component, *components->wanted[c]) + " of node " +
-                             std::to_string(wish.node) + ", which is held at " +
-                             value_text(component, own->second);
+            if (!conflict.first.text.empty()) continue;
+            const std::string name = component_name(component);
+            conflict.first.text = "wants " + name + " = {0} of node " + std::to_string(wish.node) +
+                                  ", which is held at " + name + " = {1}";
+            conflict.first.values = {warned_value(component, *components->wanted[c]),
+                                     warned_value(component, own->second)};
         }
     }
-    std::vector<std::string> lines;
-    for (const auto& [goal, conflict] : conflicts) {
-        std::string line = "/goals/" + std::to_string(goal) + " " + conflict.first;
+    std::vector<DesignWarning> warnings;
+    for (auto& [goal, conflict] : conflicts) {
+        DesignWarning& own = conflict.first;
+        own.text = "/goals/" + std::to_string(goal) + " " + own.text;
         if (conflict.nodes.size() > 1)
-            line += "; " + std::to_string(conflict.nodes.size()) + " of its nodes are held elsewhere";
-        lines.push_back(std::move(line));
+            own.text += "; " + std::to_string(conflict.nodes.size()) + " of its nodes are held elsewhere";
+        warnings.push_back(std::move(own));
     }
-    return lines;
+    return warnings;
 }
 
 std::vector<CaseGoals::Place> CaseGoals::places(const NodeValues& displacements) const {

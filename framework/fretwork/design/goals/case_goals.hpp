@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/design/search/closest_point.hpp>
+#include <fretwork/design/design_warning.hpp>
+#include <fretwork/design/goals/closest_point.hpp>
 #include <fretwork/design/target/target.hpp>
 #include <fretwork/mechanics/frame/frame.hpp>
 #include <fretwork/simulation/load_cases/conditions.hpp>
@@ -47,8 +48,8 @@ class CaseGoals {
     [[nodiscard]] std::size_t node_count() const { return goals_.size(); }
     /// True if nodes may slide along a surface.
     [[nodiscard]] bool slides() const;
-    /// One line for each goal that wants nodes at other places than the places at which `held` holds them.
-    [[nodiscard]] std::vector<std::string> against(const simulation::Conditions& held) const;
+    /// A warning about each goal that wants nodes at other places than the places at which `held` holds them.
+    [[nodiscard]] std::vector<DesignWarning> against(const simulation::Conditions& held) const;
     /// A node with a wanted place.
     struct Place {
         Eigen::Index node = 0;

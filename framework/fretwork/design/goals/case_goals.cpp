@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/design/search/case_goals.hpp>
+#include <fretwork/design/goals/case_goals.hpp>
 #include <fretwork/simulation/load_cases/selection.hpp>
 #include <fretwork/tiling/painting/field.hpp>
 
@@ -85,9 +85,9 @@ void CaseGoals::add(const Goal& goal, const Tessellation& tessellation) {
     const double before = std::exchange(largest_, 0.0);
     add_nodes(goal, tessellation);
     if (!(largest_ <= kFarthest * size))
-        throw base::InputError("asks for a displacement of " + base::format_number(largest_, 4) +
-                               " m, where the surface is " + base::format_number(size, 3) +
-                               " m across: lengths are in metres, and " + base::format_number(kFarthest) +
+        throw base::InputError("asks for a displacement of " + plain_text(WarnedValue{largest_}) +
+                               ", where the surface is " + plain_text(WarnedValue{size}) +
+                               " across: target files have metres, and " + base::format_number(kFarthest) +
                                " times its size is the most");
     largest_ = std::max(largest_, before);
 }

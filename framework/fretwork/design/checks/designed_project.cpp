@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/design/checks/designed_project.hpp>
+
+#include <algorithm>
+
+namespace fretwork::design::detail {
+namespace {
+
+/// Where bars have another section, the project carries it, and no library: that has the old one.
+void write_section(const Trials& trials, const Point& point, DesignReport& report) {
+    const auto& free = trials.parts().free;
+    if (!free.width && !free.thickness) return;
+    const reduction::Setting setting = trials.setting_at(point);
+    report.width = mechanics::rectangle_width(setting.section);
+    report.thickness = mechanics::rectangle_height(setting.section);
+    report.project.setting = setting;
+    if (report.project.library_path.empty()) return;
+    report.project.library_path.clear();
+    report.project.library_hash.clear();
+    report.warnings.emplace_back(
+        "the designed project names no library: its bars have another section than the library's");
+}
+
+}  // namespace
+
+void write_point(const Trials& trials, const Point& point, const std::vector<std::string>& names,
+                 DesignReport& report) {
+    simulation::Project& project = report.project;
+    project.tessellation = trials.surface_at(point).tessellation;
+    for (const pattern::NamedPattern& own : project.tessellation.patterns) report.patterns.push_back(own.id);
+    std::ranges::sort(report.patterns);
+    report.load_cases = names;
+    write_section(trials, point, report);
+    const auto& free = trials.parts().free;
+    for (std::size_t c = 0; c < names.size(); ++c) {
+        const simulation::LoadCase& wanted = trials.parts().cases[c].load_case;
+        const simulation::LoadCase own = trials.load_case_at(point, c);
+        report.factors.push_back(free.factor ? trials.factor_at(point, c) : 1.0);
+        if (own == wanted) continue;
+        for (simulation::LoadCase& stored : project.load_cases) {
+            if (stored.name == own.name) stored = own;
+        }
+    }
+}
+
+}  // namespace fretwork::design::detail

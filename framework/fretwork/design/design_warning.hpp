@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace fretwork::design {
+
+/// A number in the text of a warning, in SI, for programs that show lengths and angles in other units.
+struct WarnedValue {
+    enum class Quantity { Length, Angle };
+    double value = 0.0;  ///< m or rad
+    Quantity quantity = Quantity::Length;
+};
+
+/// One reason why a design falls short of what was asked for.
+struct DesignWarning {
+    std::string text;  ///< one line without a full stop; "{0}" stands for the first of `values`, and so on
+    bool factor_may_help = false;       ///< true if another factor on the loads, which was not free, may help
+    std::vector<WarnedValue> values{};  ///< numbers with a unit in the text
+};
+
+/// The number in millimetres or degrees, with its unit.
+std::string plain_text(const WarnedValue& value);
+/// The text with its values in millimetres and degrees.
+std::string plain_text(const DesignWarning& warning);
+
+}  // namespace fretwork::design

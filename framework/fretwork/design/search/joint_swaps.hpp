@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/design/search/case_model.hpp>
+
+#include <Eigen/Core>
+
+#include <span>
+
+namespace fretwork::design::detail {
+
+/// A change of one tile's stiffness and mass.
+struct TileSwap {
+    tiling::TileIndex tile;
+    const TileStrains::Blocks& from;
+    const TileStrains::Blocks& to;
+    double mass = 0.0;  ///< change of the tile's mass, kg
+};
+
+/// The change of the residuals by swaps in several tiles at once, k coefficients: the stresses f of all these
+/// tiles solve f = -dk (e + G f), where G are their flexibilities, those between two tiles included. Exact on
+/// the linearized surface. Pre: the model has CaseModel::flexibility.
+Eigen::VectorXd joint_answer(const CaseModel& model, std::span<const TileSwap> swaps);
+
+}  // namespace fretwork::design::detail

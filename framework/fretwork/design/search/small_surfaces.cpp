@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Surfaces with so few tiles and patterns that many paintings around the best one can be solved.
+#include <fretwork/design/search/search.hpp>
+
+#include <algorithm>
+
+namespace fretwork::design::detail {
+namespace {
+
+/// Where groups x columns are so few, every change of one group or of two may be solved.
+constexpr std::size_t kSmallTable = 300;
+/// Changes of one group, and so many of two, that are solved around one painting.
+constexpr std::size_t kMostNeighbours = 60;
+/// All paintings are ranked if there are no more than this, and so many of the best are solved around one
+/// painting.
+constexpr std::size_t kMostPaintings = 1'000'000;
+constexpr std::size_t kMostRanked = 60;
+
+}  // namespace
+
+bool Search::is_small() const {
+    return trials_.parts().groups.size() * all_.size() <= kSmallTable && options_.max_patterns == 0;
+}
+
+bool Search::can_rank_all() const {
+    return is_small() &&
+           choice_count(trials_.parts().groups.size(), all_.size(), kMostPaintings) <= kMostPaintings &&
+           trials_.has_few_pairs(all_.size());
+}
+
+std::vector<Point> Search::promising(Solved& best) {
+    if (!trials_.is_at(best.point)) best.trial = solve(best.point);
+    std::vector<std::size_t> columns = all_;
+    std::ranges::sort(columns);
+    const base::Control silent = options_.control.silent();
+    std::vector<Choice> choices;
+    if (can_rank_all()) {
+        // Those that are solved already are among them.
+        choices = best_of_all(trials_.pair_table(best.point, best.trial, columns, options_.seed, silent),
+                              kMostRanked + seen_.size(), silent);
+    } else {
+        choices = neighbours(trials_.table(best.point, best.trial, columns, options_.seed, silent),
+                             places_of(best.point.patterns, columns), std::vector<bool>(all_.size(), true),
+                             kMostNeighbours, silent);
+    }
+    std::vector<Point> points;
+    for (const Choice& choice : choices) {
+        Point next = painted(best.point, choice, columns);
+        next.unknowns = trials_.bounded(next.unknowns + choice.steps);
+        if (is_seen(next) || next == best.point) continue;
+        if (options_.max_mass > 0.0 && trials_.mass_of(next) > options_.max_mass) continue;
+        points.push_back(std::move(next));
+    }
+    if (can_rank_all() && points.size() > kMostRanked) points.resize(kMostRanked);
+    return points;
+}
+
+Solved Search::search_nearby(Solved best, double reserve, int last_solution) {
+    const auto has_budget = [&] { return may_go_on(reserve) && trials_.solutions() < last_solution; };
+    for (bool is_better = true; is_better && has_budget() && best.trial.objective > kReachedObjective;) {
+        is_better = false;
+        for (const Point& next : promising(best)) {
+            if (!has_budget()) break;
+            Trial trial = solve(next);
+            if (!trial.is_found || trial.objective >= best.trial.objective) continue;
+            best = {next, std::move(trial)};
+            note(best);
+            is_better = true;
+            break;
+        }
+    }
+    return best;
+}
+
+}  // namespace fretwork::design::detail

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hidden.hpp"
+
+#include <fretwork/design/search/preparation.hpp>
+#include <fretwork/design/search/search.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace fretwork::design::detail {
+namespace THIS_TEST {
+
+struct Planted {
+    simulation::Project project = test::cantilever_project(6, 4, 0.03);
+    Target target;
+    Planted() {
+        simulation::Project hidden = project;
+        test::paint_graded(hidden, test::kDesignPatterns);
+        target = test::target_of(hidden);
+    }
+};
+
+TEST(Preparation, CondensesTheWholePaletteLaterAndKeepsTheIndices) {
+    const Planted planted;
+    const DesignOptions options = test::design_options(planted.project);
+    Preparation first = prepare(planted.project, nullptr, planted.target, options, 2);
+    EXPECT_EQ(first.palette.size(), 2U);
+    EXPECT_EQ(first.whole.size(), test::kDesignPatterns.size());
+    const auto before = first.parts.candidates.patterns();
+    Trials trials(std::move(first.parts));
+    const Point point = trials.uniform(1);
+    const Trial trial = trials.solve(point, {});
+    const PaletteChoice choice = extend_palette(trials, first.whole, options);
+    const auto& candidates = trials.parts().candidates.patterns();
+    ASSERT_GE(candidates.size(), before.size());
+    for (std::size_t p = 0; p < before.size(); ++p) EXPECT_EQ(candidates[p].id, before[p].id);
+    const std::set<std::size_t> palette(choice.palette.begin(), choice.palette.end());
+    EXPECT_EQ(palette.size(), test::kDesignPatterns.size());
+    EXPECT_EQ(choice.coordinates.cols(), std::ssize(choice.palette));
+    EXPECT_TRUE(trials.is_at(point));
+    const SwapTable table = trials.table(point, trial, {0, 1, 2, 3, 4}, 1, {});
+    EXPECT_NEAR(table.unreached + table.residual.squaredNorm(), trial.objective, 1e-9 * trial.objective);
+}
+
+TEST(Preparation, CondensesAllAtOnceIfThereAreFew) {
+    const Planted planted;
+    const Preparation all =
+        prepare(planted.project, nullptr, planted.target, test::design_options(planted.project), 5);
+    EXPECT_TRUE(all.whole.empty());
+    EXPECT_EQ(all.palette.size(), test::kDesignPatterns.size());
+}
+
+/// Half of the distance of the best single pattern, with three of these and a few steps.
+TEST(Search, MakesAUsefulPaintingSoon) {
+    const Planted planted;
+    const DesignOptions options = test::design_options(planted.project);
+    Preparation preparation = prepare(planted.project, nullptr, planted.target, options);
+    Trials trials(std::move(preparation.parts));
+    const Stopwatch watch(0.0);
+    DesignReport report;
+    Search search(trials, options, watch, report);
+    const Search::Beginning beginning = search.begin(preparation.palette);
+    ASSERT_TRUE(beginning.painted);
+    EXPECT_LE(trials.solutions(), 10);
+    const std::vector<Solved> uniform =
+        search.try_uniform(preparation.palette, preparation.coordinates, beginning.uniform);
+    EXPECT_EQ(uniform.size(), test::kDesignPatterns.size());
+    EXPECT_EQ(report.uniform_tried, test::kDesignPatterns.size());
+    EXPECT_LT(beginning.painted->trial.objective, 0.25 * uniform.front().trial.objective);
+}
+
+}  // namespace THIS_TEST
+}  // namespace fretwork::design::detail
