@@ -27,8 +27,22 @@ Json share_closed(const DesignReport& report) {
 Json warnings_json(const DesignFound& found) {
     Json warnings = Json::array();
     for (const design::DesignWarning& warning : design::design_warnings(found.report, found.options))
-        warnings.push_back(warning.text);
+        warnings.push_back(design::plain_text(warning));
     return warnings;
+}
+
+/// The same with their lengths and angles as numbers, which the page shows in its units.
+Json warning_parts(const DesignFound& found) {
+    Json parts = Json::array();
+    for (const design::DesignWarning& warning : design::design_warnings(found.report, found.options)) {
+        Json values = Json::array();
+        for (const design::WarnedValue& own : warning.values)
+            values.push_back(
+                {{"value", own.value},
+                 {"quantity", own.quantity == design::WarnedValue::Quantity::Length ? "length" : "angle"}});
+        parts.push_back({{"text", warning.text}, {"values", std::move(values)}});
+    }
+    return parts;
 }
 
 }  // namespace
@@ -61,6 +75,7 @@ Json designed_event(const DesignFound& found, std::int64_t revision) {
             {"load_cases", report.load_cases},
             {"factors", report.factors},
             {"warnings", warnings_json(found)},
+            {"warning_parts", warning_parts(found)},
             {"end", design::design_end_name(report.end)},
             {"words", design::design_end_words(report.end)},
             {"seconds", report.seconds},

@@ -70,12 +70,20 @@ export function shown(value: number | null | undefined, quantity: Quantity, syst
   return `${digits(value * per)}${space}${name}`;
 }
 
-/** A text of the program, which counts in metres, with its lengths in the units that are shown. */
+/** A text of the program with its lengths, which are in metres or millimetres, in the units that are shown. */
 export function inShownUnits(text: string): string {
-  const length = (value: string): string => shown(Number(value), 'length');
+  const length = (value: string, unit = 'm'): string => shown(Number(value) / (unit === 'mm' ? 1e3 : 1), 'length');
   return text
-    .replace(/(?<![\w.])(\d[\d.]*(?:e[-+]?\d+)?) m(?![\w²/])/g, (_, value: string) => length(value))
+    .replace(/(?<![\w.])(\d[\d.]*(?:e[-+]?\d+)?) (mm?)(?![\w²/])/g, (whole, value: string, unit: string) => (unit === 'mm' && unitSystem.value === 'mm' ? whole : length(value, unit)))
     .replace(/\((-?[\d.]+(?:e[-+]?\d+)?), (-?[\d.]+(?:e[-+]?\d+)?)\)/g, (_, x: string, y: string) => `(${length(x)}, ${length(y)})`);
+}
+
+/** A text with its values, which are in SI, in the units that are shown: `{0}` stands for the first of them. */
+export function withShownValues(text: string, values: { value: number; quantity: Quantity }[]): string {
+  return text.replace(/\{(\d+)\}/g, (mark, place: string) => {
+    const own = values[Number(place)];
+    return own ? shown(own.value, own.quantity) : mark;
+  });
 }
 
 /** A number as typed, with a comma or a point, with or without a unit that it may end in; null if it is none. */

@@ -5,7 +5,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { designed } from '../document/design';
 import { documentNow } from '../document/store';
 import { liveError } from '../document/target';
-import { digits, shown } from '../document/units';
+import { digits, shown, withShownValues } from '../document/units';
 import type { Designed } from '../protocol/messages';
 import { W } from '../words';
 
@@ -53,7 +53,7 @@ function Remarks({ result }: { result: Designed }) {
       <p class="hint" id="design-end">{ended} {result.error_mean === null ? W.design.unchecked : W.design.ofWanted}</p>
       {result.stable === false && <p class="warning">{W.design.notStable}</p>}
       {!result.sketch && !result.is_better && result.error_mean !== null && <p class="warning">{W.design.notBetter}</p>}
-      {result.warnings.map((words) => <p key={words} class="warning">{sentence(words)}</p>)}
+      {result.warning_parts.map(({ text, values }) => <p key={text} class="warning">{sentence(withShownValues(text, values))}</p>)}
     </>
   );
 }

@@ -209,6 +209,11 @@ export interface Designing {
   /** Root of the mean square distance, a share of the largest displacement wanted; null: not known yet. */
   misfit: number | null;
 }
+/** A line of the program whose lengths and angles the page shows in its units: `{0}` stands for the first value (SI). */
+export interface WarningParts {
+  text: string;
+  values: { value: number; quantity: 'length' | 'angle' }[];
+}
 /** The result of a design, whose painting is the document's now. Errors are shares of the largest displacement wanted. */
 export interface Designed {
   /** A first painting: the search goes on. */
@@ -228,6 +233,7 @@ export interface Designed {
   load_cases: string[];
   factors: number[];
   warnings: string[];
+  warning_parts: WarningParts[];
   /** How it ended, in words. */
   words: string;
   seconds: number;

@@ -137,7 +137,7 @@ describe('other tiles', () => {
 describe('a design', () => {
   const RESULT = {
     sketch: false, error_mean: 0.1, error_largest: 0.2, stable: true, error_best_uniform: 0.4, best_uniform_pattern: 'a', uniform_tried: 2, share_closed: 0.75, is_better: true,
-    patterns: ['a'], load_cases: [], factors: [], warnings: [], words: 'the solutions were spent', seconds: 1, solutions: 3, full_solutions: 2,
+    patterns: ['a'], load_cases: [], factors: [], warnings: [], warning_parts: [], words: 'the solutions were spent', seconds: 1, solutions: 3, full_solutions: 2,
   };
   it('is at work until its answer is here; its sketch is shown before', () => {
     takeEvent({ event: 'designing', revision: 1, solutions: 2, most: 60, seconds: 0.1, misfit: 0.5 });

@@ -13,6 +13,16 @@ test('lengths in a text of the program are written in the units of the page', as
   expect(inShownUnits('near (0.133166, 0.125676): no tile').replace(/\s/g, ' ')).toBe('near (133 mm, 126 mm): no tile');
   unitSystem.value = 'SI';
   expect(inShownUnits('0.5 m wide').replace(/\s/g, ' ')).toBe('0.500 m wide');
+  expect(inShownUnits('wants uz = -20 mm of node 3').replace(/\s/g, ' ')).toBe('wants uz = -0.0200 m of node 3');
+});
+
+test('values of a text are written in the units of the page', async () => {
+  const { withShownValues, unitSystem } = await units();
+  const values = [{ value: -0.02, quantity: 'length' }, { value: Math.PI / 4, quantity: 'angle' }] as const;
+  unitSystem.value = 'mm';
+  expect(withShownValues('uz = {0}, ry = {1}; {2}', [...values]).replace(/\s/g, ' ')).toBe('uz = -20.0 mm, ry = 45.0°; {2}');
+  unitSystem.value = 'SI';
+  expect(withShownValues('uz = {0}, ry = {1}', [...values]).replace(/\s/g, ' ')).toBe('uz = -0.0200 m, ry = 0.785 rad');
 });
 
 test('what is no length stays as it is', async () => {
