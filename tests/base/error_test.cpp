@@ -44,6 +44,16 @@ TEST(Error, InsideOfASourceKeepsItsTypeItsKindAndItsOwnPlace) {
     EXPECT_EQ(data.about, std::vector<std::string>{"node 3"});
 }
 
+TEST(Error, OfTheWantedTypeIsLocatedAndNoOther) {
+    EXPECT_EQ(located("a.json", "/b", [] { return 3; }), 3);
+    const auto crossing = [] { throw GeometryError("crosses itself"); };
+    const ErrorData data =
+        error_of<GeometryError>([&] { located<GeometryError>("a.json", "/outline", crossing); });
+    EXPECT_EQ(text_of(data), "a.json: /outline: crosses itself");
+    const auto full = [] { throw IoError("disk full"); };
+    EXPECT_EQ(text_of(error_of<IoError>([&] { located("a.json", "", full); })), "disk full");
+}
+
 TEST(Error, ASourceIsFoundAndRenamedAsAWhole) {
     const IoError error({.problem = "draft.db is full", .where = {{"list", ""}, {"draft.db", "row 1"}}});
     EXPECT_TRUE(names_source(error, "draft.db"));
@@ -55,7 +65,8 @@ TEST(Error, ASourceIsFoundAndRenamedAsAWhole) {
 TEST(Error, AValueOfAJsonDocumentThatIsRefusedKeepsItsKind) {
     const JsonReader json = JsonReader::from_text(R"({"model": "x"})", "p.json");
     const ErrorData data = error_of<InputError>([&] {
-        json.at("model").fail(InputError({.problem = "is not known", .kind = ErrorKind::NotCalibrated}));
+        json.at("model").located(
+            [] { throw InputError({.problem = "is not known", .kind = ErrorKind::NotCalibrated}); });
     });
     EXPECT_EQ(text_of(data), "p.json: /model: is not known");
     EXPECT_EQ(data.kind, ErrorKind::NotCalibrated);

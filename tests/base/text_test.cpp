@@ -24,6 +24,12 @@ TEST(FormatNumber, RoundsToDigitsForPeople) {
     EXPECT_EQ(format_number(-0.5, 4), "-0.5");
 }
 
+TEST(Text, CountsOneInTheSingular) {
+    EXPECT_EQ(counted(0, "tile"), "0 tiles");
+    EXPECT_EQ(counted(1, "tile"), "1 tile");
+    EXPECT_EQ(counted(12, "pair"), "12 pairs");
+}
+
 TEST(Split, IsUndoneByJoin) {
     for (const std::string text : {"", "a", "a,b", ",a,,b,"}) EXPECT_EQ(join(split(text, ','), ","), text);
 }

@@ -96,6 +96,18 @@ template <class SomeError>
     return SomeError(std::move(data));
 }
 
+/// The value that `work` returns. If `work` throws a SomeError, an outer source is added to the error:
+///
+///     return located(file, "", [&] { return make_outline(points); });
+template <class SomeError = InputError, class Work>
+auto located(const std::string& source, const std::string& place, const Work& work) {
+    try {
+        return work();
+    } catch (const SomeError& error) {
+        throw within(source, place, error);
+    }
+}
+
 /// True if `source` is among the sources of the error.
 [[nodiscard]] bool names_source(const Error& error, const std::string& source);
 

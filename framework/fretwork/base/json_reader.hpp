@@ -84,6 +84,16 @@ class JsonReader {
     [[noreturn]] void fail(const std::string& message) const;
     /// Throw the error again with the place of the value added. The kind of the error stays.
     [[noreturn]] void fail(const InputError& error) const;
+    /// The value that `work` returns. If `work` throws a SomeError, an InputError with the place of the value
+    /// is thrown.
+    template <class SomeError = InputError, class Work>
+    auto located(const Work& work) const {
+        try {
+            return work();
+        } catch (const SomeError& error) {
+            fail(error);
+        }
+    }
 
   private:
     struct Document;

@@ -59,12 +59,8 @@ double parse_length(std::string_view text) {
 }
 
 double parse_length_above_zero(const std::string& name, std::string_view text) {
-    try {
-        const double length = parse_length(text);
-        if (length > 0.0) return length;
-    } catch (const InputError& error) {
-        throw within(name, "", error);
-    }
+    const double length = located(name, "", [&] { return parse_length(text); });
+    if (length > 0.0) return length;
     throw InputError(name, "", "'" + std::string(text) + "' is not a length above zero, such as 0.5mm");
 }
 

@@ -89,6 +89,10 @@ std::string join(std::span<const std::string> words, std::string_view separator)
     return text;
 }
 
+std::string counted(std::size_t count, std::string_view noun) {
+    return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
+}
+
 std::vector<std::string> split(std::string_view text, char separator) {
     std::vector<std::string> words;
     for (;;) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,6 +17,9 @@ std::string format_number(double value, int digits);
 
 /// Join words with a separator: {"a", "b"} with ", " is "a, b".
 std::string join(std::span<const std::string> words, std::string_view separator);
+
+/// A count with its noun, in the plural unless it is one: "1 tile", "3 tiles".
+std::string counted(std::size_t count, std::string_view noun);
 
 /// Split a text at every separator; "a,,b" gives three words, the second of them empty, and "" gives one
 /// empty word.

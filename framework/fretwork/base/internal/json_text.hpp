@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -11,6 +12,17 @@ namespace fretwork::base {
 
 /// The type in which writers build their documents: members keep the order in which they were added.
 using Json = nlohmann::ordered_json;
+
+/// A value, or null if there is none.
+template <class Value>
+Json or_null(const std::optional<Value>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+/// A member of a value, or null if there is no value.
+template <class Object, class Value>
+Json or_null(const std::optional<Object>& object, Value Object::*member) {
+    return object ? Json((*object).*member) : Json(nullptr);
+}
 
 /// A table as an array of rows, kept in one piece of memory: most of a large document. Only json_text can
 /// read it. Throws InputError unless the numbers fill whole rows.
