@@ -66,10 +66,8 @@ TEST(Newton, FactorsAtTheEndAreThoseOfTheEquilibrium) {
     start.system.evaluate(found, load_factor);
     (void)start.newton.factorize();
     const Eigen::VectorXd expected = start.newton.solve_tangent(start.system.load_rate());
-    const auto size = [&](const Eigen::VectorXd& x) {
-        return std::sqrt(x.dot(start.system.unknowns().weights().cwiseProduct(x)));
-    };
-    EXPECT_LT(size(rate - expected), 0.01 * size(expected));
+    const Unknowns& unknowns = start.system.unknowns();
+    EXPECT_LT(unknowns.size_of(rate - expected), 0.01 * unknowns.size_of(expected));
 }
 
 TEST(Newton, WithoutAWayTheFactorsAreMadeAtTheEquilibrium) {

@@ -9,12 +9,7 @@ namespace {
 
 using Index = std::ptrdiff_t;
 
-using Strip8 = double __attribute__((vector_size(64), aligned(8), may_alias));
-using Strip4 = double __attribute__((vector_size(32), aligned(8), may_alias));
-using Strip2 = double __attribute__((vector_size(16), aligned(8), may_alias));
-
-template <class Strip>  // NOLINTNEXTLINE(bugprone-sizeof-expression): a vector of the compiler, no pointer
-constexpr Index kRowsOf = sizeof(Strip) / sizeof(double);
+using base::kRowsOf;
 
 /// Rows [i, i + Strips * kRowsOf<Strip>) of A x. The sums of several strips are made side by side: one alone
 /// would wait for each of its own.
@@ -34,28 +29,18 @@ FRETWORK_INLINE void multiply_rows(const DenseMatrix& a, Index i, const double* 
 /// y[c] += the products of `Count` neighbouring columns with x.
 template <int Count>
 FRETWORK_INLINE void add_dots_of(const double* columns, Index rows, const double* x, double* y) {
-    Strip4 sum[Count] = {};
-    double rest[Count] = {};
-    Index i = 0;
-    for (; i + 4 <= rows; i += 4) {
-        const Strip4 strip = *reinterpret_cast<const Strip4*>(x + i);
-        for (int c = 0; c < Count; ++c)
-            sum[c] += *reinterpret_cast<const Strip4*>(columns + i + c * rows) * strip;
-    }
-    for (; i < rows; ++i) {
-        for (int c = 0; c < Count; ++c) rest[c] += columns[i + c * rows] * x[i];
-    }
-    for (int c = 0; c < Count; ++c) y[c] += (sum[c][0] + sum[c][1]) + (sum[c][2] + sum[c][3]) + rest[c];
+    const base::Dots<Count> products = base::dots<Count>(columns, rows, rows, x);
+    for (int c = 0; c < Count; ++c) y[c] += products.of[c];
 }
 
 }  // namespace
 
 FRETWORK_CLONES void multiply_by_vector(const DenseMatrix& a, const double* x, double* y) {
     Index i = 0;
-    for (; i + 32 <= a.rows; i += 32) multiply_rows<Strip8, 4>(a, i, x, y);
-    for (; i + 8 <= a.rows; i += 8) multiply_rows<Strip8, 1>(a, i, x, y);
-    for (; i + 4 <= a.rows; i += 4) multiply_rows<Strip4, 1>(a, i, x, y);
-    for (; i + 2 <= a.rows; i += 2) multiply_rows<Strip2, 1>(a, i, x, y);
+    for (; i + 32 <= a.rows; i += 32) multiply_rows<base::Strip8, 4>(a, i, x, y);
+    for (; i + 8 <= a.rows; i += 8) multiply_rows<base::Strip8, 1>(a, i, x, y);
+    for (; i + 4 <= a.rows; i += 4) multiply_rows<base::Strip4, 1>(a, i, x, y);
+    for (; i + 2 <= a.rows; i += 2) multiply_rows<base::Strip2, 1>(a, i, x, y);
     for (; i < a.rows; ++i) multiply_rows<double, 1>(a, i, x, y);
 }
 

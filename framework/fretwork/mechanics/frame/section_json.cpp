@@ -43,11 +43,7 @@ Section fitting_section(const JsonReader& json, const SectionShape& shape) {
     if (tube != nullptr && tube->inner_diameter >= tube->outer_diameter)
         json.at("inner_diameter")
             .fail("is " + json.at("inner_diameter").text() + ", which is not below the outer diameter");
-    try {
-        return section_of(shape);
-    } catch (const base::InputError& error) {
-        json.fail(error);
-    }
+    return json.located([&] { return section_of(shape); });
 }
 
 Section read_typed_section(const JsonReader& json) {

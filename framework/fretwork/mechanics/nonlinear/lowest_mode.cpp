@@ -75,7 +75,7 @@ LowestMode lowest_mode(const NonlinearSystem& system, Newton& newton) {
         Eigen::VectorXd next = weighted;
         newton.solve_symmetric(next);
         const double found = x.dot(weighted) / next.dot(weighted) - shift;
-        x = next / std::sqrt(next.dot(system.unknowns().weights().cwiseProduct(next)));
+        x = next / system.unknowns().size_of(next);
         const bool settled = std::abs(found - eigenvalue) <= kTolerance * (std::abs(found) + shift);
         eigenvalue = found;
         if (settled && iteration > 2) break;

@@ -84,17 +84,13 @@ bool MixedNewton::is_slow(double ratio) const {
     return digits < kManyIterations * std::log(ratio);
 }
 
-double MixedNewton::size_of(const Eigen::VectorXd& step) const {
-    return std::sqrt(step.dot(unknowns_.weights().cwiseProduct(step)));
-}
-
 void MixedNewton::move(const Eigen::VectorXd& step, double prescribed, Configuration& configuration) {
     NodeValues motions = prescribed * unknowns_.prescribed_change();
     unknowns_.layout().scatter(step, motions);
     system_.extrapolate(motions, stresses_);
     unknowns_.move(step, configuration);
     way_.turned += unknowns_.largest_rotation(step);
-    way_.moved += size_of(step);
+    way_.moved += unknowns_.size_of(step);
 }
 
 /// Prescribed components move together with the unknowns: alone they would fold the elements at them.
@@ -115,7 +111,7 @@ MixedNewton::FirstStep MixedNewton::depart(Configuration& configuration) {
     unknowns_.layout().scatter(first.step, motions);
     system_.extrapolate(motions, stresses_);
     way_.turned += motions.rightCols<3>().rowwise().norm().maxCoeff();
-    way_.moved += size_of(first.step);
+    way_.moved += unknowns_.size_of(first.step);
     if (!(unknowns_.largest_rotation(first.step) <= kTooFar)) return first;
     unknowns_.move(first.step, next);
     configuration = std::move(next);
@@ -169,7 +165,7 @@ Termination MixedNewton::end_at_equilibrium(const Iteration& iteration, const Co
 
 Termination MixedNewton::solve(double load_factor, Goal goal, const Eigen::VectorXd& first,
                                Configuration& configuration) {
-    double size = size_of(first);
+    double size = unknowns_.size_of(first);
     Iteration iteration{goal,  load_factor, outcome_.negative_pivots,
                         first, size,        unknowns_.largest_rotation(first)};
     bool anew = has_foreign_factors_ || iteration.turn > kLongStep;
@@ -178,7 +174,7 @@ Termination MixedNewton::solve(double load_factor, Goal goal, const Eigen::Vecto
         const auto ended = anew ? step_with_new_factors(iteration, configuration)
                                 : step_with_old_factors(iteration, configuration);
         if (ended) return *ended;
-        const double ratio = size_of(iteration.step) / size;
+        const double ratio = unknowns_.size_of(iteration.step) / size;
         iteration.turn = unknowns_.largest_rotation(iteration.step);
         const bool is_useless = !anew && !(ratio <= kUseless);
         anew = anew ? iteration.turn > kLongStep : !(ratio <= kShrink) || is_slow(ratio);

@@ -92,7 +92,6 @@ class MixedNewton {
     bool factorize(const Configuration& configuration, double load_factor);
     void give_own_stresses(const Configuration& configuration, double load_factor);
     [[nodiscard]] bool is_slow(double ratio) const;
-    [[nodiscard]] double size_of(const Eigen::VectorXd& step) const;
 
     NonlinearSystem& system_;
     const Unknowns& unknowns_;

@@ -92,7 +92,7 @@ sparse::Ldlt::Outcome Newton::factorize(double shift) {
 
 void Newton::set_neutral(Eigen::VectorXd direction, double shift) {
     neutral_ = std::move(direction);
-    if (neutral_.size() > 0) neutral_ /= std::sqrt(neutral_.dot(unknowns_.weights().cwiseProduct(neutral_)));
+    if (neutral_.size() > 0) neutral_ /= unknowns_.size_of(neutral_);
     neutral_shift_ = shift;
 }
 
@@ -160,8 +160,8 @@ std::optional<Eigen::MatrixXd> Newton::solve_refined(const Eigen::MatrixXd& righ
         for (Eigen::Index c = 0; c < x.cols(); ++c) {
             if (system_.has_skew_part()) step.col(c) = solve_skew(step.col(c), sign);
             x.col(c) += step.col(c);
-            const double whole = size_of(x.col(c));
-            if (whole > 0.0) share = std::max(share, size_of(step.col(c)) / whole);
+            const double whole = unknowns_.size_of(x.col(c));
+            if (whole > 0.0) share = std::max(share, unknowns_.size_of(step.col(c)) / whole);
         }
         if (share <= kRefinedStep) return x;
         if (last && !(share <= kSlowRefinement * *last)) {
@@ -204,14 +204,10 @@ Termination Newton::solve(double load_factor, Configuration& configuration) {
     }
 }
 
-double Newton::size_of(const Eigen::VectorXd& step) const {
-    return std::sqrt(step.dot(unknowns_.weights().cwiseProduct(step)));
-}
-
 std::optional<sparse::Ldlt::Outcome> Newton::solve_and_factorize(double load_factor,
                                                                  const Eigen::VectorXd& way,
                                                                  Configuration& configuration) {
-    const double whole = size_of(way);
+    const double whole = unknowns_.size_of(way);
     Eigen::VectorXd step;
     sparse::Ldlt::Outcome outcome;
     bool has_factors = false;
@@ -229,7 +225,7 @@ std::optional<sparse::Ldlt::Outcome> Newton::solve_and_factorize(double load_fac
         if (make_step(step, configuration) != Termination::Converged) return {};
         has_factors = residual * residual <= options_.relative_residual &&  // a step squares it
                       !outcome.has_weak_pivot && unknowns_.largest_component(step) <= kNegligibleMove &&
-                      size_of(step) <= kNegligibleShare * whole;
+                      unknowns_.size_of(step) <= kNegligibleShare * whole;
     }
 }
 

@@ -79,7 +79,6 @@ class Newton {
 
   private:
     Termination make_step(Eigen::VectorXd& step, Configuration& configuration);
-    [[nodiscard]] double size_of(const Eigen::VectorXd& step) const;
     [[nodiscard]] Eigen::VectorXd solve_skew(const Eigen::VectorXd& symmetric_solution, double sign) const;
     [[nodiscard]] Eigen::MatrixXd tangent_product(const Eigen::MatrixXd& x, double sign) const;
     [[nodiscard]] Eigen::VectorXd without_neutral_part(Eigen::VectorXd x);

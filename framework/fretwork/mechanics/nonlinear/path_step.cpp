@@ -48,7 +48,7 @@ int correct_across(NonlinearSystem& system, Newton& newton, const Eigen::VectorX
         move = newton.solve_tangent(system.unbalanced());
         const double load_step = -normal.dot(move) / normal.dot(rate);
         move += load_step * rate;
-        const double size = std::sqrt(move.dot(unknowns.weights().cwiseProduct(move)));
+        const double size = unknowns.size_of(move);
         if (!std::isfinite(load_step) || !std::isfinite(size)) return -1;
         if (iteration > 1 && size > kLargestContraction * last_size) return -1;
         last_size = size;
@@ -59,12 +59,8 @@ int correct_across(NonlinearSystem& system, Newton& newton, const Eigen::VectorX
     return -1;
 }
 
-double PathStepper::size_of(const Eigen::VectorXd& move) const {
-    return std::sqrt(move.dot(unknowns_.weights().cwiseProduct(move)));
-}
-
 PathState PathStepper::rising(PathPoint point) const {
-    const double size = std::max(size_of(point.rate), 1e-300);
+    const double size = std::max(unknowns_.size_of(point.rate), 1e-300);
     Eigen::VectorXd direction = point.rate / size;
     return {std::move(point), std::move(direction), 1.0 / size};
 }
@@ -85,13 +81,13 @@ PathStepper::Guess PathStepper::predict(const PathState& from, const PathState* 
     if (previous != nullptr) {
         const Eigen::VectorXd back =
             unknowns_.step_between(from.point.configuration, previous->point.configuration);
-        const double chord = size_of(back);
+        const double chord = unknowns_.size_of(back);
         const double t = length / chord;
         const Eigen::VectorXd back_direction = unknowns_.rate_of_steps(back, previous->direction);
         const Eigen::VectorXd cubic = chord * (back_direction + from.direction) + 2.0 * back;
         const Eigen::VectorXd square = back + chord * from.direction + cubic;
         const Eigen::VectorXd bend = t * t * square + t * t * t * cubic;
-        if (size_of(bend) <= kMostCurved * length) {
+        if (unknowns_.size_of(bend) <= kMostCurved * length) {
             guess.move += bend;
             const double load_back = previous->point.load_factor - from.point.load_factor;
             const double load_cubic = chord * (previous->load_rate + from.load_rate) + 2.0 * load_back;
@@ -174,20 +170,20 @@ std::optional<PathStep> PathStepper::step_to(const PathState& from, Arrival arri
     const double turn_bound = bound_relative_turn(system_, from.point, turned, trial);
     if (turn_bound > std::numbers::pi) return {};
     Eigen::VectorXd rate = newton_.solve_tangent(system_.load_rate());
-    const double forward = rate.dot(unknowns_.weights().cwiseProduct(step.move)) >= 0.0 ? 1.0 : -1.0;
+    const double forward = unknowns_.product(rate, step.move) >= 0.0 ? 1.0 : -1.0;
     step.state = rising({std::move(trial), load_factor, std::move(rate), outcome, turn_bound});
     step.state.direction *= forward;
     step.state.load_rate *= forward;
-    step.length = size_of(step.move);
+    step.length = unknowns_.size_of(step.move);
     return step;
 }
 
 double PathStepper::deviation_on_arc(const PathState& from, const PathStep& step) const {
-    const double cosine = from.direction.dot(unknowns_.weights().cwiseProduct(step.state.direction));
+    const double cosine = unknowns_.product(from.direction, step.state.direction);
     if (unknowns_.largest_component(step.move) <= kRoundedMove) return 0.0;
     if (cosine < kLeastCosine) return 2.0;
     const Eigen::VectorXd mean = from.direction + step.state.direction;
-    return deviation(step.move, step.length / std::max(size_of(mean), 1e-300) * mean);
+    return deviation(step.move, step.length / std::max(unknowns_.size_of(mean), 1e-300) * mean);
 }
 
 double PathStepper::deviation(const Eigen::VectorXd& move, const Eigen::VectorXd& explained) const {

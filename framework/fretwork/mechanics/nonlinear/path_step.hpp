@@ -64,7 +64,6 @@ class PathStepper {
         Eigen::VectorXd move;
         double load_factor = 0.0;
     };
-    [[nodiscard]] double size_of(const Eigen::VectorXd& move) const;
     [[nodiscard]] Guess predict(const PathState& from, const PathState* previous, double length) const;
     /// An equilibrium, at which the system is evaluated and the tangent factorized.
     struct Arrival {

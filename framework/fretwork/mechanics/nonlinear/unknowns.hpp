@@ -5,6 +5,7 @@
 #include <fretwork/mechanics/sparse/system_layout.hpp>
 #include <fretwork/mechanics/structure/constraints.hpp>
 
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -65,6 +66,12 @@ class Unknowns {
 
     /// The weight of each equation in sums of squares: 1 for a rotation, 1 / length^2 for a displacement.
     [[nodiscard]] const Eigen::VectorXd& weights() const { return weights_; }
+    /// The product of two steps in these weights.
+    [[nodiscard]] double product(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
+        return a.dot(weights_.cwiseProduct(b));
+    }
+    /// The length of a step in these weights.
+    [[nodiscard]] double size_of(const Eigen::VectorXd& step) const { return std::sqrt(product(step, step)); }
 
     [[nodiscard]] const structure::Constraints& constraints() const { return constraints_; }
     /// The derivative of the held components with respect to the load factor; zero for other components.

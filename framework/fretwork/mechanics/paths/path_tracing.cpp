@@ -28,7 +28,7 @@ class Tracer {
         newton_.factorize_at_rest();
         rate_ = newton_.solve_tangent(system_.load_rate());
         direction_ = rate_;
-        arc_ = std::min(options_.first_load_step * size_of(rate_), options_.largest_arc);
+        arc_ = std::min(options_.first_load_step * unknowns_.size_of(rate_), options_.largest_arc);
     }
 
     std::vector<Solution> run() {
@@ -52,14 +52,9 @@ class Tracer {
     }
 
   private:
-    [[nodiscard]] double product(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
-        return a.cwiseProduct(unknowns_.weights()).dot(b);
-    }
-    [[nodiscard]] double size_of(const Eigen::VectorXd& a) const { return std::sqrt(product(a, a)); }
-
     bool try_step() {
-        const double forward = product(rate_, direction_) >= 0.0 ? 1.0 : -1.0;
-        const double load_step = forward * arc_ / size_of(rate_);
+        const double forward = unknowns_.product(direction_, rate_) >= 0.0 ? 1.0 : -1.0;
+        const double load_step = forward * arc_ / unknowns_.size_of(rate_);
         const Eigen::VectorXd tangent = load_step * rate_;
         Configuration trial = configuration_;
         double factor = factor_ + load_step;
@@ -68,7 +63,7 @@ class Tracer {
         const int iterations = nonlinear::correct_across(system_, newton_, tangent, factor, trial);
         if (iterations < 0) return false;
         Eigen::VectorXd move = unknowns_.step_between(configuration_, trial);
-        if (product(move, tangent) <= 0.25 * arc_ * arc_) return false;
+        if (unknowns_.product(tangent, move) <= 0.25 * arc_ * arc_) return false;
         direction_ = std::move(move);
         configuration_ = std::move(trial);
         factor_ = factor;

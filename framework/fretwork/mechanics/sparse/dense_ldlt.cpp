@@ -12,6 +12,10 @@
 namespace fretwork::mechanics::sparse {
 namespace {
 
+using base::kRowsOf;
+using base::Strip2;
+using base::Strip4;
+using base::Strip8;
 using Index = std::ptrdiff_t;
 
 /// Columns that are handled together: their products with one strip of rows stay in registers.
@@ -20,10 +24,6 @@ constexpr int kBlock = 6;
 constexpr int kDepth = 128;
 /// Multiplications of a front on which one thread spends about ten times what it takes to start others.
 constexpr double kLargeFront = 5e6;
-
-using Strip8 = double __attribute__((vector_size(64), aligned(8), may_alias));
-using Strip4 = double __attribute__((vector_size(32), aligned(8), may_alias));
-using Strip2 = double __attribute__((vector_size(16), aligned(8), may_alias));
 
 /// Some columns of a dense matrix: entry (i, j) is values[i + j * stride].
 struct Columns {
@@ -49,22 +49,9 @@ struct BlockSolve {
     double inverse[kBlock] = {};       ///< of the pivots
 };
 
-/// Whether the machine has 32 vector registers of eight numbers. Then the sums of two strips fit into them,
-/// and one alone would wait for its own: a fused product takes as long as eight others need to start.
-bool has_many_registers() {
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12
-    __builtin_cpu_init();
-    return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
-           __builtin_cpu_supports("avx512vl") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
-           __builtin_cpu_supports("avx512cd") != 0;
-#else
-    return false;
-#endif
-}
-const bool kPairsStrips = has_many_registers();
-
-template <class Strip>  // NOLINTNEXTLINE(bugprone-sizeof-expression): a vector of the compiler, no pointer
-constexpr Index kRowsOf = sizeof(Strip) / sizeof(double);
+/// With many registers the sums of two strips fit into them, and one alone would wait for its own: a fused
+/// product takes as long as eight others need to start.
+const bool kPairsStrips = base::has_many_registers();
 
 template <class Strip>
 using Sums = Strip[kBlock];
@@ -272,22 +259,12 @@ FRETWORK_INLINE void add_products(const double* matrix, Index stride, Index rows
     }
 }
 
-/// The products of `Count` neighbouring columns with y, at once: one alone would wait for each of its sums.
+/// x[c] -= the products of `Count` neighbouring columns with y.
 template <int Count>
 FRETWORK_INLINE void subtract_dots_of(const double* matrix, Index stride, Index rows, const double* y,
                                       double* x) {
-    Strip4 sum[Count] = {};
-    double rest[Count] = {};
-    Index i = 0;
-    for (; i + 4 <= rows; i += 4) {
-        const Strip4 strip = *reinterpret_cast<const Strip4*>(y + i);
-        for (int c = 0; c < Count; ++c)
-            sum[c] += *reinterpret_cast<const Strip4*>(matrix + i + c * stride) * strip;
-    }
-    for (; i < rows; ++i) {
-        for (int c = 0; c < Count; ++c) rest[c] += matrix[i + c * stride] * y[i];
-    }
-    for (int c = 0; c < Count; ++c) x[c] -= (sum[c][0] + sum[c][1]) + (sum[c][2] + sum[c][3]) + rest[c];
+    const base::Dots<Count> products = base::dots<Count>(matrix, stride, rows, y);
+    for (int c = 0; c < Count; ++c) x[c] -= products.of[c];
 }
 
 /// x -= A^T y.

@@ -60,18 +60,15 @@ class Dissection {
     /// In ascending order: how an element lists its nodes changes nothing, no rounding either.
     void add_clique(std::size_t clique) {
         const std::span<const int> listed = graph_.cliques[clique];
-        const auto begin = static_cast<std::ptrdiff_t>(node_.size());
-        node_.insert(node_.end(), listed.begin(), listed.end());
-        std::sort(node_.begin() + begin, node_.end());
-        start_.push_back(node_.size());
+        std::vector<int> nodes(listed.begin(), listed.end());
+        std::ranges::sort(nodes);
         Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-        for (const int node : nodes_of(static_cast<int>(clique))) sum += graph_.places[at(node)];
-        middles_.emplace_back(sum / std::max(1.0, static_cast<double>(listed.size())));
+        for (const int node : nodes) sum += graph_.places[at(node)];
+        middles_.emplace_back(sum / std::max(1.0, static_cast<double>(nodes.size())));
+        sorted_.add(nodes);
     }
 
-    [[nodiscard]] std::span<const int> nodes_of(int clique) const {
-        return std::span(node_).subspan(start_[at(clique)], start_[at(clique) + 1] - start_[at(clique)]);
-    }
+    [[nodiscard]] std::span<const int> nodes_of(int clique) const { return sorted_[at(clique)]; }
 
     void take(int node) {
         if (!is_open_[at(node)]) return;
@@ -187,8 +184,7 @@ class Dissection {
 
     const NodeGraph& graph_;
     const base::Control& control_;
-    std::vector<std::size_t> start_{0};
-    std::vector<int> node_;  ///< of the cliques, one after the other
+    Cliques sorted_;  ///< those of the graph, the nodes of each ascending
     std::vector<bool> is_open_;
     std::vector<int> first_, last_;
     std::vector<double> along_;

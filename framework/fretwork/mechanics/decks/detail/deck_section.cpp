@@ -8,11 +8,7 @@ namespace {
 /// Adds the line to an error about a shape's dimensions.
 template <class Make>
 Section made_at(const InputDeck& deck, const Card::Line& line, const Make& make) {
-    try {
-        return make();
-    } catch (const base::InputError& error) {
-        throw base::within(deck.source(), "line " + std::to_string(line.number), error);
-    }
+    return base::located(deck.source(), "line " + std::to_string(line.number), make);
 }
 
 /// Abaqus gives a circle its radius, CalculiX its thicknesses along n1 and n2.
