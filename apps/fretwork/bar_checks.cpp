@@ -1,36 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bar_checks.hpp"
+#include "options/checks.hpp"
+#include "output.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/simulation/results/bar_clearance.hpp>
 #include <fretwork/simulation/surface.hpp>
 
-#include <cstdio>
 #include <string_view>
 #include <utility>
 
 namespace fretwork::app {
-namespace {
-
-/// Metres. It is read before anything is written.
-CLI::Validator clearance_check() {
-    const auto check = [](const std::string& text) -> std::string {
-        try {
-            if (base::parse_length(text) >= 0) return "";
-        } catch (const base::InputError&) {
-        }
-        return "'" + text + "' is not a length, such as 0.5mm";
-    };
-    return {check, "LENGTH", "length"};
-}
-
-}  // namespace
 
 void add_clearance_option(CLI::App& verb, std::string& clearance) {
     verb.add_option("--clearance", clearance,
                     "Warn of bars with a gap smaller than this, such as 0.5mm (default: bars that overlap)")
-        ->check(clearance_check());
+        ->check(length_check());
 }
 
 void warn_of_close_bars(const simulation::Project& project, const library::Library* library,
@@ -39,7 +25,7 @@ void warn_of_close_bars(const simulation::Project& project, const library::Libra
     if (library != nullptr && !project.setting) surface.setting = library->setting();
     const auto close =
         simulation::close_bars(surface, clearance.empty() ? 0.0 : base::parse_length(clearance));
-    if (!close.empty()) std::fprintf(stderr, "fretwork: %s\n", simulation::close_bars_text(close).c_str());
+    if (!close.empty()) warn(simulation::close_bars_text(close));
 }
 
 double parse_strength(const std::string& text) {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design_output.hpp"
-#include "json_output.hpp"
+#include "output.hpp"
 
-#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/design/design_words.hpp>
 
 #include <cstdio>
-#include <optional>
 #include <string>
 
 namespace fretwork::app {
@@ -17,20 +15,11 @@ using base::Json;
 using design::DesignReport;
 using design::TargetError;
 
-template <class Value>
-Json member_json(const std::optional<TargetError>& error, Value TargetError::*which) {
-    return error ? Json((*error).*which) : Json(nullptr);
-}
-
 Json history_json(const DesignReport& report) {
     Json history = Json::array();
     for (const design::DesignProgress& own : report.history)
         history.push_back({{"solutions", own.solutions}, {"seconds", own.seconds}, {"misfit", own.misfit}});
     return history;
-}
-
-std::string counted(std::size_t count, const std::string& noun) {
-    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
 void print_unknowns(const DesignReport& report) {
@@ -51,34 +40,30 @@ void print_utilization(const DesignReport& report) {
     std::printf("largest utilization: %.3g %%%s\n", 100.0 * *report.largest_utilization, error.c_str());
 }
 
-void warn_line(const std::string& line) {
-    std::fprintf(stderr, "fretwork: %s\n", base::printable(line).c_str());
-}
-
 }  // namespace
 
 void print_design_json(const DesignReport& report) {
-    const Json json = {{"error_mean", member_json(report.error, &TargetError::mean)},
-                       {"error_largest", member_json(report.error, &TargetError::largest)},
-                       {"error_best_uniform", member_json(report.best_uniform, &TargetError::mean)},
+    const Json json = {{"error_mean", base::or_null(report.error, &TargetError::mean)},
+                       {"error_largest", base::or_null(report.error, &TargetError::largest)},
+                       {"error_best_uniform", base::or_null(report.best_uniform, &TargetError::mean)},
                        {"best_uniform_pattern", report.best_uniform_pattern},
                        {"uniform_tried", report.uniform_tried},
-                       {"error_relaxed", or_null(report.relaxed)},
-                       {"bound", or_null(report.bound)},
-                       {"stable", member_json(report.error, &TargetError::is_stable)},
-                       {"stable_from_flat", member_json(report.error, &TargetError::is_on_path)},
+                       {"error_relaxed", base::or_null(report.relaxed)},
+                       {"bound", base::or_null(report.bound)},
+                       {"stable", base::or_null(report.error, &TargetError::is_stable)},
+                       {"stable_from_flat", base::or_null(report.error, &TargetError::is_on_path)},
                        {"model_error", report.model_error},
-                       {"largest_utilization", or_null(report.largest_utilization)},
-                       {"utilization_error", or_null(report.utilization_error)},
+                       {"largest_utilization", base::or_null(report.largest_utilization)},
+                       {"utilization_error", base::or_null(report.utilization_error)},
                        {"close_bars", report.close_bars},
                        {"load_cases", report.load_cases},
                        {"factors", report.factors},
-                       {"width", or_null(report.width)},
-                       {"thickness", or_null(report.thickness)},
+                       {"width", base::or_null(report.width)},
+                       {"thickness", base::or_null(report.thickness)},
                        {"wanted_of_softest", report.wanted_of_softest},
                        {"wanted_of_stiffest", report.wanted_of_stiffest},
-                       {"reach_of_ten_loads", or_null(report.reach_of_ten_loads)},
-                       {"curvatures_outside", or_null(report.gamut.share_outside())},
+                       {"reach_of_ten_loads", base::or_null(report.reach_of_ten_loads)},
+                       {"curvatures_outside", base::or_null(report.gamut.share_outside())},
                        {"slides", report.slides},
                        {"end", design::design_end_name(report.end)},
                        {"starts", report.starts},
@@ -117,14 +102,14 @@ void print_design(const DesignReport& report) {
     if (report.largest_utilization) print_utilization(report);
     if (report.slides) std::puts("nodes slide along the target's surface: only distances to it count");
     std::printf(
-        "%s, %s and %d of all beams, %.2g s; %s\n", counted(report.patterns.size(), "pattern").c_str(),
-        counted(static_cast<std::size_t>(report.solutions), "nonlinear solution").c_str(),
+        "%s, %s and %d of all beams, %.2g s; %s\n", base::counted(report.patterns.size(), "pattern").c_str(),
+        base::counted(static_cast<std::size_t>(report.solutions), "nonlinear solution").c_str(),
         report.full_solutions, report.seconds, std::string(design::design_end_words(report.end)).c_str());
 }
 
 void warn_of_design(const DesignReport& report, const design::DesignOptions& options) {
     for (const design::DesignWarning& warning : design::design_warnings(report, options))
-        warn_line(plain_text(warning) + (warning.factor_may_help ? " (--free factor searches one)" : ""));
+        warn(plain_text(warning) + (warning.factor_may_help ? " (--free factor searches one)" : ""));
 }
 
 }  // namespace fretwork::app

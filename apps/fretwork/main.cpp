@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "complaint.hpp"
+#include "output.hpp"
 #include "program.hpp"
 
 #include <fretwork/base/control.hpp>
@@ -27,11 +27,7 @@ void flush_output() {
 
 /// CLI11 would only say that a subcommand is required.
 void check_verb(const Program& program, char** argv) {
-    if (argv[1][0] == '-') return;
-    std::vector<std::string> names;
-    for (const CLI::App* verb : program.get_subcommands({})) names.push_back(verb->get_name());
-    if (std::ranges::find(names, argv[1]) != names.end()) return;
-    throw base::InputError(base::unknown_name_message("verb", argv[1], names));
+    if (argv[1][0] != '-') (void)find_verb(program, argv[1]);
 }
 
 /// How the verb is called that was begun.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program.hpp"
-#include "tools/tools.hpp"
-#include "tools/version.hpp"
-#include "verbs/beams.hpp"
-#include "verbs/draw.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/files/provenance.hpp>
+#include <fretwork/base/text.hpp>
 
 namespace fretwork::app {
 namespace {
@@ -26,6 +26,17 @@ constexpr Verb kVerbs[] = {{kLibrary, add_enumerate}, {kLibrary, add_calibrate},
                            {kMaking, add_draw},       {kTools, add_solve},       {kTools, add_optimizers},
                            {kTools, add_check},       {kTools, add_help},        {kTools, add_manual}};
 
+/// What --version prints: the version in the first line, then the commit, the compiler and the libraries with
+/// which the program was built.
+std::string version_text() {
+    std::string text = "fretwork " + base::version() + "\n";
+    for (const auto& [name, value] : base::provenance()) {
+        if (name == "fretwork_commit") text += "commit " + value + "\n";
+        if (name == "compiler") text += "compiler " + value + "\n";
+    }
+    return text + "libraries " + FRETWORK_LIBRARIES;
+}
+
 }  // namespace
 
 Program::Program(ExitCode& exit_code)
@@ -39,6 +50,16 @@ Program::Program(ExitCode& exit_code)
     }
     // CLI11 calls this when all options are read, and before the verb runs.
     parse_complete_callback([this] { check_files(*this); });
+}
+
+const CLI::App& find_verb(const CLI::App& app, const std::string& wanted) {
+    std::vector<std::string> names;
+    for (const CLI::App* verb : app.get_subcommands({})) {
+        if (verb->get_name() == wanted) return *verb;
+        names.push_back(verb->get_name());
+    }
+    if (names.empty()) throw base::InputError("'" + app.get_name() + "' has no verbs of its own");
+    throw base::InputError(base::unknown_name_message("verb", wanted, names));
 }
 
 }  // namespace fretwork::app

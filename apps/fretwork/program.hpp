@@ -4,6 +4,7 @@
 #include "options/file_options.hpp"
 #include "verbs.hpp"
 
+#include <string>
 #include <vector>
 
 namespace fretwork::app {
@@ -20,6 +21,9 @@ class Program final : public CLI::App {
   private:
     std::vector<FileOption> file_options_;
 };
+
+/// The verb of a program, or of a verb, with a name. Throws InputError that suggests the nearest name.
+const CLI::App& find_verb(const CLI::App& app, const std::string& wanted);
 
 /// Refuse a command line whose files do not go together, before anything is computed: an output that is an
 /// input or another output (also by way of links or another spelling), that has the ending of something else,

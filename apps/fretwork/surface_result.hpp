@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/simulation/results/surface_result.hpp>
+#include <fretwork/simulation/results/result_subject.hpp>
 
 #include <string>
 
@@ -10,5 +10,9 @@ namespace fretwork::app {
 /// Read a surface's result, and check its subject against the project. A result of an older program has no
 /// subject; it is accepted, with a line on standard error.
 simulation::SurfaceResult read_surface_result(const std::string& file);
+
+/// Throw InputError unless a result that was read from `file` is one of a project's surface.
+void check_subject_of(const simulation::SurfaceIdentity& surface, const simulation::SurfaceResult& result,
+                      const std::string& file);
 
 }  // namespace fretwork::app

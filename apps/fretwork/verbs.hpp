@@ -8,22 +8,6 @@ namespace fretwork::app {
 /// How a command ends. Bad input and wrong usage are exceptions, and become exit code 2 in `main`.
 enum class ExitCode { Done = 0, DidNotSucceed = 1, BadInput = 2 };
 
-/// Whole numbers that every seed can hold: CLI11 itself lets negative and larger ones pass, as other numbers.
-inline CLI::Validator seed_check() {
-    const auto check = [](const std::string& text) {
-        const bool is_number = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-        return is_number && text.size() <= 18
-                   ? std::string()
-                   : "'" + text + "' is not a seed: expected 0 to 999999999999999999";
-    };
-    return {check, "SEED", "seed"};
-}
-
-/// Numbers of threads.
-inline CLI::Validator thread_check() {
-    return CLI::Range(0, 256);
-}
-
 /// Each adds one verb to the command line: its options, its help with an example, and what it does when it is
 /// chosen. The verb writes how it ended to `exit_code` (Done if it writes nothing).
 void add_enumerate(CLI::App& app, ExitCode& exit_code);
@@ -35,9 +19,14 @@ void add_case(CLI::App& app, ExitCode& exit_code);
 void add_simulate(CLI::App& app, ExitCode& exit_code);
 void add_design(CLI::App& app, ExitCode& exit_code);
 void add_compare(CLI::App& app, ExitCode& exit_code);
+void add_beams(CLI::App& app, ExitCode& exit_code);
 void add_solve(CLI::App& app, ExitCode& exit_code);
 void add_optimizers(CLI::App& app, ExitCode& exit_code);
-void add_export(CLI::App& app, ExitCode& exit_code);
 void add_studio(CLI::App& app, ExitCode& exit_code);
+void add_export(CLI::App& app, ExitCode& exit_code);
+void add_draw(CLI::App& app, ExitCode& exit_code);
+void add_check(CLI::App& app, ExitCode& exit_code);
+void add_help(CLI::App& app, ExitCode& exit_code);
+void add_manual(CLI::App& app, ExitCode& exit_code);
 
 }  // namespace fretwork::app

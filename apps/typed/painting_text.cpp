@@ -146,11 +146,9 @@ class PaintingReader {
                 throw base::InputError(name("palette"), "",
                                        "'" + entry.left + "' has no pattern; write colour=ID, as in red=" +
                                            "0-1+1-6,#00f=0-5+5-6");
-            try {
-                choice.palette.emplace_back(outlines::parse_colour(entry.left), entry.right);
-            } catch (const base::InputError& error) {
-                throw base::within(name("palette"), "", error);
-            }
+            choice.palette.emplace_back(
+                base::located(name("palette"), "", [&] { return outlines::parse_colour(entry.left); }),
+                entry.right);
         }
         return choice;
     }

@@ -72,11 +72,8 @@ std::vector<NamedPattern> read_palette(const PaletteText& palette, const NodeLay
         library->check_layout(layout);
         return library->patterns();
     }
-    try {
-        return tiling::make_palette(layout, base::split(palette.text, ','));
-    } catch (const base::InputError& error) {
-        throw base::within("--palette", "", error);
-    }
+    return base::located("--palette", "",
+                         [&] { return tiling::make_palette(layout, base::split(palette.text, ',')); });
 }
 
 }  // namespace fretwork::typed

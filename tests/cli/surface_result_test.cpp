@@ -110,8 +110,8 @@ TEST_F(SurfaceResults, AreHeldAgainstFiniteTolerancesOnly) {
     for (const std::string value : {"inf", "nan", "-1", "1e999", "x"}) {
         const Outcome outcome = run("fretwork compare full.json condensed.json --tolerance=" + value);
         EXPECT_EQ(outcome.exit_code, 2);
-        EXPECT_THAT(outcome.err,
-                    AllOf(HasSubstr("--tolerance"), HasSubstr("'" + value + "' is not a tolerance")));
+        EXPECT_THAT(outcome.err, AllOf(HasSubstr("--tolerance"),
+                                       HasSubstr("'" + value + "' is not a number of zero or more")));
     }
 }
 

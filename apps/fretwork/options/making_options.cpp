@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "options/ignored_options.hpp"
+#include "options/checks.hpp"
 #include "options/making_options.hpp"
 
 #include <algorithm>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork check: whether files are valid files of their kinds.
-#include "complaint.hpp"
-#include "json_output.hpp"
 #include "options/file_options.hpp"
+#include "output.hpp"
 #include "tools/file_kinds.hpp"
-#include "tools/tools.hpp"
+#include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>
 

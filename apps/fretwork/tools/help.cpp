@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork help: the help of a verb.
-#include "tools/tools.hpp"
+#include "program.hpp"
 
 #include <fretwork/base/error.hpp>
 
@@ -10,16 +10,6 @@
 
 namespace fretwork::app {
 namespace {
-
-const CLI::App& find_verb(const CLI::App& app, const std::string& wanted) {
-    std::vector<std::string> names;
-    for (const CLI::App* verb : app.get_subcommands({})) {
-        if (verb->get_name() == wanted) return *verb;
-        names.push_back(verb->get_name());
-    }
-    if (names.empty()) throw base::InputError("'" + app.get_name() + "' has no verbs of its own");
-    throw base::InputError(base::unknown_name_message("verb", wanted, names));
-}
 
 /// The same text as that of --help.
 std::string help_of(const CLI::App& program, const std::vector<std::string>& words) {

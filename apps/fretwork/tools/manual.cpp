@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork manual: the manual page, and completion for shells.
 #include "manual/command_tree.hpp"
-#include "tools/tools.hpp"
+#include "verbs.hpp"
 
 #include <cstdio>
 #include <utility>

@@ -4,11 +4,10 @@
 #include "interrupt.hpp"
 #include "options/file_options.hpp"
 #include "surface_result.hpp"
-#include "verbs/beams.hpp"
+#include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/file.hpp>
-#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/simulation/project/project_library.hpp>
 #include <fretwork/simulation/results/beam_table.hpp>
@@ -43,14 +42,6 @@ simulation::Surface read_surface(const BeamsOptions& options, const simulation::
     if (!options.library.empty() || !project.setting || is_calibrated)
         library = simulation::open_project_library(options.project, project, options.library);
     return simulation::make_surface(project, library ? &*library : nullptr);
-}
-
-void check_own_result(const simulation::SurfaceResult& result, const simulation::Surface& surface,
-                      const std::string& file) {
-    const std::string difference =
-        simulation::subject_difference(*result.subject, simulation::surface_identity(surface));
-    if (!difference.empty())
-        throw base::InputError(file, "", "is not a result of this project: they differ in " + difference);
 }
 
 /// At the end of which stages the beams bear this.
@@ -102,7 +93,7 @@ simulation::BeamTable refined_table(const simulation::Surface& surface,
 ExitCode run(const BeamsOptions& options) {
     const simulation::SurfaceResult result = read_surface_result(options.result);
     const simulation::Surface surface = read_surface(options, result);
-    check_own_result(result, surface, options.result);
+    check_subject_of(simulation::surface_identity(surface), result, options.result);
     simulation::BeamTable table =
         options.refine ? refined_table(surface, result, options) : simulation::beam_table(surface, result);
     if (!options.strength.empty()) table.strength = parse_strength(options.strength);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "interrupt.hpp"
+#include "options/checks.hpp"
 #include "options/file_options.hpp"
-#include "options/ignored_options.hpp"
 #include "options/pattern_choice.hpp"
+#include "output.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/library/fill.hpp>
 #include <fretwork/library/statistics.hpp>
@@ -81,8 +81,7 @@ void adopt_setting(Library& library, const CalibrateOptions& options) {
     library.adopt_setting(setting);
     const auto after = library.setting().strength;
     if (before != after)
-        std::fprintf(stderr, "fretwork: the library's strength is %s MPa now\n",
-                     base::format_number(after.value_or(0.0) / 1e6).c_str());
+        warn("the library's strength is " + base::format_number(after.value_or(0.0) / 1e6) + " MPa now");
 }
 
 /// Whether its numbers are to be compared with the paper's.
@@ -96,8 +95,7 @@ bool is_papers(const Library& library) {
 /// Warns of values that look like errors of units.
 void tell_doubts(const reduction::Setting& setting) {
     const std::vector<std::string> doubts = reduction::warnings_about(setting);
-    if (!doubts.empty())
-        std::fprintf(stderr, "fretwork: is that meant? %s\n", base::join(doubts, "; ").c_str());
+    if (!doubts.empty()) warn("is that meant? " + base::join(doubts, "; "));
 }
 
 /// Why patterns lack this calibration, of those that were asked for.
@@ -123,9 +121,8 @@ std::vector<FailureReason> failure_reasons(const Library& library,
 void print_failures(const std::vector<FailureReason>& failures) {
     constexpr std::size_t kShown = 5;
     for (const FailureReason& failure : failures | std::views::take(kShown))
-        std::printf("failed: %zu pattern%s, such as %s: %s\n", failure.patterns,
-                    failure.patterns == 1 ? "" : "s", failure.example.c_str(),
-                    base::printable(failure.reason).c_str());
+        std::printf("failed: %s, such as %s: %s\n", base::counted(failure.patterns, "pattern").c_str(),
+                    failure.example.c_str(), base::printable(failure.reason).c_str());
     if (failures.size() > kShown) std::printf("failed for other reasons, too: see library show\n");
     if (!failures.empty()) std::printf("--retry tries them again\n");
 }
@@ -168,27 +165,26 @@ Json far_above_json(const CalibrationStatistics& statistics) {
 
 void print_json(const Result& result) {
     const CalibrationStatistics& s = result.statistics;
-    const Json document = {{"model", result.key.model},
-                           {"optimizer", result.key.optimizer},
-                           {"policy", result.policy},
-                           {"open", result.report.open},
-                           {"done", result.report.done},
-                           {"failed", result.report.failed},
-                           {"failures", failures_json(result.failures)},
-                           {"dead_starts", result.report.dead_starts},
-                           {"interrupted", result.is_stopped},
-                           {"calibrated", s.calibrated},
-                           {"objective_mean", s.mean},
-                           {"objective_standard_deviation", s.deviation},
-                           {"objective_median", s.median},
-                           {"far_above_its_like", far_above_json(s)},
-                           {"at_bound", Json(s.at_bound)},
-                           {"samples", s.samples},
-                           {"samples_not_converged", s.samples - s.converged},
-                           {"samples_beyond_limit_load", s.limit_load},
-                           {"samples_unstable", s.unstable},
-                           {"seconds", result.seconds}};
-    std::fputs(base::json_text(document).c_str(), stdout);
+    print_document({{"model", result.key.model},
+                    {"optimizer", result.key.optimizer},
+                    {"policy", result.policy},
+                    {"open", result.report.open},
+                    {"done", result.report.done},
+                    {"failed", result.report.failed},
+                    {"failures", failures_json(result.failures)},
+                    {"dead_starts", result.report.dead_starts},
+                    {"interrupted", result.is_stopped},
+                    {"calibrated", s.calibrated},
+                    {"objective_mean", s.mean},
+                    {"objective_standard_deviation", s.deviation},
+                    {"objective_median", s.median},
+                    {"far_above_its_like", far_above_json(s)},
+                    {"at_bound", Json(s.at_bound)},
+                    {"samples", s.samples},
+                    {"samples_not_converged", s.samples - s.converged},
+                    {"samples_beyond_limit_load", s.limit_load},
+                    {"samples_unstable", s.unstable},
+                    {"seconds", result.seconds}});
 }
 
 /// CalibrateOptions of a search, where there is nothing to search for.
@@ -211,30 +207,27 @@ void warn_of_spent_budgets(const Library& library, std::span<const pattern::Name
         }
     }
     if (spent > 0)
-        std::fprintf(stderr,
-                     "fretwork: %zu of %zu calibrations ended before their search met its own criterion (the "
-                     "budget of "
-                     "%d evaluations was spent, or no step went further down): their E may be too high; "
-                     "raise --budget, "
-                     "or change --starts\n",
-                     spent, all, key.budget);
+        warn(std::to_string(spent) + " of " + std::to_string(all) +
+             " calibrations ended before their search met its own criterion (the budget of " +
+             std::to_string(key.budget) +
+             " evaluations was spent, or no step went further down): their E may be too high; raise "
+             "--budget, or change --starts");
 }
 
 /// A search that failed can end with a number like any other. Beside its like it stands out.
 void warn_of_odd_searches(const Result& result) {
     if (result.report.dead_starts > 0)
-        std::fprintf(stderr, "fretwork: %zu starts of these searches died at their first point\n",
-                     result.report.dead_starts);
+        warn(std::to_string(result.report.dead_starts) +
+             " starts of these searches died at their first point");
     const std::vector<library::FarAbove>& far = result.statistics.far_above;
     if (far.empty()) return;
     const auto worst = std::ranges::max_element(far, {}, &library::FarAbove::objective);
-    std::fprintf(stderr,
-                 "fretwork: %zu calibration%s far above others like %s (E over %s, where the median is %s), "
-                 "such as E = %s of %s: the search may have failed; try another --seed or more --starts\n",
-                 far.size(), far.size() == 1 ? " is" : "s are", far.size() == 1 ? "it" : "them",
-                 base::format_number(result.statistics.far_above_limit).c_str(),
-                 base::format_number(result.statistics.median).c_str(),
-                 base::format_number(worst->objective).c_str(), worst->pattern.c_str());
+    const bool is_one = far.size() == 1;
+    warn(base::counted(far.size(), "calibration") + (is_one ? " is" : " are") + " far above others like " +
+         (is_one ? "it" : "them") + " (E over " + base::format_number(result.statistics.far_above_limit) +
+         ", where the median is " + base::format_number(result.statistics.median) +
+         "), such as E = " + base::format_number(worst->objective) + " of " + worst->pattern +
+         ": the search may have failed; try another --seed or more --starts");
 }
 
 ExitCode calibrate(CalibrateOptions options) {
@@ -259,8 +252,7 @@ ExitCode calibrate(CalibrateOptions options) {
     options.json ? print_json(result) : print_text(result);
     warn_of_spent_budgets(library, patterns, result.key);
     warn_of_odd_searches(result);
-    if (result.is_stopped)
-        std::fputs("fretwork: interrupted; what is done is stored, run again to go on\n", stderr);
+    if (result.is_stopped) warn("interrupted; what is done is stored, run again to go on");
     const bool is_done = result.report.done == result.report.open && result.statistics.calibrated > 0;
     return is_done ? ExitCode::Done : ExitCode::DidNotSucceed;
 }

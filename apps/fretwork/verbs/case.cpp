@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork case: the load cases of a project.
 #include "options/file_options.hpp"
+#include "output.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/file_lock.hpp>
-#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/simulation/load_cases/combination.hpp>
 #include <fretwork/simulation/load_cases/conditions.hpp>
@@ -57,9 +57,7 @@ void tell(const LoadCase& load_case, const Project& project, const CaseOptions& 
             std::printf("  %s\n", base::printable(line).c_str());
     }
     const auto doubts = simulation::warnings_about(load_case, simulation::make_surface(project, nullptr));
-    if (!doubts.empty())
-        std::fprintf(stderr, "fretwork: %s: is that meant? %s\n", base::printable(load_case.name).c_str(),
-                     base::printable(base::join(doubts, "; ")).c_str());
+    if (!doubts.empty()) warn(load_case.name + ": is that meant? " + base::join(doubts, "; "));
 }
 
 void add_to_project(const CaseOptions& options) {
@@ -132,7 +130,7 @@ void list(const CaseOptions& options) {
             std::printf("%-20s %s\n", base::printable(load_case.name).c_str(),
                         base::printable(load_case.description).c_str());
     }
-    if (options.json) std::fputs(base::json_text(json).c_str(), stdout);
+    if (options.json) print_document(json);
 }
 
 }  // namespace

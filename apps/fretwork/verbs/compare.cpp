@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork compare: how far a reduced result is from the full one.
+#include "options/checks.hpp"
 #include "options/file_options.hpp"
+#include "output.hpp"
 #include "surface_result.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/internal/json_text.hpp>
-#include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/simulation/results/comparison.hpp>
 
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -51,22 +50,8 @@ base::Json to_json(const std::string& name, const simulation::Comparison& compar
 /// A refusal names the files, which the stage does not know.
 simulation::Comparison compare(const CompareOptions& options, const simulation::SurfaceResult& full,
                                const simulation::SurfaceResult& reduced) {
-    try {
-        return simulation::compare(full, reduced);
-    } catch (const base::InputError& error) {
-        throw base::within(options.full + " and " + options.reduced, "", error);
-    }
-}
-
-/// CLI11's own check of numbers that are not negative names the largest double where it refuses infinity.
-CLI::Validator tolerance_check() {
-    const auto check = [](const std::string& text) {
-        const auto number = base::read_number<double>(text);
-        const bool is_valid = number && std::isfinite(*number) && *number >= 0.0;
-        return is_valid ? std::string()
-                        : "'" + text + "' is not a tolerance: expected a finite number not below zero";
-    };
-    return {check, "NUMBER", "tolerance"};
+    return base::located(options.full + " and " + options.reduced, "",
+                         [&] { return simulation::compare(full, reduced); });
 }
 
 ExitCode run(const CompareOptions& options) {
@@ -76,7 +61,7 @@ ExitCode run(const CompareOptions& options) {
     const std::string name =
         options.name.empty() ? std::filesystem::path(options.full).stem().string() : options.name;
     if (options.json) {
-        std::fputs(base::json_text(to_json(name, comparison)).c_str(), stdout);
+        print_document(to_json(name, comparison));
     } else if (!options.csv) {
         std::printf("%s: %s", base::printable(name).c_str(), simulation::comparison_text(comparison).c_str());
     } else {
@@ -84,10 +69,9 @@ ExitCode run(const CompareOptions& options) {
                     simulation::comparison_row(base::printable(name), comparison).c_str());
     }
     if (comparison.full_is_unstable)
-        std::fprintf(stderr,
-                     "fretwork: %s is an unstable equilibrium, in which no specimen stays, and the errors "
-                     "are relative to it; simulate --branch stable finds the stable one\n",
-                     base::printable(options.full).c_str());
+        warn(options.full +
+             " is an unstable equilibrium, in which no specimen stays, and the errors are relative to it; "
+             "simulate --branch stable finds the stable one");
     if (options.tolerance && !(comparison.relative_l2_error <= *options.tolerance)) {
         std::fprintf(stderr, "fretwork: the relative error %.4g is above the tolerance %.4g\n",
                      comparison.relative_l2_error, *options.tolerance);
@@ -107,7 +91,7 @@ void add_compare(CLI::App& app, ExitCode& exit_code) {
     verb->add_option("--name", options->name, "Name of the comparison (default: the first file's name)");
     verb->add_option("--tolerance", options->tolerance,
                      "Exit with 1 if the relative L2 error of the translations is above this")
-        ->check(tolerance_check());
+        ->check(not_negative_check());
     CLI::Option* csv =
         verb->add_flag("--csv", options->csv, "Print a header and a row of Table 3, in metres");
     verb->add_flag("--json", options->json, "Print JSON")->excludes(csv);

@@ -2,6 +2,7 @@
 // fretwork design: paint a project so that its surface takes a wanted shape.
 #include "design_output.hpp"
 #include "interrupt.hpp"
+#include "options/checks.hpp"
 #include "options/file_options.hpp"
 #include "typed/palette_text.hpp"
 #include "typed/symmetry_text.hpp"
@@ -20,7 +21,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -79,17 +79,6 @@ design::DesignReport run_design(const DesignArguments& arguments, const simulati
     }
 }
 
-/// A value above zero or zero, as an option has it: CLI11's own ranges let NaN pass.
-CLI::Validator not_negative() {
-    const auto check = [](const std::string& text) {
-        const auto number = base::read_number<double>(text);
-        return number && *number >= 0.0 && std::isfinite(*number)
-                   ? std::string()
-                   : "'" + text + "' is not a number of zero or more";
-    };
-    return {check, "NUMBER", "number"};
-}
-
 /// A project that is replaced keeps what is its own: load cases that the designed one has not.
 void require_own_out(const DesignArguments& arguments, const simulation::Project& project) {
     std::error_code ignored;
@@ -108,11 +97,7 @@ void require_own_out(const DesignArguments& arguments, const simulation::Project
 template <class Read>
 void read_as(const char* option, const std::string& text, const Read& read) {
     if (text.empty()) return;
-    try {
-        read();
-    } catch (const base::InputError& error) {
-        throw base::within(option, "", error);
-    }
+    base::located(option, "", read);
 }
 
 void read_typed(DesignArguments& arguments, const simulation::Project& project) {
@@ -123,11 +108,7 @@ void read_typed(DesignArguments& arguments, const simulation::Project& project) 
             [&] { options.keep = tiling::parse_tiles(arguments.keep, project.tessellation); });
     read_as("--symmetry", arguments.symmetry,
             [&] { options.symmetry = typed::read_symmetry(arguments.symmetry); });
-    read_as("--clearance", arguments.clearance, [&] {
-        options.clearance = base::parse_length(arguments.clearance);
-        if (*options.clearance < 0.0)
-            throw base::InputError("'" + arguments.clearance + "' is below zero: no gap is");
-    });
+    if (!arguments.clearance.empty()) options.clearance = base::parse_length(arguments.clearance);
     read_free(arguments.free, options);
     if (options.load_case.empty() && project.load_cases.size() == 1)
         options.load_case = project.load_cases.front().name;
@@ -204,23 +185,24 @@ void add_limits(CLI::App& verb, DesignArguments& arguments) {
     verb.add_option("--symmetry", arguments.symmetry,
                     "Symmetry of the painting about the middle: mirror:x (left and right), mirror:y, turn:N")
         ->type_name("SYMMETRY");
-    verb.add_option("--max-mass", options.max_mass, "Most mass of all beams, kg")->check(not_negative());
+    verb.add_option("--max-mass", options.max_mass, "Most mass of all beams, kg")
+        ->check(not_negative_check());
     verb.add_option("--max-utilization", options.max_utilization,
                     "Largest utilization, checked with all beams, together with the estimated error of one "
                     "element a beam; the result is the best checked painting that keeps it")
-        ->check(not_negative());
+        ->check(not_negative_check());
     verb.add_option(
             "--clearance", arguments.clearance,
             "Smallest gap between bars, such as 0.5mm: patterns that do not keep it are left out; the "
             "result is the best checked painting that keeps it")
-        ->type_name("LENGTH");
+        ->check(length_check());
 }
 
 void add_effort(CLI::App& verb, DesignArguments& arguments) {
     design::DesignOptions& options = arguments.design;
     verb.add_option("--seconds", options.seconds,
                     "Wall time, checks included (default: until no swap improves)")
-        ->check(not_negative());
+        ->check(not_negative_check());
     verb.add_option("--solutions", options.most_solutions,
                     "Most nonlinear solutions of the search (default: 40, more on fewer than 44 tiles)")
         ->check(CLI::Range(1, 1'000'000));

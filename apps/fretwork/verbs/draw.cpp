@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork draw: chosen patterns on one sheet.
 #include "options/file_options.hpp"
-#include "verbs/draw.hpp"
+#include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/file.hpp>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "interrupt.hpp"
+#include "options/checks.hpp"
 #include "options/file_options.hpp"
 #include "verbs.hpp"
 #include "verbs/enumerate_files.hpp"

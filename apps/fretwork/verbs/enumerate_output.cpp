@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "json_output.hpp"
+#include "output.hpp"
 #include "verbs/enumerate_output.hpp"
 
 #include <fretwork/base/internal/json_text.hpp>

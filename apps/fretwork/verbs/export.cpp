@@ -2,15 +2,15 @@
 // fretwork export: a project, and what was computed of it, as a drawing or a file for other programs.
 #include "bar_checks.hpp"
 #include "interrupt.hpp"
+#include "options/checks.hpp"
 #include "options/file_options.hpp"
-#include "options/ignored_options.hpp"
 #include "options/making_options.hpp"
+#include "output.hpp"
 #include "surface_result.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/file.hpp>
-#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/exports/space/bar_scene.hpp>
@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <set>
@@ -61,11 +60,7 @@ double read_scale(const std::string& text) {
 /// Parses an option's text by `parse`; errors name the option.
 template <class Value>
 Value read_option(const std::string& option, const std::string& text, Value (*parse)(const std::string&)) {
-    try {
-        return parse(text);
-    } catch (const base::InputError& error) {
-        throw base::within(option, "", error);
-    }
+    return base::located(option, "", [&] { return parse(text); });
 }
 
 /// A surface that results are to be of.
@@ -77,14 +72,8 @@ struct OwnSurface {
 /// A result that was read from a file must be one of the surface.
 void check_own_result(const simulation::SurfaceResult& result, const std::string& file,
                       const OwnSurface& own) {
-    const std::string difference = simulation::subject_difference(*result.subject, own.identity);
-    if (!difference.empty())
-        throw base::InputError(file, "", "is not a result of this project: they differ in " + difference);
-    try {
-        exports::require_same_surface(own.surface, result);
-    } catch (const base::InputError& error) {
-        throw base::within(file, "", error);
-    }
+    check_subject_of(own.identity, result, file);
+    base::located(file, "", [&] { exports::require_same_surface(own.surface, result); });
 }
 
 const exports::WriterRow& writer_of(const ExportOptions& options, const std::string& path) {
@@ -173,15 +162,6 @@ bool needs_library(const ExportOptions& options, const simulation::Project& proj
     });
 }
 
-/// Errors of the project's load cases name its file.
-simulation::LoadCase load_case_of(const simulation::Project& project, const ExportOptions& options) {
-    try {
-        return simulation::find_load_case(project, options.load_case);
-    } catch (const base::InputError& error) {
-        throw base::within(options.project, "", error);
-    }
-}
-
 /// Results of different models have the models' names in legends, others the names of their files.
 void name_by_models(std::vector<exports::Scene::LabelledResult>& results) {
     std::set<std::string> models;
@@ -210,7 +190,8 @@ exports::Scene make_scene(const ExportOptions& options, const base::Control& con
     }
     scene.results = std::move(results);
     if (!options.load_case.empty()) {
-        const simulation::LoadCase load_case = load_case_of(project, options);
+        const simulation::LoadCase load_case = base::located(
+            options.project, "", [&] { return simulation::find_load_case(project, options.load_case); });
         check_load_case(load_case, options, scene);
         scene.conditions = simulation::resolve(load_case, scene.surface);
         scene.load_case = load_case;
@@ -280,9 +261,9 @@ void run(const ExportOptions& options) {
     }
     control.check();
     files.commit();
-    for (const std::string& remark : remarks) std::fprintf(stderr, "fretwork: %s\n", remark.c_str());
+    for (const std::string& remark : remarks) warn(remark);
     if (options.json)
-        std::fputs(base::json_text(report).c_str(), stdout);
+        print_document(report);
     else
         print_written(report);
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork optimizers: the methods there are, and how they compare.
 #include "interrupt.hpp"
-#include "json_output.hpp"
+#include "options/checks.hpp"
 #include "options/file_options.hpp"
+#include "output.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>
@@ -143,8 +144,7 @@ void print(const optimization::study::StudyReport& report, double seconds, const
         std::printf("%zu runs in %.1f s, and %zu that were there before, are in %s\n", report.runs_done,
                     seconds, report.runs_before, path.c_str());
     }
-    if (report.runs_left_out > 0)
-        std::fputs("fretwork: interrupted; what is done is stored, run again to go on\n", stderr);
+    if (report.runs_left_out > 0) warn("interrupted; what is done is stored, run again to go on");
 }
 
 ExitCode run(OptimizersOptions options) {

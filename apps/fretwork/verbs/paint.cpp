@@ -3,11 +3,11 @@
 #include "bar_checks.hpp"
 #include "options/file_options.hpp"
 #include "options/painting_options.hpp"
+#include "output.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/file_lock.hpp>
-#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/simulation/project/project_file.hpp>
@@ -80,11 +80,8 @@ template <class Pick>
 void add_tiles(std::set<TileIndex>& chosen, const char* option, const std::vector<std::string>& values,
                const Pick& pick) {
     for (const std::string& value : values) {
-        try {
-            for (const TileIndex tile : pick(value)) chosen.insert(tile);
-        } catch (const base::InputError& error) {
-            throw base::within(option, "", error);
-        }
+        const auto tiles = base::located(option, "", [&] { return pick(value); });
+        chosen.insert(tiles.begin(), tiles.end());
     }
 }
 
@@ -146,9 +143,7 @@ void print(const Project& project, const std::vector<TileIndex>& tiles, const Pa
     if (options.json) {
         std::vector<int> numbers;
         for (const TileIndex tile : tiles) numbers.push_back(tile.value);
-        const base::Json json = {{"tiles", numbers}, {"patterns", counts}, {"unpainted_tiles", unpainted}};
-        std::fputs(base::json_text(json).c_str(), stdout);
-        return;
+        return print_document({{"tiles", numbers}, {"patterns", counts}, {"unpainted_tiles", unpainted}});
     }
     std::printf("%zu of %zu tiles:\n", tiles.size(), project.tessellation.tiles.size());
     for (const auto& [pattern, count] : counts) std::printf("%6d  %s\n", count, pattern.c_str());
@@ -169,9 +164,9 @@ ExitCode run(const PaintOptions& options) {
     const auto chosen = chosen_tiles(options, project.tessellation);
     const auto tiles = paint_project(project, chosen, choice, options, given);
     if (tiles.empty()) {
-        std::fprintf(
-            stderr, "fretwork: %s; nothing is painted\n",
-            chosen.empty() ? "no tile lies there" : "none of the palette's colours lies on these tiles");
+        const std::string reason =
+            chosen.empty() ? "no tile lies there" : "none of the palette's colours lies on these tiles";
+        warn(reason + "; nothing is painted");
         return ExitCode::DidNotSucceed;
     }
     simulation::write_project(project, target);

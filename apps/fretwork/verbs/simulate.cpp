@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork simulate: a project under one of its load cases, with the full or a reduced model.
 #include "interrupt.hpp"
+#include "options/checks.hpp"
 #include "options/file_options.hpp"
+#include "output.hpp"
 #include "verbs.hpp"
 #include "verbs/solve_output.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/file.hpp>
-#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/exports/tables/series_files.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
@@ -55,11 +56,7 @@ struct SimulateOptions {
 /// Errors of a project's load cases or frame name its file.
 template <class Work>
 auto of_project(const SimulateOptions& options, const Work& work) {
-    try {
-        return work();
-    } catch (const base::InputError& error) {
-        throw base::within(options.project, "", error);
-    }
+    return base::located(options.project, "", work);
 }
 
 /// The name of a load case of the project; else a file is one by its ending or its folder.
@@ -93,12 +90,11 @@ void print_model_error(const simulation::ModelError& error) {
 base::Json model_error_json(const simulation::SurfaceResult& result) {
     const auto& error = result.model_error;
     if (!error) return nullptr;
-    return {
-        {"mean", error->mean},
-        {"largest", error->largest},
-        {"relative_l2", error->relative_l2},
-        {"full_share", error->full_share},
-        {"largest_stress", error->largest_stress ? base::Json(*error->largest_stress) : base::Json(nullptr)}};
+    return {{"mean", error->mean},
+            {"largest", error->largest},
+            {"relative_l2", error->relative_l2},
+            {"full_share", error->full_share},
+            {"largest_stress", base::or_null(error->largest_stress)}};
 }
 
 /// Null of linear results and of the full model.
@@ -134,10 +130,6 @@ base::Json stability_losses_json(const simulation::SurfaceResult& result) {
     return losses;
 }
 
-base::Json buckled_tiles_json(const simulation::SurfaceResult& result) {
-    return result.buckled_tiles ? base::Json(*result.buckled_tiles) : base::Json(nullptr);
-}
-
 /// What the user has to be told of a result whose model may be wrong.
 std::vector<std::string> warnings_of(const simulation::SurfaceResult& result) {
     std::vector<std::string> warnings;
@@ -152,30 +144,28 @@ std::vector<std::string> warnings_of(const simulation::SurfaceResult& result) {
 void print_json(const simulation::SurfaceResult& result) {
     const auto& solution = result.solution;
     const simulation::ResultSubject& subject = result.subject.value();
-    const base::Json json = {
-        {"model", subject.model},
-        {"load_case", subject.load_case},
-        {"joints", reduction::joints_name(subject.joints.value())},
-        {"solver", result.solver},
-        {"converged", solution.converged()},
-        {"stable", solution.stable},
-        {"termination", mechanics::termination_name(solution.termination)},
-        {"largest_displacement", simulation::largest_displacement(result, solution)},
-        {"largest_rotation", simulation::largest_rotation(result, solution)},
-        {"iterations", solution.iterations},
-        {"discretization_error", discretization_json(result)},
-        {"full_tiles", subject.full_tiles},
-        {"model_doubt", model_doubt_json(result)},
-        {"model_error_estimate", model_error_json(result)},
-        {"buckled_tiles", buckled_tiles_json(result)},
-        {"linear_range", linear_range_json(result)},
-        {"fit_error", result.fit_error ? base::Json(*result.fit_error) : base::Json(nullptr)},
-        {"warnings", warnings_of(result)},
-        {"stability_losses", stability_losses_json(result)},
-        {"frequencies", values_of(result.vibration_modes)},
-        {"buckling_load_factors", values_of(result.buckling_modes)},
-        {"seconds", result.seconds}};
-    std::fputs(base::json_text(json).c_str(), stdout);
+    print_document({{"model", subject.model},
+                    {"load_case", subject.load_case},
+                    {"joints", reduction::joints_name(subject.joints.value())},
+                    {"solver", result.solver},
+                    {"converged", solution.converged()},
+                    {"stable", solution.stable},
+                    {"termination", mechanics::termination_name(solution.termination)},
+                    {"largest_displacement", simulation::largest_displacement(result, solution)},
+                    {"largest_rotation", simulation::largest_rotation(result, solution)},
+                    {"iterations", solution.iterations},
+                    {"discretization_error", discretization_json(result)},
+                    {"full_tiles", subject.full_tiles},
+                    {"model_doubt", model_doubt_json(result)},
+                    {"model_error_estimate", model_error_json(result)},
+                    {"buckled_tiles", base::or_null(result.buckled_tiles)},
+                    {"linear_range", linear_range_json(result)},
+                    {"fit_error", base::or_null(result.fit_error)},
+                    {"warnings", warnings_of(result)},
+                    {"stability_losses", stability_losses_json(result)},
+                    {"frequencies", values_of(result.vibration_modes)},
+                    {"buckling_load_factors", values_of(result.buckling_modes)},
+                    {"seconds", result.seconds}});
 }
 
 /// Each solution of a path with several.
@@ -249,14 +239,12 @@ mechanics::Frame full_frame(Surface surface, const LoadCase& load_case) {
 simulation::SurfaceResult simulate(const SimulateOptions& options, const Surface& surface,
                                    const LoadCase& load_case, const std::vector<LoadCase>& cases,
                                    const base::Control& control) {
-    try {
+    return base::located<base::NumericalError>(options.project, "", [&] {
         if (options.stages.empty())
             return simulation::simulate(surface, load_case, options.simulation, control);
         const std::vector<simulation::LoadStage> stages = simulation::read_stages(options.stages);
         return simulation::simulate_stages(surface, {load_case, cases, stages}, options.simulation, control);
-    } catch (const base::NumericalError& error) {
-        throw base::within(options.project, "", error);
-    }
+    });
 }
 
 ExitCode run(SimulateOptions options) {
@@ -274,7 +262,7 @@ ExitCode run(SimulateOptions options) {
     options.simulation.validate(surface);
     simulation::check_calibrations(options.project, project, surface, choice);
     if (const std::string foreign = simulation::foreign_size_text(surface, choice); !foreign.empty())
-        std::fprintf(stderr, "fretwork: %s\n", foreign.c_str());
+        warn(foreign);
     const LoadCase load_case = chosen_load_case(project, options);
     base::FileBatch files;
     if (!options.frame_out.empty() || !options.deck.empty()) {
@@ -295,11 +283,9 @@ ExitCode run(SimulateOptions options) {
                  : print(result, {options.simulation.vibration_modes, options.simulation.buckling_modes,
                                   options.simulation.branch});
     if (!options.json && !options.stages.empty()) print_steps(result);
-    for (const std::string& warning : warnings_of(result))
-        std::fprintf(stderr, "fretwork: %s\n", warning.c_str());
+    for (const std::string& warning : warnings_of(result)) warn(warning);
     const bool misses_error = options.simulation.estimate_model_error && !result.model_error;
-    if (misses_error)
-        std::fprintf(stderr, "fretwork: the error of the model is not known: no better solution was found\n");
+    if (misses_error) warn("the error of the model is not known: no better solution was found");
     return result.solution.converged() && !misses_error ? ExitCode::Done : ExitCode::DidNotSucceed;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork solve: any beam structure, from a frame file.
 #include "interrupt.hpp"
+#include "options/checks.hpp"
 #include "options/file_options.hpp"
 #include "verbs.hpp"
 #include "verbs/solve_output.hpp"
@@ -61,13 +62,9 @@ void print_note_on_moments(const mechanics::Frame& frame, const SolveOptions& op
 
 /// Errors of what a deck cannot hold name the frame's file.
 std::string deck_text(const mechanics::Frame& frame, const SolveOptions& options) {
-    try {
-        return mechanics::calculix_text(frame, options.deck_for == "calculix"
-                                                   ? mechanics::DeckReader::Calculix
-                                                   : mechanics::DeckReader::Abaqus);
-    } catch (const base::InputError& error) {
-        throw base::within(options.frame, "", error);
-    }
+    const auto reader =
+        options.deck_for == "calculix" ? mechanics::DeckReader::Calculix : mechanics::DeckReader::Abaqus;
+    return base::located(options.frame, "", [&] { return mechanics::calculix_text(frame, reader); });
 }
 
 ExitCode run(const SolveOptions& options) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "output.hpp"
 #include "verbs/solve_output.hpp"
 
 #include <fretwork/mechanics/modes.hpp>
@@ -114,7 +115,7 @@ void print_failure(const mechanics::Result& result, mechanics::Branch branch) {
 }
 
 void print_solution_json(const mechanics::Result& result) {
-    std::fputs(base::json_text(summary_of(result)).c_str(), stdout);
+    print_document(summary_of(result));
 }
 
 void print_losses_and_modes(const mechanics::Result& result, const Wanted& wanted) {

@@ -3,6 +3,7 @@
 #include "file_identity.hpp"
 #include "interrupt.hpp"
 #include "options/file_options.hpp"
+#include "output.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>
@@ -82,8 +83,7 @@ void run(StudioOptions options) {
     const std::stop_callback stop(work.control().stop, [&studio] { studio.stop(); });
     std::printf("%s\n", studio.address().c_str());
     std::fflush(stdout);
-    if (const std::string warning = studio.warning(); !warning.empty())
-        std::fprintf(stderr, "fretwork: %s\n", warning.c_str());
+    if (const std::string warning = studio.warning(); !warning.empty()) warn(warning);
     if (!options.no_browser) open_browser(studio.address());
     studio.run();
 }

@@ -4,11 +4,11 @@
 #include "interrupt.hpp"
 #include "options/file_options.hpp"
 #include "options/painting_options.hpp"
+#include "output.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/file_lock.hpp>
-#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/library/library.hpp>
@@ -59,11 +59,7 @@ constexpr LengthOption kWidth{"--width", 10.0};
 
 double parse_length(const LengthOption& option, const std::string& text) {
     base::refuse_missing_unit(option.name, text, option.large);
-    try {
-        return base::parse_length(text);
-    } catch (const base::InputError& error) {
-        throw base::within(option.name, "", error);
-    }
+    return base::located(option.name, "", [&] { return base::parse_length(text); });
 }
 
 double parse_angle(const std::string& text) {
@@ -144,10 +140,8 @@ void warn_of_numbers(const Project& before, const Project& tiled) {
     if (before.tessellation.interface_nodes == tiled.tessellation.interface_nodes) return;
     const auto count = std::ranges::count_if(before.load_cases, picks_by_number);
     if (count == 0) return;
-    std::fprintf(stderr,
-                 "fretwork: %td of the load cases kept select interface nodes by number, and these nodes now "
-                 "lie elsewhere\n",
-                 count);
+    warn(std::to_string(count) +
+         " of the load cases kept select interface nodes by number, and these nodes now lie elsewhere");
 }
 
 /// The numbers of tiles mean others on other tiles.
@@ -155,7 +149,7 @@ void drop_tile_models(Project& before, const Project& tiled) {
     if (before.tile_models.empty()) return;
     if (before.tessellation.interface_nodes == tiled.tessellation.interface_nodes) return;
     before.tile_models.clear();
-    std::fputs("fretwork: the tile models of single tiles are dropped, because the tiles are new\n", stderr);
+    warn("the tile models of single tiles are dropped, because the tiles are new");
 }
 
 /// Put the new tiles into the project that is there, or into a new one, and write it.
@@ -180,18 +174,18 @@ Project write(Project tiled, const TileOptions& options, const Library* library)
 }
 
 /// The parts of the outline that were left out, as a warning.
-void warn(const simulation::NewProject& made) {
-    if (made.report.negligible_points == 0) return;
-    std::fprintf(stderr, "fretwork: %d %s of the outline left out: within %.3g mm of the previous point\n",
-                 made.report.negligible_points, made.report.negligible_points == 1 ? "point" : "points",
-                 1e3 * tiling::kNegligibleShare * made.edge_length);
+void warn_of_points(const simulation::NewProject& made) {
+    const std::size_t points = made.report.negligible_points;
+    if (points == 0) return;
+    warn(base::counted(points, "point") + " of the outline left out: within " +
+         base::format_number(1e3 * tiling::kNegligibleShare * made.edge_length, 3) +
+         " mm of the previous point");
 }
 
 /// The changes of the drawing, in one line.
 void tell(const outlines::OutlineFile& file, const TileOptions& options) {
     if (file.remarks.empty()) return;
-    std::fprintf(stderr, "fretwork: %s: %s\n", base::printable(options.outline).c_str(),
-                 base::join(file.remarks, "; ").c_str());
+    warn(options.outline + ": " + base::join(file.remarks, "; "));
 }
 
 std::vector<std::string> names_of(const std::vector<simulation::LoadCase>& load_cases) {
@@ -202,32 +196,30 @@ std::vector<std::string> names_of(const std::vector<simulation::LoadCase>& load_
 
 void print_json(const tiling::TessellationReport& report, const Project& project,
                 const outlines::OutlineFile& file) {
-    const base::Json json = {
-        {"outline", {{"size", outlines::size_text(file.parts)}, {"remarks", file.remarks}}},
-        {"tiles", report.tiles},
-        {"interface_nodes", project.tessellation.interface_nodes.size()},
-        {"patterns", tiling::used_patterns(project.tessellation).size()},
-        {"hexagon_share", report.hexagon_share},
-        {"inner_hexagon_share", report.inner_hexagon_share},
-        {"mean_side", report.mean_side},
-        {"sd_side", report.sd_side},
-        {"smallest_side", report.smallest_side},
-        {"smallest_angle", report.smallest_angle},
-        {"covered_share", report.covered_share},
-        {"outside_share", report.outside_share},
-        {"refined_share", report.refined_share},
-        {"library", project.library_path},
-        {"setting", reduction::setting_name(project.setting.value())},
-        {"joints", reduction::joints_name(project.setting->joints)},
-        {"load_cases_kept", names_of(project.load_cases)}};
-    std::fputs(base::json_text(json).c_str(), stdout);
+    print_document({{"outline", {{"size", outlines::size_text(file.parts)}, {"remarks", file.remarks}}},
+                    {"tiles", report.tiles},
+                    {"interface_nodes", project.tessellation.interface_nodes.size()},
+                    {"patterns", tiling::used_patterns(project.tessellation).size()},
+                    {"hexagon_share", report.hexagon_share},
+                    {"inner_hexagon_share", report.inner_hexagon_share},
+                    {"mean_side", report.mean_side},
+                    {"sd_side", report.sd_side},
+                    {"smallest_side", report.smallest_side},
+                    {"smallest_angle", report.smallest_angle},
+                    {"covered_share", report.covered_share},
+                    {"outside_share", report.outside_share},
+                    {"refined_share", report.refined_share},
+                    {"library", project.library_path},
+                    {"setting", reduction::setting_name(project.setting.value())},
+                    {"joints", reduction::joints_name(project.setting->joints)},
+                    {"load_cases_kept", names_of(project.load_cases)}});
 }
 
 void print(const tiling::TessellationReport& report, const Project& project, const TileOptions& options) {
     const std::size_t patterns = tiling::used_patterns(project.tessellation).size();
-    std::printf("%d %s, %zu interface nodes, %zu %s in use\n", report.tiles,
-                report.tiles == 1 ? "tile" : "tiles", project.tessellation.interface_nodes.size(), patterns,
-                patterns == 1 ? "pattern" : "patterns");
+    std::printf("%s, %zu interface nodes, %s in use\n",
+                base::counted(static_cast<std::size_t>(report.tiles), "tile").c_str(),
+                project.tessellation.interface_nodes.size(), base::counted(patterns, "pattern").c_str());
     std::printf("hexagons %.0f %% (away from the rim %.0f %%), mean side %.2f mm (+- %.2f, smallest %.2f)\n",
                 100 * report.hexagon_share, 100 * report.inner_hexagon_share, 1e3 * report.mean_side,
                 1e3 * report.sd_side, 1e3 * report.smallest_side);
@@ -281,7 +273,7 @@ void run(const TileOptions& options) {
     std::optional<LongWork> work(std::in_place);
     wanted.control = work->control();
     simulation::NewProject made = make(file, wanted, library);
-    warn(made);
+    warn_of_points(made);
     const Project project = write(std::move(made.project), options, library);
     work.reset();
     warn_of_close_bars(project, library, options.clearance);

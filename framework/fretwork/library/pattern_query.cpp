@@ -121,6 +121,8 @@ FoundPatterns Library::find(const PatternQuery& query) const {
     if (query.limit > 0) sql += " LIMIT " + std::to_string(query.limit);
     Statement rows(impl_->database, sql);
     FoundPatterns found;
+    found.known = static_cast<std::size_t>(
+        detail::query_integer(impl_->database, searched() + "SELECT count(*) FROM found").value_or(0));
     for (int c = 2; c < rows.column_count(); ++c) found.columns.push_back(rows.column_name(c));
     try {
         while (rows.step()) found.patterns.push_back(read_row(rows));

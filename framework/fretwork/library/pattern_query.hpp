@@ -31,6 +31,7 @@ struct FoundPatterns {
     /// columns of the view `behaviour` (schema.md).
     std::vector<std::string> columns;
     std::vector<FoundPattern> patterns;  ///< the patterns
+    std::size_t known = 0;               ///< number of all patterns of the library with known behaviour
 };
 
 }  // namespace fretwork::library

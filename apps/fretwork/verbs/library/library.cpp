@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork library: look into a pattern library, find patterns, merge shards, write tables and meshes.
 #include "interrupt.hpp"
-#include "json_output.hpp"
 #include "options/file_options.hpp"
 #include "options/pattern_choice.hpp"
+#include "output.hpp"
 #include "verbs.hpp"
 #include "verbs/library/library_find.hpp"
 #include "verbs/library/library_show.hpp"
@@ -77,7 +77,7 @@ Json list_json(const Library& library, const std::vector<PatternSummary>& summar
                             {"converged_samples", summary.converged_samples},
                             {"stable_samples", summary.stable_samples},
                             {"calibrations", summary.calibrations},
-                            {"best_objective", or_null(summary.best_objective)},
+                            {"best_objective", base::or_null(summary.best_objective)},
                             {"failures", summary.failures}});
     }
     return {{"layout", library.layout().name()},

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "json_output.hpp"
+#include "output.hpp"
 #include "verbs/library/library_find.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/text.hpp>
 
 #include <algorithm>
@@ -33,7 +32,7 @@ Json found_json(const FoundPatterns& found) {
     for (const FoundPattern& pattern : found.patterns) {
         Json row = {{"id", pattern.id}, {"mirror", pattern.mirror.empty() ? Json() : Json(pattern.mirror)}};
         for (std::size_t c = 0; c < found.columns.size(); ++c)
-            row[found.columns[c]] = or_null(pattern.values[c]);
+            row[found.columns[c]] = base::or_null(pattern.values[c]);
         patterns.push_back(std::move(row));
     }
     return {{"columns", found.columns}, {"patterns", std::move(patterns)}};
@@ -63,7 +62,7 @@ void print_found(const library::Library& library, const library::PatternQuery& q
     std::printf(
         "\n%zu of %zu patterns whose behaviour is known; the library has %zu, and calibrate computes "
         "the behaviour\n",
-        found.patterns.size(), library.find({}).patterns.size(), library.pattern_count());
+        found.patterns.size(), found.known, library.pattern_count());
 }
 
 }  // namespace fretwork::app

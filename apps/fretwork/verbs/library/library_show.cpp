@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "output.hpp"
 #include "verbs/library/library_show.hpp"
 #include "verbs/solve_output.hpp"
 
-#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/text.hpp>
 
 #include <algorithm>
@@ -84,8 +84,7 @@ Json show_json(const Library& library, const pattern::NamedPattern& entry) {
              {"converged", summary.converged},
              {"first_unstable_step", summary.first_unstable_step},
              {"meets_limit_load", summary.meets_limit_load},
-             {"discretization_error",
-              summary.discretization_error ? Json(*summary.discretization_error) : Json(nullptr)},
+             {"discretization_error", base::or_null(summary.discretization_error)},
              {"largest_magnitude", summary.largest_magnitude},
              {"largest_displacement", summary.largest_displacement}});
     }
@@ -156,7 +155,7 @@ std::string_view unit_of(std::string_view property) {
 }  // namespace
 
 void print_pattern_json(const Library& library, const pattern::NamedPattern& entry) {
-    std::fputs(base::json_text(show_json(library, entry)).c_str(), stdout);
+    print_document(show_json(library, entry));
 }
 
 void print_pattern(const Library& library, const pattern::NamedPattern& entry) {

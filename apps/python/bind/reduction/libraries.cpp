@@ -62,6 +62,7 @@ void bind_rows(py::module_& m) {
     Record<FoundPatterns>(m, "FoundPatterns", "The patterns that Library.find has found, in its order.")
         .constant("columns", &FoundPatterns::columns, "names of the values")
         .constant("patterns", &FoundPatterns::patterns, "")
+        .constant("known", &FoundPatterns::known, "number of all patterns with known behaviour")
         .done(Made::ByFunctions);
     Record<Failure>(m, "Failure", "A pattern on which a computation failed.")
         .field("pattern", &Failure::pattern, "id")

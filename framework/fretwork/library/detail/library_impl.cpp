@@ -77,12 +77,9 @@ void Library::Impl::require_pattern(std::string_view id) const {
 }
 
 pattern::NamedPattern Library::Impl::entry(std::string id) const {
-    try {
-        const pattern::Pattern pattern = pattern::parse_pattern_id(layout, id);
-        return {std::move(id), pattern};
-    } catch (const base::InputError& error) {
-        throw base::within(database.path().string(), "pattern", error);
-    }
+    const pattern::Pattern pattern = base::located(database.path().string(), "pattern",
+                                                   [&] { return pattern::parse_pattern_id(layout, id); });
+    return {std::move(id), pattern};
 }
 
 std::vector<pattern::NamedPattern> Library::Impl::select_patterns(Statement& ids) const {

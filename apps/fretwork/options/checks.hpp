@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Checks of options before a verb runs.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <initializer_list>
+#include <string>
+
+namespace fretwork::app {
+
+/// Whole numbers that every seed can hold: CLI11 itself lets negative and larger ones pass, as other numbers.
+CLI::Validator seed_check();
+
+/// Numbers of threads.
+CLI::Validator thread_check();
+
+/// Finite numbers of zero or more: CLI11's own ranges let NaN pass.
+CLI::Validator not_negative_check();
+
+/// Lengths of zero or more, such as 0.5mm.
+CLI::Validator length_check();
+
+/// Options without an effect are a misunderstanding: refuse those of these that are given.
+/// @param why  what they are for: "is for drawings, .."
+void refuse_given(const CLI::App& verb, std::initializer_list<const char*> options, const std::string& why);
+
+}  // namespace fretwork::app
