@@ -183,11 +183,12 @@ TEST(ModelError, IsRefusedWhereThereIsNoBetterModel) {
 }
 
 TEST(ModelError, OfAMixedModelIsThatFromMoreTilesInFull) {
-    EXPECT_EQ(better_model("corotational"), "mixed:0.3");
-    EXPECT_EQ(better_model("corotational", {.tile_rotation = 0.4}), "mixed:1");
-    EXPECT_EQ(better_model("mixed:0.1", {.tile_rotation = 0.4}), "mixed:1");
-    EXPECT_EQ(better_model("mixed:0.1"), "mixed:0.7");
-    EXPECT_EQ(better_model("mixed:0.8"), "mixed:1");
+    EXPECT_EQ(better_share("corotational"), 0.3);
+    EXPECT_EQ(better_share("corotational", {.tile_rotation = 0.4}), 1.0);
+    EXPECT_EQ(better_share("mixed:0.1", {.tile_rotation = 0.4}), 1.0);
+    EXPECT_EQ(better_share("mixed:0.1"), 0.1 + 0.6);
+    EXPECT_EQ(better_share("mixed:0.8"), 1.0);
+    EXPECT_EQ(mixed_model(better_share("mixed:0.1")), "mixed:0.7");
     const auto result = simulate(surface(), heavy(), {.model = "mixed:0.1", .estimate_model_error = true});
     ASSERT_TRUE(result.model_error);
     EXPECT_EQ(result.solution.displacements, solved("mixed:0.1").solution.displacements);
@@ -231,7 +232,7 @@ TEST(ModelDoubt, HasTheErrorEstimatedWhereItIsLarge) {
         EXPECT_EQ(model_warning(plain), "") << model;
         const auto result = doubted(model, far);
         ASSERT_TRUE(is_doubtful(result)) << model;
-        const auto better = solved(better_model(model, *result.model_doubt), far);
+        const auto better = solved(mixed_model(better_share(model, *result.model_doubt)), far);
         ASSERT_TRUE(result.model_error) << model;
         EXPECT_NEAR(result.model_error->largest, model_error(result, better)->largest, 1e-6) << model;
         EXPECT_EQ(result.solution.displacements, solved(model, far).solution.displacements) << model;

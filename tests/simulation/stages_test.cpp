@@ -82,6 +82,21 @@ TEST(Stages, AreReadBackFromTheirTextAsTheyWere) {
     EXPECT_TRUE(again[3].free[0].fixed.contains[3]);
 }
 
+TEST(Stages, NameThePlaceOfAWrongEntry) {
+    const auto complaint = [](const char* stage) {
+        return complaint_of([&] {
+            (void)parse_stages(std::string(R"({"format": "fretwork/stages/1", "stages": [)") + stage + "]}",
+                               "s.json");
+        });
+    };
+    EXPECT_THAT(complaint(R"({"name": "clip", "keep": [{"side": "right", "fixed": ["uw"]}]})"),
+                testing::StartsWith("s.json: /stages/0/keep/0/fixed/0: "));
+    EXPECT_THAT(complaint(R"({"name": "let go", "free": [{"sode": "right", "fixed": ["uz"]}]})"),
+                testing::StartsWith("s.json: /stages/0/free/0/sode: "));
+    EXPECT_THAT(complaint(R"({"name": "push", "prescribed": [{"side": "right", "uz": "far"}]})"),
+                testing::StartsWith("s.json: /stages/0/prescribed/0/uz: "));
+}
+
 TEST(Stages, AreAPartOfWhatAResultIsAResultOf) {
     const auto of = [](double force, const std::string& factor) {
         return *staged({named("tip", force)}, (R"({"format": "fretwork/stages/1", "stages": [

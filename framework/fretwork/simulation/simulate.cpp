@@ -27,14 +27,17 @@ class Simulation {
 
     SurfaceResult run() {
         SurfaceResult result = options_.estimate_model_error ? solve_with_estimate() : solve();
-        ResultSubject subject = result_subject(surface_, load_case_, options_);
-        subject.full_tiles = std::move(full_tiles_);
-        result.subject = std::move(subject);
+        if (!result.subject) add_subject(result);
         detail::add_wanted(surface_, load_case_, options_, control_, result);
         return result;
     }
 
   private:
+    void add_subject(SurfaceResult& result) const {
+        result.subject = result_subject(surface_, load_case_, options_);
+        result.subject->full_tiles = full_tiles_;
+    }
+
     SurfaceResult solve() {
         Session session(surface_, load_case_, options_);
         SurfaceResult result = session.solve(control_);
@@ -69,8 +72,7 @@ class Simulation {
     /// The error of a result against a better solution than `turned`, which the session has just given.
     void estimate(Session& session, const SurfaceResult& turned, const ModelDoubt& doubt,
                   SurfaceResult& result) const {
-        result.subject = result_subject(surface_, load_case_, options_);
-        result.subject->full_tiles = full_tiles_;
+        add_subject(result);
         result.model_error = estimate_model_error(session, turned, doubt, surface_, result, control_);
     }
 

@@ -146,9 +146,7 @@ class StagedSimulation {
         const mechanics::Assembly assembly = reduction::assemble(joined.parts, control_);
         FollowedStages followed;
         SurfaceResult& result = followed.result;
-        const auto interface_count = static_cast<int>(surface.tessellation.interface_nodes.size());
-        for (int i = 0; i < assembly.reported_nodes; ++i)
-            result.nodes.push_back({i, assembly.nodes[i], i < interface_count});
+        result.nodes = detail::result_nodes(surface, assembly);
         result.load_steps = ends_of(surface, assembly);
         result.solution = result.load_steps.back();
         result.solver = "newton";
@@ -189,7 +187,7 @@ class StagedSimulation {
     /// With the worst tiles in full through all stages.
     void estimate(FollowedStages& own) {
         SurfaceResult& result = own.result;
-        const double share = mixed_share(better_model(options_.model, own.doubt)).value();
+        const double share = better_share(options_.model, own.doubt);
         Surface better = surface_;
         const std::vector<TileIndex> in_full = worst_tiles(surface_, own.tiles, share);
         put_in_full(in_full, better);
@@ -208,27 +206,16 @@ class StagedSimulation {
     /// The stages are followed again until the tiles around the most stressed beam of each end are in full.
     [[nodiscard]] std::optional<double> stress_error(Surface better, FollowedStages reference,
                                                      const SurfaceResult& result) {
-        const std::vector<BeamTable> tables = tables_of(surface_, result);
+        const std::vector<BeamTable> tables = step_beam_tables(surface_, result, options_.models);
         while (true) {
             if (!reference.result.solution.converged()) return std::nullopt;
-            const std::vector<BeamTable> refined = tables_of(better, reference.result);
+            const std::vector<BeamTable> refined =
+                step_beam_tables(better, reference.result, options_.models);
             const std::vector<TileIndex> missing = reduced_around_worst(better, refined);
             if (missing.empty()) return staged_stress_error(tables, refined);
             put_in_full(missing, better);
             reference = follow(better);
         }
-    }
-
-    [[nodiscard]] std::vector<BeamTable> tables_of(const Surface& surface,
-                                                   const SurfaceResult& result) const {
-        std::vector<BeamTable> tables;
-        SurfaceResult end = result;
-        end.load_steps.clear();
-        for (const mechanics::Solution& solution : result.load_steps) {
-            end.solution = solution;
-            tables.push_back(beam_table(surface, end, options_.models));
-        }
-        return tables;
     }
 
     [[nodiscard]] static std::vector<TileIndex> reduced_around_worst(const Surface& surface,

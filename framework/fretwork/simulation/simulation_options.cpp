@@ -10,6 +10,8 @@
 namespace fretwork::simulation {
 namespace {
 
+constexpr std::string_view kMixedPrefix = "mixed:";
+
 void check_mixed(const SimulationOptions& options) {
     if (!mixed_share(options.model)) return;
     (void)reference_choice(options);
@@ -42,12 +44,15 @@ void check_model_error(const Surface& surface, const SimulationOptions& options)
 
 }  // namespace
 
+std::string mixed_model(double share) {
+    return std::string(kMixedPrefix) + base::format_number(share);
+}
+
 std::optional<double> mixed_share(const std::string& model) {
-    constexpr std::string_view kPrefix = "mixed:";
     if (model == "mixed")
         throw base::InputError("model mixed: the share of tiles in full is missing, as in mixed:0.05");
-    if (!model.starts_with(kPrefix)) return std::nullopt;
-    const auto share = base::read_number<double>(std::string_view(model).substr(kPrefix.size()));
+    if (!model.starts_with(kMixedPrefix)) return std::nullopt;
+    const auto share = base::read_number<double>(std::string_view(model).substr(kMixedPrefix.size()));
     if (!share || !(*share >= 0.0 && *share <= 1.0))
         throw base::InputError("model " + model +
                                ": the share of tiles in full is a number from 0 to 1, as in "

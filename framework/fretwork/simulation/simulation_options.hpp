@@ -53,6 +53,8 @@ inline constexpr const char* kMixedTiles = "corotational";
 /// The share of the tiles that have all of their beams in the model `mixed:SHARE`; none for a model of any
 /// other name. Throws InputError unless the share is a number from 0 to 1.
 std::optional<double> mixed_share(const std::string& model);
+/// The name `mixed:SHARE` of a mixed model.
+std::string mixed_model(double share);
 
 /// The choice of tile models by the options. For a mixed model, ModelChoice::name is kMixedTiles.
 ModelChoice model_choice(const SimulationOptions& options);

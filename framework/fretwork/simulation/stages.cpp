@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/error.hpp>
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/json_reader.hpp>
 #include <fretwork/simulation/internal/load_case_json.hpp>
-#include <fretwork/simulation/load_cases/load_case_file.hpp>
 #include <fretwork/simulation/stages.hpp>
 
 namespace fretwork::simulation {
@@ -12,18 +10,6 @@ namespace {
 
 using base::Json;
 using base::JsonReader;
-
-/// The lists of an entry as those of a load case, whose reader knows how places are picked.
-LoadCase lists_of(const JsonReader& stage, const char* supports) {
-    Json json = {{"format", "fretwork/load-case/1"}, {"name", "stage"}};
-    if (const auto list = stage.find(supports)) json["supports"] = Json::parse(list->text());
-    if (const auto list = stage.find("prescribed")) json["prescribed"] = Json::parse(list->text());
-    try {
-        return parse_load_case(base::json_text(json), "");
-    } catch (const base::InputError& error) {
-        stage.fail(error);
-    }
-}
 
 LoadStage read_stage(const JsonReader& json) {
     json.allow_only({"name", "loads", "prescribed", "keep", "free"});
@@ -35,10 +21,9 @@ LoadStage read_stage(const JsonReader& json) {
             stage.loads.push_back({share.at("load_case").string(), share.at("factor").number()});
         }
     }
-    const LoadCase kept = lists_of(json, "keep");
-    stage.keep = kept.supports;
-    stage.prescribed = kept.prescribed;
-    stage.free = lists_of(json, "free").supports;
+    if (const auto keep = json.find("keep")) stage.keep = read_supports(*keep);
+    if (const auto prescribed = json.find("prescribed")) stage.prescribed = read_prescribed(*prescribed);
+    if (const auto free = json.find("free")) stage.free = read_supports(*free);
     if (stage.loads.empty() && stage.keep.empty() && stage.prescribed.empty() && stage.free.empty())
         json.fail("changes nothing: it needs one of loads, prescribed, keep, free");
     return stage;
@@ -48,17 +33,9 @@ Json stage_json(const LoadStage& stage) {
     Json json = {{"name", stage.name}};
     for (const LoadCase::Share& share : stage.loads)
         json["loads"].push_back({{"load_case", share.load_case}, {"factor", share.factor}});
-    const auto lists = [](const std::vector<LoadCase::Support>& supports,
-                          const std::vector<LoadCase::PrescribedDisplacement>& prescribed) {
-        LoadCase holder;
-        holder.name = "stage";
-        holder.supports = supports;
-        holder.prescribed = prescribed;
-        return load_case_json(holder);
-    };
-    if (!stage.prescribed.empty()) json["prescribed"] = lists({}, stage.prescribed).at("prescribed");
-    if (!stage.keep.empty()) json["keep"] = lists(stage.keep, {}).at("supports");
-    if (!stage.free.empty()) json["free"] = lists(stage.free, {}).at("supports");
+    if (!stage.prescribed.empty()) json["prescribed"] = prescribed_json(stage.prescribed);
+    if (!stage.keep.empty()) json["keep"] = supports_json(stage.keep);
+    if (!stage.free.empty()) json["free"] = supports_json(stage.free);
     return json;
 }
 

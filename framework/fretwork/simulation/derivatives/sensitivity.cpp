@@ -2,9 +2,12 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/simulation/derivatives/sensitivity.hpp>
 #include <fretwork/simulation/derivatives/setting_rates.hpp>
+#include <fretwork/simulation/detail/joined_tiles.hpp>
+#include <fretwork/simulation/detail/tile_sensitivity.hpp>
 
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace fretwork::simulation {
@@ -22,30 +25,36 @@ NodeValues rows_of(const Eigen::VectorXd& column) {
     return Eigen::Map<const NodeValues>(column.data(), column.size() / kDofsPerNode, kDofsPerNode);
 }
 
-/// How J depends on one tile, given the adjoint motions of its nodes (a row each).
-TileSensitivity tile_sensitivity(const TileLinearization& tile, const NodeValues& motions,
+}  // namespace
+
+namespace detail {
+
+void require_gradient(const NodeValues& gradient, Eigen::Index nodes) {
+    if (gradient.rows() != nodes)
+        throw base::InputError("the gradient has " + std::to_string(gradient.rows()) +
+                               " rows, where one is needed for each of the result's " +
+                               std::to_string(nodes) + " nodes");
+}
+
+TileSensitivity tile_sensitivity(const TileLinearization& tile, TileAdjoint adjoint,
                                  const Eigen::Vector3d& gravity) {
     TileSensitivity result;
     result.stiffness = std::numeric_limits<double>::quiet_NaN();
     result.own_mass = tile.mass;
-    result.mass = (motions.leftCols<3>() * gravity).mean();
+    result.mass = (adjoint.motions.leftCols<3>() * gravity).mean();
     if (tile.strains.size() == 0) return result;
-    const auto local = column_of(motions);
     result.strains = tile.strains;
-    result.adjoint_strains = tile.slopes * local;
-    result.stiffness = -tile.forces.dot(local);
+    result.adjoint_strains = std::move(adjoint.strains);
+    result.stiffness = -tile.forces.dot(column_of(adjoint.motions));
     result.energy = tile.energy;
     return result;
 }
 
-}  // namespace
+}  // namespace detail
 
 Sensitivity sensitivity(const Linearization& linearization, const NodeValues& gradient,
                         const base::Control& control) {
-    if (gradient.rows() != linearization.reported_nodes)
-        throw base::InputError("the gradient has " + std::to_string(gradient.rows()) +
-                               " rows, where one is needed for each of the result's " +
-                               std::to_string(linearization.reported_nodes) + " nodes");
+    detail::require_gradient(gradient, linearization.reported_nodes);
     // Nodes inside of beams, which results leave out, are behind the others.
     Eigen::MatrixXd all = Eigen::MatrixXd::Zero(linearization.loads.size(), 1);
     all.topRows(gradient.size()) = column_of(gradient);
@@ -56,10 +65,9 @@ Sensitivity sensitivity(const Linearization& linearization, const NodeValues& gr
         rows_of(linearization.tangent.by_held_values(all, motions).col(0)).topRows(gradient.rows());
     result.stiffness = -column_of(linearization.loads).dot(motions.col(0));
     for (const TileLinearization& tile : linearization.tiles) {
-        NodeValues own(std::ssize(tile.nodes), kDofsPerNode);
-        for (std::size_t i = 0; i < tile.nodes.size(); ++i)
-            own.row(static_cast<Eigen::Index>(i)) = result.loads.row(tile.nodes[i].value);
-        result.tiles.push_back(tile_sensitivity(tile, own, linearization.gravity));
+        detail::TileAdjoint adjoint{detail::rows_of_tile(result.loads, tile.nodes), {}};
+        if (tile.strains.size() > 0) adjoint.strains = tile.slopes * column_of(adjoint.motions);
+        result.tiles.push_back(detail::tile_sensitivity(tile, std::move(adjoint), linearization.gravity));
     }
     return result;
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/error.hpp>
 #include <fretwork/geometry/rotation.hpp>
 #include <fretwork/mechanics/node_states.hpp>
 #include <fretwork/simulation/detail/session_impl.hpp>
+#include <fretwork/simulation/detail/tile_sensitivity.hpp>
 
-#include <limits>
-#include <string>
+#include <utility>
 
 namespace fretwork::simulation {
 namespace {
@@ -15,11 +14,10 @@ using mechanics::NodeValues;
 using tiling::TileIndex;
 
 /// The rows of some nodes, one behind the other.
-template <class Nodes>
-Eigen::VectorXd rows_at(const NodeValues& rows, const Nodes& nodes) {
+Eigen::VectorXd rows_at(const NodeValues& rows, std::span<const mechanics::NodeIndex> nodes) {
     Eigen::VectorXd own(kDofsPerNode * std::ssize(nodes));
     Eigen::Index next = 0;
-    for (const auto node : nodes) {
+    for (const mechanics::NodeIndex node : nodes) {
         own.segment<kDofsPerNode>(next) = rows.row(node.value).transpose();
         next += kDofsPerNode;
     }
@@ -97,38 +95,29 @@ NodeValues Session::Impl::at_held(const NodeValues& rows) const {
 }
 
 /// A tile without nodes of its own answers with one stiffness.
-TileSensitivity Session::Impl::linear_tile(TileIndex tile, const NodeValues& adjoint) const {
+TileLinearization Session::Impl::linear_tile(TileIndex tile) const {
     const std::size_t t = tile;
-    const auto& nodes = surface_.tessellation.tiles[tile].interface_nodes;
-    const Eigen::VectorXd motions = rows_at(adjoint, nodes);
-    TileSensitivity result;
-    result.stiffness = std::numeric_limits<double>::quiet_NaN();
-    if (tile_masses_ && !load_case_.gravity.isZero(0)) result.own_mass = (*tile_masses_)[t];
-    for (Eigen::Index i = 0; i < motions.size(); i += kDofsPerNode)
-        result.mass += motions.segment<3>(i).dot(load_case_.gravity) / static_cast<double>(nodes.size());
+    TileLinearization result;
+    result.nodes = surface_.tessellation.tiles[tile].interface_nodes;
+    result.mass = acting_mass(tile);
     const detail::TileStart& start = starts_[t];
     const detail::TileStart& end = starts_[t + 1];
     const bool is_one_element =
         end.element == start.element + 1 && end.beam == start.beam && end.inner_node == start.inner_node;
     if (!is_one_element) return result;
-    const std::size_t element = assembly_.elements.size() - starts_.back().element + start.element;
     Eigen::MatrixXd stiffness;
-    assembly_.elements[element]->rest_stiffness(stiffness);
-    const Eigen::VectorXd displacements = rows_at(linear_displacements_, nodes);
-    const Eigen::VectorXd forces = stiffness * displacements;
-    result.stiffness = -forces.dot(motions);
-    result.energy = 0.5 * forces.dot(displacements);
+    assembly_.elements[detail::first_element(assembly_, starts_, tile)]->rest_stiffness(stiffness);
+    const Eigen::VectorXd displacements =
+        detail::rows_of_tile(linear_displacements_, result.nodes).reshaped<Eigen::RowMajor>();
+    result.forces = stiffness * displacements;
+    result.energy = 0.5 * result.forces.dot(displacements);
     result.strains = turned_back(displacements, tiles_[t].turn);
-    result.adjoint_strains = turned_back(motions, tiles_[t].turn);
     return result;
 }
 
 Sensitivity Session::Impl::linear_sensitivity(const NodeValues& gradient,
                                               const base::Control& control) const {
-    if (gradient.rows() != assembly_.reported_nodes)
-        throw base::InputError("the gradient has " + std::to_string(gradient.rows()) +
-                               " rows, where one is needed for each of the result's " +
-                               std::to_string(assembly_.reported_nodes) + " nodes");
+    detail::require_gradient(gradient, assembly_.reported_nodes);
     NodeValues all = NodeValues::Zero(std::ssize(assembly_.nodes), kDofsPerNode);
     all.topRows(gradient.rows()) = gradient;
     NodeValues adjoint(all.rows(), kDofsPerNode);
@@ -138,8 +127,13 @@ Sensitivity Session::Impl::linear_sensitivity(const NodeValues& gradient,
     result.loads = adjoint.topRows(gradient.rows());
     result.held_values = at_held(all - rest_forces(adjoint)).topRows(gradient.rows());
     result.stiffness = -assembly_.loads.cwiseProduct(adjoint).sum();
-    for (const TileIndex tile : surface_.tessellation.tiles.indices())
-        result.tiles.push_back(linear_tile(tile, adjoint));
+    for (const TileIndex tile : surface_.tessellation.tiles.indices()) {
+        const TileLinearization own = linear_tile(tile);
+        detail::TileAdjoint motions{detail::rows_of_tile(adjoint, own.nodes), {}};
+        if (own.strains.size() > 0)
+            motions.strains = turned_back(motions.motions.reshaped<Eigen::RowMajor>(), tiles_[tile].turn);
+        result.tiles.push_back(detail::tile_sensitivity(own, std::move(motions), load_case_.gravity));
+    }
     return result;
 }
 

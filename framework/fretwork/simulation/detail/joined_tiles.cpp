@@ -20,6 +20,31 @@ TileStart end_of(const reduction::StructureParts& parts) {
 
 }  // namespace
 
+std::vector<mechanics::Result::Node> result_nodes(const Surface& surface,
+                                                  const mechanics::Assembly& assembly) {
+    std::vector<mechanics::Result::Node> nodes;
+    const auto interface_count = static_cast<int>(surface.tessellation.interface_nodes.size());
+    for (int i = 0; i < assembly.reported_nodes; ++i)
+        nodes.push_back({i, assembly.nodes[i], i < interface_count});
+    return nodes;
+}
+
+std::size_t first_element(const mechanics::Assembly& assembly, std::span<const TileStart> starts,
+                          tiling::TileIndex tile) {
+    return assembly.elements.size() - starts.back().element + starts[tile].element;
+}
+
+mechanics::NodeValues rows_of_tile(const mechanics::NodeValues& rows,
+                                   std::span<const tiling::InterfaceIndex> interface_nodes,
+                                   const InnerNodes& inner) {
+    const auto inner_count = static_cast<Eigen::Index>(inner.end - inner.first);
+    mechanics::NodeValues own(std::ssize(interface_nodes) + inner_count, mechanics::kDofsPerNode);
+    Eigen::Index next = 0;
+    for (const tiling::InterfaceIndex node : interface_nodes) own.row(next++) = rows.row(node.value);
+    own.bottomRows(inner_count) = rows.middleRows(static_cast<Eigen::Index>(inner.first), inner_count);
+    return own;
+}
+
 JoinedTiles join_tiles(const Surface& surface, std::span<const BuiltTile> tiles,
                        const base::Control& control) {
     JoinedTiles joined;

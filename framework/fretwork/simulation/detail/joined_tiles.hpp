@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/mechanics/results/result_file.hpp>
 #include <fretwork/simulation/detail/tile_builder.hpp>
 
 #include <optional>
@@ -21,6 +22,24 @@ struct JoinedTiles {
     reduction::StructureParts parts;
     std::vector<TileStart> starts;  ///< of each tile, and behind the last
 };
+
+/// The nodes of a result of the assembly of joined tiles.
+std::vector<mechanics::Result::Node> result_nodes(const Surface& surface,
+                                                  const mechanics::Assembly& assembly);
+
+/// The first of a tile's elements in the assembly of joined tiles, where those of beams come before.
+std::size_t first_element(const mechanics::Assembly& assembly, std::span<const TileStart> starts,
+                          tiling::TileIndex tile);
+
+/// The inner nodes of a tile: from one node of the surface to before another.
+struct InnerNodes {
+    std::size_t first = 0;
+    std::size_t end = 0;
+};
+/// Of the rows of all nodes, those of a tile: of its interface nodes, then of its inner ones.
+mechanics::NodeValues rows_of_tile(const mechanics::NodeValues& rows,
+                                   std::span<const tiling::InterfaceIndex> interface_nodes,
+                                   const InnerNodes& inner = {});
 
 /// Throws Stopped.
 JoinedTiles join_tiles(const Surface& surface, std::span<const BuiltTile> tiles,

@@ -62,11 +62,7 @@ double property_of(const NamedPattern& pattern, const std::string& property, con
 
 std::vector<NamedPattern> checked_palette(const std::string& entry, const pattern::NodeLayout& layout,
                                           const std::vector<std::string>& ids) {
-    try {
-        return tiling::make_palette(layout, ids);
-    } catch (const base::InputError& error) {
-        throw base::within(entry, "", error);
-    }
+    return base::located(entry, "", [&] { return tiling::make_palette(layout, ids); });
 }
 
 std::vector<tiling::WeightedPattern> weighted_palette(const PaintAtRandom& choice,

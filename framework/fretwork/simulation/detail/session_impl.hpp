@@ -87,8 +87,11 @@ class Session::Impl {
     [[nodiscard]] mechanics::NodeValues at_held(const mechanics::NodeValues& rows) const;
     [[nodiscard]] Sensitivity linear_sensitivity(const mechanics::NodeValues& gradient,
                                                  const base::Control& control) const;
-    [[nodiscard]] TileSensitivity linear_tile(tiling::TileIndex tile,
-                                              const mechanics::NodeValues& adjoint) const;
+    [[nodiscard]] TileLinearization linear_tile(tiling::TileIndex tile) const;
+    /// The mass of a tile, kg; zero if gravity does not act.
+    [[nodiscard]] double acting_mass(tiling::TileIndex tile) const {
+        return tile_masses_ && !load_case_.gravity.isZero(0) ? (*tile_masses_)[tile] : 0.0;
+    }
     [[nodiscard]] TileLinearization linearized_tile(tiling::TileIndex tile,
                                                     const mechanics::EquilibriumTangent& tangent) const;
 

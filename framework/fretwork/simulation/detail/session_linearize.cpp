@@ -14,10 +14,10 @@ TileLinearization Session::Impl::linearized_tile(TileIndex tile,
     const std::size_t t = tile;
     TileLinearization result;
     result.nodes = surface_.tessellation.tiles[tile].interface_nodes;
-    if (tile_masses_ && !load_case_.gravity.isZero(0)) result.mass = (*tile_masses_)[t];
+    result.mass = acting_mass(tile);
     const mechanics::CorotationalBody* body = tiles_[t].structure->corotational_body();
     if (body == nullptr) return result;
-    const std::size_t element = assembly_.elements.size() - starts_.back().element + starts_[t].element;
+    const std::size_t element = detail::first_element(assembly_, starts_, tile);
     std::vector<mechanics::NodeState> states;
     for (const tiling::InterfaceIndex node : result.nodes) states.push_back(tangent.states()[node]);
     const auto moved = mechanics::corotational_motion(*body, tiles_[t].turn, states);
@@ -51,7 +51,7 @@ Linearization Session::Impl::linearize(TileQuantities quantities, const base::Co
     for (std::size_t t = 0; t < tiles_.size(); ++t) {
         if (result.tiles[t].strains.size() == 0) continue;
         owners.push_back(t);
-        elements.push_back(assembly_.elements.size() - starts_.back().element + starts_[t].element);
+        elements.push_back(detail::first_element(assembly_, starts_, TileIndex(t)));
     }
     const std::vector<Eigen::MatrixXd> blocks = result.tangent.flexibilities(elements, control);
     for (std::size_t i = 0; i < owners.size(); ++i) {

@@ -36,16 +36,14 @@ void Session::Impl::join(std::vector<detail::BuiltTile> tiles, const base::Contr
 bool Session::Impl::replace_elements(std::span<const TileIndex> tiles,
                                      std::span<const detail::BuiltTile> built) {
     std::vector<mechanics::Elements> replacements;
-    const std::size_t first = assembly_.elements.size() - starts_.back().element;  // behind those of beams
     for (std::size_t i = 0; i < tiles.size(); ++i) {
         auto elements = detail::replacement(starts_, surface_, tiles[i], built[i]);
         if (!elements) return false;
         replacements.push_back(std::move(*elements));
     }
     for (std::size_t i = 0; i < tiles.size(); ++i) {
-        const auto start = starts_[tiles[i]].element;
-        std::ranges::copy(replacements[i],
-                          assembly_.elements.begin() + static_cast<std::ptrdiff_t>(first + start));
+        const auto first = static_cast<std::ptrdiff_t>(detail::first_element(assembly_, starts_, tiles[i]));
+        std::ranges::copy(replacements[i], assembly_.elements.begin() + first);
     }
     return true;
 }
@@ -98,9 +96,7 @@ bool Session::Impl::is_nonlinear() const {
 
 SurfaceResult Session::Impl::make_result() const {
     SurfaceResult result;
-    const auto interface_count = static_cast<int>(surface_.tessellation.interface_nodes.size());
-    for (int i = 0; i < assembly_.reported_nodes; ++i)
-        result.nodes.push_back({i, assembly_.nodes[i], i < interface_count});
+    result.nodes = detail::result_nodes(surface_, assembly_);
     return result;
 }
 
@@ -171,29 +167,21 @@ std::vector<TileDeformation> Session::Impl::tile_deformations(const mechanics::S
 
 reduction::TileMotion Session::Impl::tile_motion(TileIndex tile, const mechanics::Solution& solution) const {
     const std::size_t t = tile;
-    const auto& interface_nodes = surface_.tessellation.tiles[t].interface_nodes;
-    const auto first = static_cast<Eigen::Index>(starts_[t].inner_node);
-    const auto inner = static_cast<Eigen::Index>(starts_[t + 1].inner_node) - first;
-    const auto count = std::ssize(interface_nodes);
-    reduction::TileMotion motion{.nodes = mechanics::NodeValues(count + inner, mechanics::kDofsPerNode),
-                                 .turn = tiles_[t].turn,
-                                 .displacements = solved_in_};
-    for (std::ptrdiff_t i = 0; i < count; ++i)
-        motion.nodes.row(i) = solution.displacements.row(interface_nodes[i].value);
-    motion.nodes.bottomRows(inner) = solution.displacements.middleRows(first, inner);
-    return motion;
+    return {
+        .nodes = detail::rows_of_tile(solution.displacements, surface_.tessellation.tiles[t].interface_nodes,
+                                      {starts_[t].inner_node, starts_[t + 1].inner_node}),
+        .turn = tiles_[t].turn,
+        .displacements = solved_in_};
 }
 
 std::optional<reduction::BeamMotion> Session::Impl::beam_motion(TileIndex tile,
                                                                 const mechanics::Solution& solution) const {
-    const std::size_t t = tile;
-    return tiles_[t].structure->beam_motion(tile_motion(tile, solution));
+    return tiles_[tile].structure->beam_motion(tile_motion(tile, solution));
 }
 
 std::optional<mechanics::NodeValues> Session::Impl::motion_gradient(
     TileIndex tile, const mechanics::Solution& solution, const mechanics::NodeValues& by_beams) const {
-    const std::size_t t = tile;
-    return tiles_[t].structure->motion_gradient(tile_motion(tile, solution), by_beams);
+    return tiles_[tile].structure->motion_gradient(tile_motion(tile, solution), by_beams);
 }
 
 Eigen::MatrixXd Session::Impl::solve_adjoint(const Eigen::MatrixXd& rows, const base::Control& control) {

@@ -10,12 +10,13 @@ std::vector<TileDeformation> tile_deformations(const mechanics::Assembly& assemb
                                                std::span<const TileStart> starts,
                                                const mechanics::Solution& solution) {
     const std::vector<mechanics::NodeState> states = mechanics::node_states(solution.displacements);
-    const std::size_t first = assembly.elements.size() - starts.back().element;  // behind those of beams
     std::vector<TileDeformation> tiles(starts.size() - 1);
     std::vector<mechanics::NodeState> own;
     mechanics::ElementResponse response;
     for (std::size_t t = 0; t < tiles.size(); ++t) {
-        for (std::size_t e = starts[t].element; e < starts[t + 1].element; ++e) {
+        const std::size_t first = first_element(assembly, starts, tiling::TileIndex(t));
+        const std::size_t count = starts[t + 1].element - starts[t].element;
+        for (std::size_t e = 0; e < count; ++e) {
             const mechanics::Element& element = *assembly.elements[first + e];
             own.clear();
             for (const mechanics::NodeIndex node : element.nodes()) own.push_back(states[node]);

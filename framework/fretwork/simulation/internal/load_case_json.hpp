@@ -6,6 +6,9 @@
 #include <fretwork/base/json_reader.hpp>
 #include <fretwork/simulation/load_cases/load_case.hpp>
 
+#include <span>
+#include <vector>
+
 namespace fretwork::simulation {
 
 /// Read a load case as it stands in its own file. Throws InputError with the JSON pointer.
@@ -17,5 +20,11 @@ Selection read_selection(const base::JsonReader& json);
 void write_selection(const Selection& selection, base::Json& json);
 /// The inverse of read_load_case.
 base::Json load_case_json(const LoadCase& load_case);
+
+// Lists of entries as a load case holds them. Throw InputError with the JSON pointer.
+std::vector<LoadCase::Support> read_supports(const base::JsonReader& list);
+std::vector<LoadCase::PrescribedDisplacement> read_prescribed(const base::JsonReader& list);
+base::Json supports_json(std::span<const LoadCase::Support> supports);
+base::Json prescribed_json(std::span<const LoadCase::PrescribedDisplacement> prescribed);
 
 }  // namespace fretwork::simulation

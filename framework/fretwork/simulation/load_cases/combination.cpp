@@ -41,16 +41,14 @@ LoadCase combined(const LoadCase& load_case, std::span<const LoadCase> cases) {
     sum.combines.clear();
     for (std::size_t i = 0; i < load_case.combines.size(); ++i) {
         const LoadCase::Share& share = load_case.combines[i];
-        try {
+        const std::string place = "/combines/" + std::to_string(i) + "/load_case";
+        base::located("load case '" + load_case.name + "'", place, [&] {
             if (share.load_case == load_case.name) throw base::InputError("is itself");
             const LoadCase& part = load_case_of(share.load_case, cases);
             if (!part.combines.empty())
                 throw base::InputError("'" + part.name + "' is a combination, too: name what it combines");
             add(part, share.factor, sum);
-        } catch (const base::InputError& error) {
-            throw base::within("load case '" + load_case.name + "'",
-                               "/combines/" + std::to_string(i) + "/load_case", error);
-        }
+        });
     }
     return sum;
 }

@@ -22,12 +22,8 @@ class EntryPicker {
     [[nodiscard]] std::vector<tiling::InterfaceIndex> operator()(const Selection& where,
                                                                  const std::string& list,
                                                                  std::size_t entry) const {
-        try {
-            return select_nodes(where, tessellation_);
-        } catch (const base::InputError& error) {
-            throw base::within("load case '" + load_case_.name + "'",
-                               "/" + list + "/" + std::to_string(entry), error);
-        }
+        return base::located("load case '" + load_case_.name + "'", "/" + list + "/" + std::to_string(entry),
+                             [&] { return select_nodes(where, tessellation_); });
     }
 
   private:
@@ -70,11 +66,8 @@ class AreaBearers {
 /// Complaints name the entry.
 std::vector<detail::LineBearer> bearers_of(const LoadCase& load_case, std::size_t entry,
                                            const tiling::Tessellation& tessellation) {
-    try {
-        return detail::line_bearers(load_case.loads[entry].where, tessellation);
-    } catch (const base::InputError& error) {
-        throw base::within("load case '" + load_case.name + "'", "/loads/" + std::to_string(entry), error);
-    }
+    return base::located("load case '" + load_case.name + "'", "/loads/" + std::to_string(entry),
+                         [&] { return detail::line_bearers(load_case.loads[entry].where, tessellation); });
 }
 
 /// The part of the area of its tiles that each node bears, m2; once for each of these tiles.

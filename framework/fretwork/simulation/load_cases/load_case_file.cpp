@@ -102,17 +102,20 @@ std::optional<Dof> dof_of(const std::string& name) {
     return static_cast<Dof>(place - kDofNames.begin());
 }
 
-/// Targets put the same keys into "select".
-void refuse_select(const JsonReader& json) {
+/// Refuse the keys of an entry that are neither those of a selection nor its own. Targets put a selection's
+/// keys into "select".
+void allow_beside_selection(const JsonReader& json, std::initializer_list<std::string_view> own) {
     if (json.find("select"))
         json.fail(
             "has \"select\", which goals of targets have: an entry of a load case has nodes, box, nearest or "
             "side itself");
+    std::vector<std::string_view> keys{"nodes", "box", "nearest", "side"};
+    keys.insert(keys.end(), own);
+    json.allow_only(keys);
 }
 
 LoadCase::Support read_support(const JsonReader& json) {
-    refuse_select(json);
-    json.allow_only({"nodes", "box", "nearest", "side", "fixed"});
+    allow_beside_selection(json, {"fixed"});
     LoadCase::Support support{read_selection(json), {}};
     for (const JsonReader& name : json.at("fixed").elements()) {
         const std::string dof = name.choice({"ux", "uy", "uz", "rx", "ry", "rz"});
@@ -132,8 +135,7 @@ Json support_json(const LoadCase::Support& support) {
 }
 
 LoadCase::Load read_load(const JsonReader& json) {
-    refuse_select(json);
-    json.allow_only({"nodes", "box", "nearest", "side", "force", "moment", "amount"});
+    allow_beside_selection(json, {"force", "moment", "amount"});
     if (!json.find("force") && !json.find("moment")) json.fail("has neither a force nor a moment");
     LoadCase::Load load{read_selection(json), read_vector(json.find("force"), base::kForceLimits),
                         read_vector(json.find("moment"), base::kMomentLimits), LoadCase::Amount::Each};
@@ -177,9 +179,8 @@ Json load_json(const LoadCase::Load& load) {
 }
 
 /// One entry may prescribe several dofs; each becomes one PrescribedDisplacement.
-void read_prescribed(const JsonReader& json, std::vector<LoadCase::PrescribedDisplacement>& list) {
-    refuse_select(json);
-    json.allow_only({"nodes", "box", "nearest", "side", "ux", "uy", "uz", "rx", "ry", "rz"});
+void add_prescribed(const JsonReader& json, std::vector<LoadCase::PrescribedDisplacement>& list) {
+    allow_beside_selection(json, {"ux", "uy", "uz", "rx", "ry", "rz"});
     const Selection where = read_selection(json);
     const std::size_t before = list.size();
     for (const auto& [key, value] : json.members()) {
@@ -191,7 +192,7 @@ void read_prescribed(const JsonReader& json, std::vector<LoadCase::PrescribedDis
     if (list.size() == before) json.fail("prescribes nothing: one of ux, uy, uz, rx, ry, rz is needed");
 }
 
-Json prescribed_json(const LoadCase::PrescribedDisplacement& prescribed) {
+Json displacement_json(const LoadCase::PrescribedDisplacement& prescribed) {
     Json json;
     write_selection(prescribed.where, json);
     json[dof_name(prescribed.dof)] = prescribed.value;
@@ -199,8 +200,7 @@ Json prescribed_json(const LoadCase::PrescribedDisplacement& prescribed) {
 }
 
 LoadCase::AreaLoad read_area_load(const JsonReader& json) {
-    refuse_select(json);
-    json.allow_only({"nodes", "box", "nearest", "side", "tiles", "per_area"});
+    allow_beside_selection(json, {"tiles", "per_area"});
     const Eigen::Vector3d per_area = read_vector(json.at("per_area"), kPerAreaLimits);
     const auto tiles = json.find("tiles");
     if (!tiles) return {read_selection(json), per_area};
@@ -228,7 +228,7 @@ Json share_json(const LoadCase::Share& share) {
 }
 
 template <class Value>
-Json list_json(const std::vector<Value>& values, Json (*to_json)(const Value&)) {
+Json list_json(std::span<const Value> values, Json (*to_json)(const Value&)) {
     Json list = Json::array();
     for (const Value& value : values) list.push_back(to_json(value));
     return list;
@@ -251,6 +251,26 @@ bool needs_second_format(const LoadCase& load_case) {
 
 }  // namespace
 
+std::vector<LoadCase::Support> read_supports(const JsonReader& list) {
+    std::vector<LoadCase::Support> supports;
+    for (const JsonReader& entry : list.elements()) supports.push_back(read_support(entry));
+    return supports;
+}
+
+std::vector<LoadCase::PrescribedDisplacement> read_prescribed(const JsonReader& list) {
+    std::vector<LoadCase::PrescribedDisplacement> prescribed;
+    for (const JsonReader& entry : list.elements()) add_prescribed(entry, prescribed);
+    return prescribed;
+}
+
+Json supports_json(std::span<const LoadCase::Support> supports) {
+    return list_json(supports, support_json);
+}
+
+Json prescribed_json(std::span<const LoadCase::PrescribedDisplacement> prescribed) {
+    return list_json(prescribed, displacement_json);
+}
+
 LoadCase read_load_case(const JsonReader& json) {
     json.expect_format("load-case", 3);
     json.allow_only(
@@ -259,8 +279,7 @@ LoadCase read_load_case(const JsonReader& json) {
     load_case.name = json.at("name").string();
     if (load_case.name.empty()) json.at("name").fail("is empty, where a name is needed");
     if (const auto description = json.find("description")) load_case.description = description->string();
-    for (const JsonReader& support : elements_of(json, "supports"))
-        load_case.supports.push_back(read_support(support));
+    if (const auto supports = json.find("supports")) load_case.supports = read_supports(*supports);
     for (const JsonReader& load : elements_of(json, "loads")) {
         if (load.find("per_length"))
             load_case.loads.push_back(read_line_load(load));
@@ -269,8 +288,7 @@ LoadCase read_load_case(const JsonReader& json) {
         else
             load_case.loads.push_back(read_load(load));
     }
-    for (const JsonReader& entry : elements_of(json, "prescribed"))
-        read_prescribed(entry, load_case.prescribed);
+    if (const auto prescribed = json.find("prescribed")) load_case.prescribed = read_prescribed(*prescribed);
     load_case.gravity = read_vector(json.find("gravity"), base::kAccelerationLimits);
     for (const JsonReader& share : elements_of(json, "combines"))
         load_case.combines.push_back(read_share(share));
@@ -291,12 +309,12 @@ Json load_case_json(const LoadCase& load_case) {
                                                       : "fretwork/load-case/1";
     json["name"] = load_case.name;
     json["description"] = load_case.description;
-    json["supports"] = list_json(load_case.supports, support_json);
-    json["loads"] = list_json(load_case.loads, load_json);
+    json["supports"] = supports_json(load_case.supports);
+    json["loads"] = list_json(std::span(load_case.loads), load_json);
     for (const LoadCase::AreaLoad& load : load_case.area_loads) json["loads"].push_back(area_load_json(load));
-    json["prescribed"] = list_json(load_case.prescribed, prescribed_json);
+    json["prescribed"] = prescribed_json(load_case.prescribed);
     json["gravity"] = vector_json(load_case.gravity);
-    if (!load_case.combines.empty()) json["combines"] = list_json(load_case.combines, share_json);
+    if (!load_case.combines.empty()) json["combines"] = list_json(std::span(load_case.combines), share_json);
     return json;
 }
 

@@ -25,10 +25,6 @@ std::string vector_text(const Eigen::Vector3d& vector) {
            geometry::short_number(vector.z()) + ")";
 }
 
-std::string counted(std::size_t count) {
-    return std::to_string(count) + (count == 1 ? " node" : " nodes");
-}
-
 struct SelectionText {
     std::string operator()(const NodesById&) const { return "by number"; }
     std::string operator()(const NodesInBox& in) const {
@@ -69,7 +65,8 @@ class EntryTexts {
 
   private:
     [[nodiscard]] std::string picked(const Selection& where) const {
-        return std::visit(SelectionText{}, where) + ": " + counted(select_nodes(where, tessellation_).size());
+        return std::visit(SelectionText{}, where) + ": " +
+               base::counted(select_nodes(where, tessellation_).size(), "node");
     }
 
     void add_load(const LoadCase::Load& load) {
@@ -88,7 +85,8 @@ class EntryTexts {
         std::string place = "rim between two points";
         if (const auto* at = std::get_if<NodesAtSide>(&load.where)) place = SelectionText{}(*at);
         add("load",
-            place + ": " + counted(bearers.size()) + " along " + geometry::short_number(1e3 * length) + " mm",
+            place + ": " + base::counted(bearers.size(), "node") + " along " +
+                geometry::short_number(1e3 * length) + " mm",
             vector_text(load.force) + " N/m");
     }
 

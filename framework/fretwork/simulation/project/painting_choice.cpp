@@ -110,11 +110,9 @@ class Painter {
         return tiling::image_values(image.file, tiling::bounding_box(tessellation_), places());
     }
     [[nodiscard]] std::vector<double> values_of(const FieldExpression& expression) const {
-        try {
+        return base::located("patterns", "", [&] {
             return tiling::expression_values(expression.text, tiling::bounding_box(tessellation_), places());
-        } catch (const base::InputError& error) {
-            throw base::within("patterns", "", error);
-        }
+        });
     }
 
     static void check_colours(const std::vector<std::pair<std::string, NamedPattern>>& palette,

@@ -62,11 +62,8 @@ Json tile_json(const Tile& tile) {
 }
 
 pattern::NamedPattern read_pattern(const JsonReader& id, const pattern::NodeLayout& layout) {
-    try {
-        return pattern::parse_named_pattern(layout, id.string());
-    } catch (const base::InputError& error) {
-        id.fail(error);
-    }
+    const std::string text = id.string();
+    return id.located([&] { return pattern::parse_named_pattern(layout, text); });
 }
 
 Tessellation read_tessellation(const JsonReader& json, const pattern::NodeLayout& layout) {
@@ -131,16 +128,6 @@ void read_library_link(const JsonReader& json, Project& project) {
     project.library_hash = json.at("hash").string();
 }
 
-/// Other stages check without knowing the file: add file and place to their errors.
-template <class Error, class Read>
-auto in_place(const JsonReader& json, Read&& read) {
-    try {
-        return read(json);
-    } catch (const Error& error) {
-        json.fail(error);
-    }
-}
-
 void read_load_cases(const JsonReader& json, Project& project) {
     for (const JsonReader& element : json.elements()) {
         LoadCase load_case = read_load_case(element);
@@ -150,7 +137,7 @@ void read_load_cases(const JsonReader& json, Project& project) {
         }
         project.load_cases.push_back(std::move(load_case));
     }
-    in_place<base::InputError>(json, [&](const JsonReader&) {
+    json.located([&] {
         for (const LoadCase& load_case : project.load_cases) (void)combined(load_case, project.load_cases);
     });
 }
@@ -179,14 +166,13 @@ Project project_from_json(const JsonReader& json) {
     project.layout = pattern::read_node_layout(json.at("layout"));
     if (const auto setting = json.find("setting")) project.setting = reduction::read_setting(*setting);
     if (const auto library = json.find("library")) read_library_link(*library, project);
-    auto outlines = in_place<base::GeometryError>(json.at("outline"), read_outlines_json);
+    const JsonReader outline = json.at("outline");
+    auto outlines = outline.located<base::GeometryError>([&] { return read_outlines_json(outline); });
     project.outline = std::move(outlines.front());
     project.further_outlines.assign(std::make_move_iterator(outlines.begin() + 1),
                                     std::make_move_iterator(outlines.end()));
     project.tessellation = read_tessellation(json.at("tessellation"), project.layout);
-    in_place<base::InputError>(json.at("tessellation"), [&](const JsonReader&) {
-        tiling::validate(project.tessellation, project.layout);
-    });
+    json.at("tessellation").located([&] { tiling::validate(project.tessellation, project.layout); });
     read_load_cases(json.at("load_cases"), project);
     if (const auto models = json.find("tile_models")) read_tile_models(*models, project);
     return project;

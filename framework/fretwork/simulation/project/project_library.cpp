@@ -86,11 +86,8 @@ bool needs_library(const Project& project, const ModelChoice& choice) {
 Project read_checked_project(const std::string& file) {
     Project project = read_project(file);
     for (std::size_t i = 0; i < project.tile_models.size(); ++i) {
-        try {
-            (void)reduction::find_tile_model(project.tile_models[i].model);
-        } catch (const base::InputError& error) {
-            throw base::within(file, "/tile_models/" + std::to_string(i) + "/model", error);
-        }
+        base::located(file, "/tile_models/" + std::to_string(i) + "/model",
+                      [&] { (void)reduction::find_tile_model(project.tile_models[i].model); });
     }
     return project;
 }

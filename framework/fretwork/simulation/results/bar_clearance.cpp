@@ -119,8 +119,8 @@ std::string close_bars_text(const std::vector<CloseBars>& close) {
     char gap[96];
     std::snprintf(gap, sizeof gap, least < 0 ? "overlap by up to %.2g mm" : "come as near as %.2g mm",
                   1e3 * std::abs(least));
-    return std::to_string(close.size()) + (close.size() == 1 ? " pair of bars" : " pairs of bars") + " " +
-           gap + ", in tile" + (tiles.size() == 1 ? " " : "s ") + base::join(names, ", ") +
+    return base::counted(close.size(), "pair") + " of bars " + gap + ", in tile" +
+           (tiles.size() == 1 ? " " : "s ") + base::join(names, ", ") +
            (tiles.size() > kMostNames ? ", .." : "");
 }
 

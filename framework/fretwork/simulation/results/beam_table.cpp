@@ -76,6 +76,16 @@ BeamTable beam_table(const Surface& surface, const SurfaceResult& result,
                     beam_state(surface, result, beams, beam_sections(beams, surface.setting), models));
 }
 
+std::vector<BeamTable> step_beam_tables(const Surface& surface, const SurfaceResult& result,
+                                        std::span<const reduction::TileModel> models) {
+    const SurfaceBeams beams = surface_beams(surface);
+    std::vector<BeamTable> tables;
+    for (const BeamState& state :
+         step_beam_states(surface, result, beams, beam_sections(beams, surface.setting), models))
+        tables.push_back(table_of(surface, beams, state));
+    return tables;
+}
+
 BeamTable beam_table(const Session& session, const mechanics::Solution& solution) {
     const Surface& surface = session.surface();
     const SurfaceBeams beams = surface_beams(surface);

@@ -52,6 +52,11 @@ struct BeamTable {
 BeamTable beam_table(const Surface& surface, const SurfaceResult& result,
                      std::span<const reduction::TileModel> models = reduction::tile_models());
 
+/// The tables of a result at the end of each of its load steps or stages. Throws as beam_table().
+std::vector<BeamTable> step_beam_tables(
+    const Surface& surface, const SurfaceResult& result,
+    std::span<const reduction::TileModel> models = reduction::tile_models());
+
 /// The table of a solution that the session gave since its last edit.
 BeamTable beam_table(const Session& session, const mechanics::Solution& solution);
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/text.hpp>
 #include <fretwork/simulation/results/comparison.hpp>
 #include <fretwork/simulation/results/model_error.hpp>
 
@@ -37,16 +36,15 @@ double largest_von_mises(const BeamTable& table) {
 
 }  // namespace
 
-std::string better_model(const std::string& model, const ModelDoubt& doubt) {
-    if (doubt.tile_rotation > kFarRotation) return "mixed:1";
+double better_share(const std::string& model, const ModelDoubt& doubt) {
+    if (doubt.tile_rotation > kFarRotation) return 1.0;
     const auto own = mixed_share(model);
-    const double share = own ? std::min(1.0, *own + kEstimatingShareOfMixed) : kEstimatingShare;
-    return "mixed:" + base::format_number(share);
+    return own ? std::min(1.0, *own + kEstimatingShareOfMixed) : kEstimatingShare;
 }
 
 BetterSolution better_solution(Session& session, const SurfaceResult& own, const ModelDoubt& doubt,
                                const base::Control& control) {
-    const double share = mixed_share(better_model(session.options().model, doubt)).value();
+    const double share = better_share(session.options().model, doubt);
     const SurfaceResult* plain = session.corotational_result();
     const SurfaceResult corotational = plain == nullptr ? own : *plain;
     if (!corotational.solution.converged()) return {corotational, {}};

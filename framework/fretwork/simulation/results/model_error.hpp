@@ -25,17 +25,17 @@ inline constexpr double kEstimatingShareOfMixed = 0.6;
 /// all beams of 60 % of the tiles, and the difference from it is the error itself.
 inline constexpr double kFarRotation = 0.3;
 
-/// The better model `mixed:SHARE` with which a solution of `model` is compared. The share is
-/// kEstimatingShare. For a mixed model, the share is the model's own share plus kEstimatingShareOfMixed.
-/// Above kFarRotation, the share is 1.
-std::string better_model(const std::string& model, const ModelDoubt& doubt = {});
+/// The share of tiles with all of their beams in the better solution, with which a solution of `model` is
+/// compared. The share is kEstimatingShare. For a mixed model, the share is the model's own share plus
+/// kEstimatingShareOfMixed. Above kFarRotation, the share is 1.
+double better_share(const std::string& model, const ModelDoubt& doubt = {});
 
 /// A solution of corotational tiles, where the worst tiles have all of their beams.
 struct BetterSolution {
     SurfaceResult result;                       ///< the solution
     std::vector<tiling::TileIndex> full_tiles;  ///< tiles with all of their beams, ascending
 };
-/// Solve a session of corotational or mixed tiles again by the model better_model(), where more tiles have
+/// Solve a session of corotational or mixed tiles again with better_share(), where more tiles have
 /// all of their beams. `own` is the session's last solution. After the call, the session keeps these tiles
 /// with all of their beams, and all other tiles are corotational. If the corotational solution has not
 /// converged, it is returned.

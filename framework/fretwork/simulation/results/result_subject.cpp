@@ -115,7 +115,7 @@ void check_subject(const ResultSubject& subject, const std::string& source,
                    std::span<const reduction::TileModel> models) {
     bool may_be_reference = false;
     bool must_be_reference = true;
-    try {
+    base::located(source, "/subject/model", [&] {
         for (const std::string& name : named_models(subject.model)) {
             const bool is_full =
                 reduction::find_tile_model(model_choice({.model = name, .models = models}).name, models)
@@ -123,9 +123,7 @@ void check_subject(const ResultSubject& subject, const std::string& source,
             may_be_reference = may_be_reference || is_full;
             must_be_reference = must_be_reference && is_full;
         }
-    } catch (const base::InputError& error) {
-        throw base::within(source, "/subject/model", error);
-    }
+    });
     if (subject.is_reference ? !may_be_reference : must_be_reference)
         throw base::InputError(source, "/subject/is_reference", "does not agree with the model");
     if (!subject.full_tiles.empty() && !mixed_share(main_model(subject)))

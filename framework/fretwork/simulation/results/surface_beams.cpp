@@ -165,25 +165,25 @@ class ReadTiles {
                                    std::to_string(rows));
     }
 
-    [[nodiscard]] std::optional<reduction::BeamMotion> beam_motion(TileIndex tile) const {
-        if (tiles_.empty()) return std::nullopt;
-        const std::size_t t = tile;
-        const auto& interface_nodes = surface_.tessellation.tiles[t].interface_nodes;
-        const auto inner = static_cast<Eigen::Index>(starts_[t + 1] - starts_[t]);
-        const mechanics::NodeValues& rows = result_.solution.displacements;
-        reduction::TileMotion motion{.nodes = NodeValues(std::ssize(interface_nodes) + inner, kDofsPerNode),
-                                     .turn = tiles_[t].turn,
-                                     .displacements = result_.solver == "linear"
-                                                          ? reduction::Displacements::Small
-                                                          : reduction::Displacements::Large};
-        Eigen::Index row = 0;
-        for (const tiling::InterfaceIndex node : interface_nodes)
-            motion.nodes.row(row++) = rows.row(node.value);
-        motion.nodes.bottomRows(inner) = rows.middleRows(static_cast<Eigen::Index>(starts_[t]), inner);
-        return tiles_[t].structure->beam_motion(motion);
+    [[nodiscard]] BeamState state(const mechanics::Solution& solution, const SurfaceBeams& beams,
+                                  std::span<const mechanics::BeamSection> sections) const {
+        return state_of({surface_, beams, sections, 0}, solution,
+                        [&](TileIndex tile) { return beam_motion(tile, solution.displacements); });
     }
 
   private:
+    [[nodiscard]] std::optional<reduction::BeamMotion> beam_motion(TileIndex tile,
+                                                                   const NodeValues& rows) const {
+        if (tiles_.empty()) return std::nullopt;
+        const std::size_t t = tile;
+        const bool is_linear = result_.solver == "linear";
+        return tiles_[t].structure->beam_motion(
+            {.nodes = detail::rows_of_tile(rows, surface_.tessellation.tiles[t].interface_nodes,
+                                           {starts_[t], starts_[t + 1]}),
+             .turn = tiles_[t].turn,
+             .displacements = is_linear ? reduction::Displacements::Small : reduction::Displacements::Large});
+    }
+
     void build(const std::string& model, std::span<const int> full_tiles) {
         Surface chosen = surface_;
         chosen.tile_models.resize(chosen.tessellation.tiles.size());
@@ -250,9 +250,18 @@ BeamState beam_state(const Session& session, const mechanics::Solution& solution
 BeamState beam_state(const Surface& surface, const SurfaceResult& result, const SurfaceBeams& beams,
                      std::span<const mechanics::BeamSection> sections,
                      std::span<const reduction::TileModel> models) {
+    return ReadTiles({surface, models}, result, beams).state(result.solution, beams, sections);
+}
+
+std::vector<BeamState> step_beam_states(const Surface& surface, const SurfaceResult& result,
+                                        const SurfaceBeams& beams,
+                                        std::span<const mechanics::BeamSection> sections,
+                                        std::span<const reduction::TileModel> models) {
     const ReadTiles tiles({surface, models}, result, beams);
-    return state_of({surface, beams, sections, 0}, result.solution,
-                    [&](TileIndex tile) { return tiles.beam_motion(tile); });
+    std::vector<BeamState> states;
+    for (const mechanics::Solution& end : result.load_steps)
+        states.push_back(tiles.state(end, beams, sections));
+    return states;
 }
 
 }  // namespace fretwork::simulation

@@ -64,5 +64,11 @@ BeamState beam_state(const Session& session, const mechanics::Solution& solution
 BeamState beam_state(const Surface& surface, const SurfaceResult& result, const SurfaceBeams& beams,
                      std::span<const mechanics::BeamSection> sections,
                      std::span<const reduction::TileModel> models = reduction::tile_models());
+/// The states of the beams at the end of each load step or stage of a result from a file. The tiles are built
+/// once. Throws as beam_state().
+std::vector<BeamState> step_beam_states(const Surface& surface, const SurfaceResult& result,
+                                        const SurfaceBeams& beams,
+                                        std::span<const mechanics::BeamSection> sections,
+                                        std::span<const reduction::TileModel> models);
 
 }  // namespace fretwork::simulation
