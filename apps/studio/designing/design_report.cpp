@@ -13,11 +13,6 @@ using design::TargetError;
 
 namespace {
 
-template <class Value>
-Json member_of(const std::optional<TargetError>& error, Value TargetError::*which) {
-    return error ? Json((*error).*which) : Json(nullptr);
-}
-
 /// The share of the best single pattern's error that the design has taken away.
 Json share_closed(const DesignReport& report) {
     if (!report.error || !report.best_uniform || report.best_uniform->mean <= 0.0) return nullptr;
@@ -63,10 +58,10 @@ Json designed_event(const DesignFound& found, std::int64_t revision) {
     return {{"event", "designed"},
             {"revision", revision},
             {"sketch", found.stage == DesignFound::Stage::Sketch},
-            {"error_mean", member_of(report.error, &TargetError::mean)},
-            {"error_largest", member_of(report.error, &TargetError::largest)},
-            {"stable", member_of(report.error, &TargetError::is_stable)},
-            {"error_best_uniform", member_of(report.best_uniform, &TargetError::mean)},
+            {"error_mean", base::or_null(report.error, &TargetError::mean)},
+            {"error_largest", base::or_null(report.error, &TargetError::largest)},
+            {"stable", base::or_null(report.error, &TargetError::is_stable)},
+            {"error_best_uniform", base::or_null(report.best_uniform, &TargetError::mean)},
             {"best_uniform_pattern", report.best_uniform_pattern},
             {"uniform_tried", report.uniform_tried},
             {"share_closed", share_closed(report)},

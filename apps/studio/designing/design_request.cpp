@@ -23,11 +23,7 @@ constexpr const char* kFirstPalette = "sample:64";
 design::Target read_target(const JsonReader& json) {
     base::Json value = base::Json::parse(json.text());
     if (value.is_object() && !value.contains("format")) value["format"] = "fretwork/target/1";
-    try {
-        return design::parse_target(value.dump(), "");
-    } catch (const base::InputError& error) {
-        throw base::within(kMessageSource, "/target", error);
-    }
+    return base::located(kMessageSource, "/target", [&] { return design::parse_target(value.dump(), ""); });
 }
 
 /// All tiles but those that may change.

@@ -25,11 +25,6 @@ Json points(const std::vector<geometry::Point2>& places) {
     return list;
 }
 
-template <class Value>
-Json or_null(const std::optional<Value>& value) {
-    return value ? Json(*value) : Json();
-}
-
 /// The nodes along each side of the box, as a selection by side picks them.
 Json sides_json(const tiling::Tessellation& tessellation) {
     constexpr std::pair<const char*, simulation::Side> kSides[] = {{"left", simulation::Side::Left},
@@ -110,7 +105,7 @@ void add_setting(const State& state, Json& event) {
 void add_status(const DocumentStatus& status, Json& event) {
     event["saved"] = status.is_saved;
     event["selected_load_case"] = status.selected_load_case;
-    event["history"] = {{"undo", or_null(status.undo)}, {"redo", or_null(status.redo)}};
+    event["history"] = {{"undo", base::or_null(status.undo)}, {"redo", base::or_null(status.redo)}};
 }
 
 void add_place(const State& state, const DocumentStatus& status, Json& event) {

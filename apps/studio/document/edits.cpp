@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/reduction/internal/setting_json.hpp>
 #include <fretwork/reduction/models/tile_model.hpp>
 #include <fretwork/reduction/scenarios/setting_file.hpp>
@@ -18,12 +19,11 @@ namespace fretwork::studio {
 using base::JsonReader;
 
 std::string read_model(const JsonReader& json, Mixed mixed) {
-    try {
-        if (mixed == Mixed::Taken && simulation::mixed_share(json.string())) return json.string();
-        return reduction::find_tile_model(json.string()).name;
-    } catch (const base::InputError& error) {
-        json.fail(error);
-    }
+    const std::string name = json.string();
+    return json.located([&] {
+        if (mixed == Mixed::Taken && simulation::mixed_share(name)) return name;
+        return reduction::find_tile_model(name).name;
+    });
 }
 
 namespace {
@@ -36,13 +36,9 @@ void change(State::Part<Value>& part, Value value) {
     if (*part != value) part = std::make_shared<const Value>(std::move(value));
 }
 
-std::string counted(std::size_t count, const std::string& noun) {
-    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
 Edited paint(const State& state, const JsonReader& request) {
     Painted result = painted(state, request);
-    Edited edit{state, "paint " + counted(result.tiles, "tile")};
+    Edited edit{state, "paint " + base::counted(result.tiles, "tile")};
     change(edit.state.painting, std::move(result.painting));
     return edit;
 }
@@ -56,7 +52,7 @@ Edited turn(const State& state, const JsonReader& request) {
         const auto sides = static_cast<long long>(state.ground->tessellation.tiles[tile].vertices.size());
         painting.turns[tile] = static_cast<int>(((painting.turns[tile] + by) % sides + sides) % sides);
     }
-    Edited edit{state, "turn " + counted(tiles.size(), "tile")};
+    Edited edit{state, "turn " + base::counted(tiles.size(), "tile")};
     change(edit.state.painting, std::move(painting));
     return edit;
 }
@@ -79,7 +75,7 @@ Edited set_tile_model(const State& state, const JsonReader& request) {
     const std::string model = name.string().empty() ? "" : read_model(name, Mixed::Refused);
     auto models = *state.tile_models;
     for (const std::size_t tile : tiles) models[tile] = model;
-    Edited edit{state, "model of " + counted(tiles.size(), "tile")};
+    Edited edit{state, "model of " + base::counted(tiles.size(), "tile")};
     change(edit.state.tile_models, std::move(models));
     return edit;
 }

@@ -39,11 +39,7 @@ class PaletteWriter {
 
   private:
     [[nodiscard]] pattern::NamedPattern checked(const JsonReader& json, const std::string& text) const {
-        try {
-            return tiling::make_palette(layout_, std::vector{text}).front();
-        } catch (const base::InputError& error) {
-            json.fail(error);
-        }
+        return json.located([&] { return tiling::make_palette(layout_, std::vector{text}).front(); });
     }
 
     Painting& painting_;
