@@ -22,13 +22,9 @@ struct ColouredDrawing::Impl {
     detail::ColouredPicture drawn;
 };
 
-ColouredDrawing::ColouredDrawing(const std::filesystem::path& path) {
-    try {
-        impl_ = std::make_unique<Impl>(Impl{detail::read_svg_colours(path)});
-    } catch (const base::GeometryError& error) {
-        throw base::within(path.string(), "", error);
-    }
-}
+ColouredDrawing::ColouredDrawing(const std::filesystem::path& path)
+    : impl_(base::located<base::GeometryError>(
+          path.string(), "", [&] { return std::make_unique<Impl>(Impl{detail::read_svg_colours(path)}); })) {}
 ColouredDrawing::~ColouredDrawing() = default;
 ColouredDrawing::ColouredDrawing(ColouredDrawing&&) noexcept = default;
 ColouredDrawing& ColouredDrawing::operator=(ColouredDrawing&&) noexcept = default;

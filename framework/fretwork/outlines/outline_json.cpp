@@ -36,11 +36,8 @@ Outline parse_outline(std::string_view text, const std::string& source) {
         for (const base::JsonReader& hole : list->elements()) holes.push_back(read_polygon(hole));
     }
     geometry::Polygon boundary = read_polygon(file.at("boundary"));
-    try {
-        return make_outline(std::move(boundary), std::move(holes));
-    } catch (const base::GeometryError& error) {
-        throw base::within(source, "", error);
-    }
+    return base::located<base::GeometryError>(
+        source, "", [&] { return make_outline(std::move(boundary), std::move(holes)); });
 }
 
 std::string outline_text(const Outline& outline) {

@@ -62,11 +62,7 @@ std::vector<Edge> make_candidate_edges(const std::vector<LayoutNode>& nodes) {
 
 Rational read_rational(const JsonReader& json) {
     const std::string text = json.string();
-    try {
-        return parse_rational(text);
-    } catch (const base::InputError& error) {
-        json.fail(error);
-    }
+    return json.located([&] { return parse_rational(text); });
 }
 
 std::vector<Rational> read_shares(const std::optional<JsonReader>& json) {

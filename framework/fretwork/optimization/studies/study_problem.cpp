@@ -79,11 +79,7 @@ std::vector<std::string> read_problem_ids(const std::filesystem::path& path,
         const std::string place = "line " + std::to_string(i + 1);
         if (std::ranges::find(ids, lines[i]) != ids.end())
             throw base::InputError(path.string(), place, "problem " + lines[i] + " stands there already");
-        try {
-            (void)make_study_problem(lines[i], families);
-        } catch (const base::InputError& error) {
-            throw base::within(path.string(), place, error);
-        }
+        base::located(path.string(), place, [&] { (void)make_study_problem(lines[i], families); });
         ids.push_back(lines[i]);
     }
     if (ids.empty()) throw base::InputError(path.string() + ": names no problem");

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 namespace fretwork::outlines::detail {
+
 namespace {
 
 constexpr std::size_t kMostKinds = 6;
@@ -16,10 +17,11 @@ constexpr std::size_t kLongestKind = 60;
 
 void Remarks::tell(const Region& region, double tolerance) {
     const std::string width = roughly_in_millimetres(tolerance) + " mm";
-    if (region.doubled > 0) say(counted(region.doubled, "shape") + " drawn over an equal one counted once");
+    if (region.doubled > 0)
+        say(base::counted(region.doubled, "shape") + " drawn over an equal one counted once");
     if (region.touches > 0)
-        say(counted(region.touches, "point") + " where the shape touches itself opened by " + width);
-    if (region.slits > 0) say(counted(region.slits, "hole") + " narrower than " + width + " filled");
+        say(base::counted(region.touches, "point") + " where the shape touches itself opened by " + width);
+    if (region.slits > 0) say(base::counted(region.slits, "hole") + " narrower than " + width + " filled");
     if (region.is_welded)
         say("slits and needles narrower than " + roughly_in_millimetres(kWeldShare * tolerance) +
             " mm closed or cut off");
@@ -41,10 +43,6 @@ std::string Remarks::left_out() const {
     if (kinds.size() > kMostKinds)
         words.push_back("things of " + std::to_string(kinds.size() - kMostKinds) + " more kinds");
     return words.empty() ? "" : base::join(words, ", ") + " left out";
-}
-
-std::string counted(int count, const std::string& noun) {
-    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
 std::string in_millimetres(double length) {

@@ -27,8 +27,6 @@ class Remarks {
     std::map<std::string, int> left_out_;
 };
 
-/// "1 gap", "3 gaps".
-std::string counted(int count, const std::string& noun);
 /// A length for people: "284", "12.5", "0.02", in millimetres.
 std::string in_millimetres(double length);
 /// The same with two digits, rounded up: for limits.

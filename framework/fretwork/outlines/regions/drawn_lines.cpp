@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/text.hpp>
 #include <fretwork/geometry/plane.hpp>
 #include <fretwork/outlines/detail/outline_readers.hpp>
 #include <fretwork/outlines/regions/drawn_lines.hpp>
@@ -41,10 +42,10 @@ Enclosed enclosed_by(DrawnLines lines, double tolerance, Remarks& remarks) {
     DistinctCurves distinct = distinct_curves(std::move(lines.closed), same);
     enclosed.curves = std::move(distinct.curves);
     if (joined.gaps > 0)
-        remarks.say(counted(joined.gaps, "gap") + " of at most " + roughly_in_millimetres(joined.widest_gap) +
-                    " mm closed");
+        remarks.say(base::counted(joined.gaps, "gap") + " of at most " +
+                    roughly_in_millimetres(joined.widest_gap) + " mm closed");
     if (const int doubled = joined.doubled + distinct.doubled; doubled > 0)
-        remarks.say(counted(doubled, "doubled line") + " taken once");
+        remarks.say(base::counted(doubled, "doubled line") + " taken once");
     return enclosed;
 }
 

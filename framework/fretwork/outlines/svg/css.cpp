@@ -139,8 +139,6 @@ void CssRules::add_rule(std::string_view selectors, std::string_view block) {
         if (auto selector = parse_css_selector(selectors.substr(0, end))) {
             rules_by_key_[key_of(*selector)].push_back(rules_.size());
             rules_.push_back({std::move(*selector), blocks_.size() - 1});
-        } else {
-            ++unknown_selectors_;
         }
         selectors.remove_prefix(std::min(end + 1, selectors.size()));
     }

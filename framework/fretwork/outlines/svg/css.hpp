@@ -45,12 +45,11 @@ struct CssSelector {
 /// All style sheets of a document.
 class CssRules {
   public:
-    /// Add the rules for all media and for screens of one style sheet.
+    /// Add the rules for all media and for screens of one style sheet. Unsupported selectors, such as
+    /// `:hover`, match nothing.
     void add(std::string_view text);
     /// The declarations that apply to an element, the strongest last. `!important` is not considered.
     [[nodiscard]] std::vector<const CssDeclaration*> of(pugi::xml_node node) const;
-    /// The number of unsupported selectors, such as `:hover`, which match nothing.
-    [[nodiscard]] int unknown_selectors() const { return unknown_selectors_; }
 
   private:
     struct Rule {
@@ -64,7 +63,6 @@ class CssRules {
     std::vector<Rule> rules_;
     std::unordered_map<std::string, std::vector<std::size_t>>
         rules_by_key_;  // "#id", ".class", "type" or "*"
-    int unknown_selectors_ = 0;
     mutable long looks_ = 0;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/outlines/svg/shown.hpp>
 #include <fretwork/outlines/svg/svg_reader.hpp>
 
@@ -54,8 +55,7 @@ Region SvgReader::stroked_region() {
     std::size_t holes = 0;
     for (const Outline& part : region.parts) holes += part.holes.size();
     remarks_.say("nothing is filled: the closed lines are taken as " +
-                 counted(static_cast<int>(region.parts.size()), "outline") + " with " +
-                 counted(static_cast<int>(holes), "hole"));
+                 base::counted(region.parts.size(), "outline") + " with " + base::counted(holes, "hole"));
     if (!enclosed.open.empty())
         leave_out_open(lines_drawn_.open, enclosed.open,
                        document_.place(open_places_[longest_of(lines_drawn_.open, enclosed.open)]), remarks_);
@@ -64,10 +64,10 @@ Region SvgReader::stroked_region() {
 
 std::string SvgReader::nothing_filled() const {
     std::string message = "nothing in it is filled";
-    const auto lines = static_cast<int>(strokes_.size());
+    const std::size_t lines = strokes_.size();
     if (lines > 0)
         message += (lines == 1 ? ", and its line is not closed"
-                               : ", and none of its " + counted(lines, "line") + " is closed") +
+                               : ", and none of its " + base::counted(lines, "line") + " is closed") +
                    std::string("; loose ends are joined up to ") +
                    roughly_in_millimetres(widest_gap(how_.tolerance)) + " mm";
     return message + left_out_text();

@@ -26,11 +26,7 @@ std::string text_in(pugi::xml_node node) {
 }
 
 std::string replaced(const std::string& source, std::string text) {
-    try {
-        return with_entities_replaced(std::move(text));
-    } catch (const base::InputError& error) {
-        throw base::within(source, "", error);
-    }
+    return base::located(source, "", [&] { return with_entities_replaced(std::move(text)); });
 }
 
 /// Every element, in the order of the file.
