@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The two commands of the README, and what else people here do often. All work is done by CMake and scripts/.
-.PHONY: demo studio python docs packages test check reproduce bench format clean
+.PHONY: demo studio python docs packages test check fuzz coverage soak reproduce bench format clean
 
 demo:       ## install what is missing, build, and run the main job: out/ holds the result
 	@scripts/install-dependencies.sh demo
@@ -29,6 +29,18 @@ test:       ## install what is missing, build, and pass the tests
 check:      ## the slow rest: everything with assertions and under the sanitizers, and clang-tidy
 	@scripts/install-dependencies.sh check
 	@scripts/test.sh check headers sanitizers threads tidy
+
+fuzz:       ## fuzz every reader of strangers' files: FUZZ_SECONDS=600 each
+	@scripts/install-dependencies.sh check
+	@scripts/fuzz.sh
+
+coverage:   ## the share of lines in framework/ that the tests run
+	@scripts/install-dependencies.sh check
+	@scripts/coverage.sh
+
+soak:       ## a night: pages against their commands, an hour of storm, the attack, fuzzing, packages built twice
+	@scripts/install-dependencies.sh check
+	@scripts/soak.sh
 
 reproduce:  ## regenerate what the paper prints: paper | ours | verdict
 	@scripts/install-dependencies.sh demo

@@ -13,7 +13,7 @@ test=("${demo[@]}" libgtest-dev libgmock-dev libbenchmark-dev clang-format gring
 python=("${demo[@]}" pybind11-dev python3-dev python3-numpy python3-pip python3-venv)
 docs=("${demo[@]}" doxygen furo libjs-katex node-normalize.css python3-myst-parser python3-sphinx python3-sphinx-copybutton)
 packages=("${python[@]}" "${docs[@]}" debhelper dh-python dpkg-dev lintian mmdebstrap reuse)
-check=("${test[@]}" "${packages[@]}" libocct-data-exchange-dev codespell mypy python3-pandas python3-torch clang-tidy-16 calculix-ccx gmsh python3-gmsh slurm-wlm munge snakemake python3-numpy python3-scipy python3-cvxopt python3-matplotlib python3-ezdxf python3-vtk9 admesh prusa-slicer inkscape chromium)
+check=("${test[@]}" "${packages[@]}" libocct-data-exchange-dev codespell mypy python3-pandas python3-torch clang-16 clang-tidy-16 gcovr libclang-rt-16-dev calculix-ccx gmsh python3-gmsh slurm-wlm munge snakemake python3-numpy python3-scipy python3-cvxopt python3-matplotlib python3-ezdxf python3-vtk9 admesh prusa-slicer inkscape chromium)
 
 # A Node.js of 18.18 or newer, wherever it comes from, and npm.
 has_fitting_node() {

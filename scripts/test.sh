@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Run the parts of the test suite one after the other, say how long each took, and end with "N passed, N failed".
-# Usage: scripts/test.sh PART..       parts: release format check headers sanitizers threads tidy
+# Usage: scripts/test.sh PART..       parts: release format check headers sanitizers threads tidy fuzz
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
@@ -78,9 +78,10 @@ run_part() {
     release | check | threads) build_and_ctest "$1" ;;
     sanitizers) build_and_ctest sanitize ;;
     format) count_once format check_format ;;
+    fuzz) count_once fuzz env FUZZ_SECONDS="${FUZZ_SECONDS:-10}" scripts/fuzz.sh ;;
     headers) count_once headers check_headers ;;
     tidy) count_once tidy check_tidy ;;
-    *) echo "test.sh: unknown part '$1'; there is: release, format, check, headers, sanitizers, threads, tidy" >&2; exit 2 ;;
+    *) echo "test.sh: unknown part '$1'; there is: release, format, check, headers, sanitizers, threads, tidy, fuzz" >&2; exit 2 ;;
   esac
 }
 

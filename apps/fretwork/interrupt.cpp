@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "interrupt.hpp"
+#include "verbs.hpp"
 
 #include <atomic>
 #include <cerrno>
@@ -8,8 +9,10 @@
 #include <ctime>
 #include <semaphore.h>
 #include <stop_token>
+#include <string_view>
 #include <system_error>
 #include <thread>
+#include <unistd.h>
 #include <vector>
 
 namespace fretwork::app {
@@ -31,7 +34,8 @@ std::int64_t nanoseconds_now() {
 }
 
 /// Programs such as timeout(1) signal a process and its group, which is twice within microseconds. A person
-/// needs longer to press Ctrl-C again.
+/// needs longer to press Ctrl-C again. Who sends SIGTERM again and again has SIGKILL for what must end at
+/// once.
 constexpr std::int64_t kLeastPause = 200'000'000;
 
 extern "C" void note_signal(int signal) {
@@ -40,14 +44,27 @@ extern "C" void note_signal(int signal) {
     std::int64_t first = 0;
     if (first_signal.compare_exchange_strong(first, now)) {
         ::sem_post(&signal_has_come);
-    } else if (now - first > kLeastPause) {
+    } else if (signal == SIGINT && now - first > kLeastPause) {
         std::signal(signal, SIG_DFL);
         std::raise(signal);
     }
     errno = error;
 }
 
+extern "C" void end_in_order(int) {
+    constexpr std::string_view kLine = "fretwork: stopped before it was done; nothing is half-written\n";
+    const ssize_t ignored = ::write(STDERR_FILENO, kLine.data(), kLine.size());
+    (void)ignored;
+    ::_exit(static_cast<int>(ExitCode::DidNotSucceed));
+}
+
 }  // namespace
+
+void end_in_order_when_interrupted() {
+    for (const int signal : {SIGINT, SIGTERM}) {
+        if (std::signal(signal, end_in_order) == SIG_IGN) std::signal(signal, SIG_IGN);
+    }
+}
 
 /// Turns the first signal into a request to stop.
 class LongWork::SignalWatch {

@@ -7,8 +7,14 @@
 
 namespace fretwork::app {
 
+/// From here on, Ctrl-C (SIGINT) and SIGTERM end the program with one line and exit code 1, and not by the
+/// signal: before a LongWork begins, after it, and in verbs without one. Signals that are ignored stay
+/// ignored.
+void end_in_order_when_interrupted();
+
 /// Work that may take longer than a second. While it lives, Ctrl-C (SIGINT) or SIGTERM asks it to stop, and
-/// its progress is shown on the terminal (nothing in a pipe). A second Ctrl-C ends the program at once.
+/// its progress is shown on the terminal (nothing in a pipe). A second Ctrl-C ends the program at once; a
+/// second SIGTERM does nothing more.
 ///
 /// A verb hands `control()` to the options of its long calls. A call that is stopped throws base::Stopped,
 /// which `main` reports with exit code 1; or it returns its finished part, and `is_stopped` says why it is

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "interrupt.hpp"
 #include "output.hpp"
 #include "program.hpp"
 
@@ -78,6 +79,7 @@ int main(int argc, char** argv) {
     // A limit on the size of files (ulimit -f) would end the program without a word. Ignored, the signal
     // makes write() fail, which is reported like a full disk.
     std::signal(SIGXFSZ, SIG_IGN);
+    app::end_in_order_when_interrupted();
     try {
         const app::ExitCode exit_code = app::run(argc, argv);
         app::flush_output();

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/command.hpp"
+#include "cli/refusal.hpp"
 #include "support.hpp"
 
 #include <algorithm>
+#include <fcntl.h>
 #include <fstream>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace fretwork::app {
 namespace THIS_TEST {
@@ -165,6 +168,45 @@ TEST(Check, NamesThePlaceInAReport) {
     const auto outcome = run_command("fretwork check beams.json", folder.path());
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_THAT(outcome.err, HasSubstr("/beams/0"));
+}
+
+/// Somebody holds the pipe open and writes nothing: a reader would wait.
+TEST(Check, RefusesWhatIsNoFile) {
+    const TemporaryFolder folder;
+    const auto pipe = folder.path() / "pipe.json";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    const int writer = ::open(pipe.c_str(), O_RDWR | O_CLOEXEC);
+    const auto outcome = run_command("fretwork check pipe.json /dev/zero .", folder.path());
+    ::close(writer);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("pipe.json: is a pipe or a device, where a file is needed"));
+    EXPECT_THAT(outcome.err, HasSubstr("/dev/zero: is a pipe or a device, where a file is needed"));
+    EXPECT_THAT(outcome.err, HasSubstr("is a folder"));
+    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 3) << outcome.err;
+}
+
+TEST(Check, ShowsControlCharactersOfNames) {
+    const TemporaryFolder folder;
+    const std::string name = "a\x1b[31m\nb\xff.json";
+    write(folder.path() / name, samples()[3].text);
+    const auto outcome = run_command("fretwork check *b*.json", folder.path());
+    EXPECT_EQ(outcome.out, "a\\x1b[31m\\x0ab\\xff.json: valid fretwork/setting/2\n") << outcome.err;
+    const auto json = run_command("fretwork check *b*.json --json", folder.path());
+    EXPECT_EQ(json.exit_code, 0) << json.err;
+    EXPECT_THAT(json.out, testing::Not(HasSubstr("\x1b")));
+}
+
+TEST(Check, RefusesALayoutThatNoFileUses) {
+    const TemporaryFolder folder;
+    const std::string paint = R"({"format":"fretwork/painting/1","layout":"paper7","patterns":["0-1+1-6"]})";
+    write(folder.path() / "painting.json", paint);
+    test::expect_refused("fretwork check experiments/settings/paper.json --layout paper7", folder.path(),
+                         "--layout: is for paintings, and none of the files is one");
+    test::expect_refused("fretwork check experiments/settings/paper.json --layout nosuch", folder.path(),
+                         "--layout: unknown node layout 'nosuch'");
+    const auto outcome = run_command(
+        "fretwork check painting.json experiments/settings/paper.json --layout paper7", folder.path());
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
 TEST(Check, OneBadFileFailsAllAndTheRestIsChecked) {

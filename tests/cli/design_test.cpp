@@ -64,7 +64,11 @@ TEST_F(DesignCommand, RefusesBadInputInOneLine) {
     refused("--target t.json --palette 0-6 --keep 3-x", "--keep");
     refused("--target t.json --palette 0-6 --free weight", "expected factor, prescribed, width, thickness");
     refused("--target t.json --palette 0-6 --max-mass -1",
-            "--max-mass: '-1' is not a number of zero or more");
+            "--max-mass: '-1' is not a number above zero; without the option there is no limit");
+    for (const char* limit : {"--max-mass", "--max-utilization", "--seconds"})
+        refused(std::string("--target t.json --palette 0-6 ") + limit + " 0",
+                std::string(limit) + ": '0' is not a number above zero");
+    refused("--target t.json --palette 0-6 --solutions 0", "--solutions");
     refused("--target t.json --palette 0-6 --max-mass nan", "--max-mass: 'nan'");
     refused("--target t.json --palette 0-6 --seconds nan", "--seconds: 'nan'");
     refused("--target t.json --palette 0-6 --clearance -1mm", "--clearance");

@@ -191,6 +191,62 @@ TEST(Interrupt, StopsATilingAndLeavesNoFile) {
     EXPECT_THAT(files_in(folder.path()), testing::IsEmpty());
 }
 
+class InterruptOfDesign : public testing::Test {
+  protected:
+    void SetUp() override {
+        folder_.file("t.json", R"({"format": "fretwork/target/1", "goals": [
+            {"select": {"side": "right"}, "displacement": [null, null, -0.003]}]})");
+        ASSERT_EQ(test::run_command("fretwork tile experiments/outlines/specimen.svg --edge-length 40mm "
+                                    "--out p.json && "
+                                    "fretwork case add p.json experiments/cases/cantilever.json",
+                                    folder_.path())
+                      .exit_code,
+                  0);
+    }
+    TemporaryFolder folder_;
+};
+
+/// Before the work begins as well as in it: by exit code, and never by the signal.
+TEST_F(InterruptOfDesign, EndsWithTheExitCodeFromItsBeginning) {
+    for (const int signal : {SIGINT, SIGTERM}) {
+        Running program(folder_.path(), {"design", "p.json", "--target", "t.json", "--out", "d.json"});
+        ASSERT_TRUE(comes_true([&] { return program.catches(signal); }));
+        program.signal(signal);
+        const int status = program.wait();
+        ASSERT_TRUE(WIFEXITED(status)) << "killed by signal " << WTERMSIG(status);
+        EXPECT_EQ(WEXITSTATUS(status), 1);
+        EXPECT_EQ(program.messages(), "fretwork: stopped before it was done; nothing is half-written\n");
+        EXPECT_FALSE(std::filesystem::exists(folder_.path() / "d.json"));
+    }
+}
+
+/// Verbs of a moment have no work that could be asked to stop: the program waits for the pipe here.
+TEST_F(InterruptOfDesign, EndsShortVerbsWithTheExitCodeToo) {
+    const SlowFile project(folder_.path() / "p.json");
+    Running program(folder_.path(), {"case", "list", "p.json"});
+    ASSERT_TRUE(comes_true([&] { return program.catches(SIGTERM); }));
+    program.signal(SIGTERM);
+    const int status = program.wait();
+    ASSERT_TRUE(WIFEXITED(status)) << "killed by signal " << WTERMSIG(status);
+    EXPECT_EQ(WEXITSTATUS(status), 1);
+    EXPECT_EQ(program.messages(), "fretwork: stopped before it was done; nothing is half-written\n");
+}
+
+/// Who sends SIGTERM again and again does not lose what is found: a person alone ends it at once.
+TEST_F(InterruptOfDesign, ASecondTermIsNoSecondCtrlC) {
+    SlowFile target(folder_.path() / "t.json");
+    Running program(folder_.path(), {"design", "p.json", "--target", "t.json", "--out", "d.json"});
+    ASSERT_TRUE(comes_true([&] { return program.has_open(folder_.path() / "t.json"); }));
+    program.signal(SIGTERM);
+    ASSERT_TRUE(comes_true([&] { return program.has_one_thread(); }));
+    std::this_thread::sleep_for(std::chrono::milliseconds(400));
+    program.signal(SIGTERM);
+    target.fill();
+    const int status = program.wait();
+    ASSERT_TRUE(WIFEXITED(status)) << "killed by signal " << WTERMSIG(status);
+    EXPECT_EQ(WEXITSTATUS(status), 1);
+}
+
 TEST(Interrupt, OfACalibrationLeavesAWholeLibraryWithWhatIsDone) {
     const TemporaryFolder folder;
     const auto run = [&](const std::string& command) { return test::run_command(command, folder.path()); };

@@ -150,7 +150,8 @@ TEST(Design, FindsTheFactorOfTheLoad) {
     EXPECT_NE(report.factors.front(), 1.0);
 }
 
-TEST(Design, ServesTwoLoadCasesWithOnePainting) {
+/// A target under each of two load cases, which one painting reaches.
+Planted two_load_cases() {
     Planted planted;
     simulation::LoadCase second = test::cantilever({0.0, 0.01, -0.02});
     second.name = "second";
@@ -161,6 +162,11 @@ TEST(Design, ServesTwoLoadCasesWithOnePainting) {
     Goal goal = test::target_of(hidden).goals.front();
     goal.load_case = "second";
     planted.target.goals.push_back(goal);
+    return planted;
+}
+
+TEST(Design, ServesTwoLoadCasesWithOnePainting) {
+    const Planted planted = two_load_cases();
     const DesignReport report =
         design(planted.project, nullptr, planted.target, test::design_options(planted.project));
     EXPECT_EQ(report.load_cases, (std::vector<std::string>{"cantilever", "second"}));
@@ -190,6 +196,34 @@ TEST(Design, KeepsTheBestPaintingWhenItIsStopped) {
         }
     }
     EXPECT_GE(kept, 4);
+}
+
+TEST(Design, KeepsToTheNumberOfSolutions) {
+    const Planted planted;
+    DesignOptions options = test::design_options(planted.project);
+    for (const int most : {1, 2, 4, 5, 6, 7, 9, 13}) {
+        options.most_solutions = most;
+        const DesignReport report = design(planted.project, nullptr, planted.target, options);
+        EXPECT_LE(report.solutions, most);
+        EXPECT_LE(report.uniform_tried, static_cast<std::size_t>(most));
+        EXPECT_TRUE(report.error) << "what is found is checked";
+        if (most <= 5) {
+            EXPECT_EQ(report.end, DesignEnd::SolutionsSpent) << "five single patterns take all";
+        }
+    }
+}
+
+/// One painting takes a solution for each load case.
+TEST(Design, KeepsToTheNumberOfSolutionsOfTwoLoadCases) {
+    const Planted planted = two_load_cases();
+    DesignOptions options = test::design_options(planted.project);
+    options.most_solutions = 1;
+    EXPECT_THAT(complaint_of([&] { (void)design(planted.project, nullptr, planted.target, options); }),
+                HasSubstr("at most 1 nonlinear solution tries no painting: the target has 2 load cases"));
+    for (const int most : {2, 3, 11, 14}) {
+        options.most_solutions = most;
+        EXPECT_LE(design(planted.project, nullptr, planted.target, options).solutions, most);
+    }
 }
 
 TEST(Design, RefusesWhatDoesNotFit) {

@@ -114,6 +114,19 @@ std::filesystem::path grey_ramp(const TemporaryFolder& folder, unsigned pixels) 
     return path;
 }
 
+/// The last chunk, IEND, is the last 12 bytes; libpng has all pixels without it.
+TEST(Field, AnImageWithoutItsEndIsRefused) {
+    const TemporaryFolder folder;
+    const std::string whole = base::read_text_file(grey_ramp(folder, 256));
+    for (const std::size_t lost : {1, 4, 12, 13}) {
+        const auto file = folder.file("cut.png", whole.substr(0, whole.size() - lost));
+        EXPECT_THAT(complaint_of([&] { (void)image_values(file, {}, {}); }),
+                    HasSubstr("cut.png: cannot be read as a PNG image"))
+            << lost;
+    }
+    EXPECT_NO_THROW((void)image_values(folder.file("more.png", whole + "behind it"), {}, {}));
+}
+
 std::vector<geometry::Point2> middles(const Tessellation& row) {
     return tile_centers(row);
 }

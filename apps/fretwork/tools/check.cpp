@@ -6,6 +6,8 @@
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/pattern/node_layout.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -37,7 +39,7 @@ CheckedFile checked(const std::string& file, const std::string& layout) {
 
 void print_line(const CheckedFile& file) {
     if (file.error.empty())
-        std::printf("%s: valid %s\n", file.file.c_str(), file.kind.c_str());
+        std::printf("%s: valid %s\n", base::printable(file.file).c_str(), file.kind.c_str());
     else
         complain(file.error);
 }
@@ -51,13 +53,31 @@ base::Json checked_json(const CheckedFile& file) {
     return json;
 }
 
-ExitCode run(const CheckOptions& options) {
-    std::vector<CheckedFile> files;
-    for (const std::string& name : options.files) {
-        files.push_back(checked(name, options.layout));
-        if (!options.json) print_line(files.back());
+void check_layout(const std::string& layout) {
+    try {
+        (void)pattern::find_node_layout(layout);
+    } catch (const base::InputError& error) {
+        throw base::within("--layout", "", error);
     }
-    if (options.json) {
+}
+
+/// A layout that no file uses would be ignored. Files that are not valid say so themselves.
+void require_painting(const std::vector<CheckedFile>& files) {
+    const auto may_use_layout = [](const CheckedFile& file) {
+        return !file.error.empty() || file.kind.starts_with("fretwork/painting/");
+    };
+    if (std::ranges::none_of(files, may_use_layout))
+        throw base::InputError("--layout", "", "is for paintings, and none of the files is one");
+}
+
+ExitCode run(const CheckOptions& options) {
+    if (!options.layout.empty()) check_layout(options.layout);
+    std::vector<CheckedFile> files;
+    for (const std::string& name : options.files) files.push_back(checked(name, options.layout));
+    if (!options.layout.empty()) require_painting(files);
+    if (!options.json) {
+        for (const CheckedFile& file : files) print_line(file);
+    } else {
         base::Json list = base::Json::array();
         for (const CheckedFile& file : files) list.push_back(checked_json(file));
         print_document({{"files", list}});

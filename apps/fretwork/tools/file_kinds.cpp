@@ -138,6 +138,14 @@ bool begins_as_json(const fs::path& path) {
     return first == '{';
 }
 
+/// A pipe would be waited for, and a terminal.
+void require_regular(const fs::path& path) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path, ignored);
+    if (!fs::exists(status) || fs::is_regular_file(status) || fs::is_directory(status)) return;
+    throw base::InputError(path.string(), "", "is a pipe or a device, where a file is needed");
+}
+
 std::string check_library(const fs::path& path) {
     (void)library::Library::open(path).summaries();
     return "library";
@@ -146,6 +154,7 @@ std::string check_library(const fs::path& path) {
 }  // namespace
 
 std::string check_file(const fs::path& path, const std::string& layout) {
+    require_regular(path);
     if (is_database(path)) return check_library(path);
     std::string ending = path.extension().string();
     std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });

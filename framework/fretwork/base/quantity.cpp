@@ -66,7 +66,7 @@ double parse_length_above_zero(const std::string& name, std::string_view text) {
 
 void refuse_missing_unit(const std::string& name, const std::string& text, double large) {
     const auto bare = read_number<double>(text);
-    if (!bare || *bare < large) return;
+    if (!bare || !std::isfinite(*bare) || *bare < large) return;
     throw InputError(
         name, "",
         text + " without a unit is in metres; did you mean " + text + "mm? Metres are written " + text + "m");

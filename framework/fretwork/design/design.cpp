@@ -55,6 +55,7 @@ class Designer {
 
     /// Leaves the best point in best(); throws Stopped, and then that is the best so far.
     void run() {
+        require_enough_solutions();
         Search::Beginning beginning = begin();
         require_possible_mass();
         report_.bound = detail::reach_bound(trials_, palette(), options_.control.silent());
@@ -140,16 +141,33 @@ class Designer {
             "), more than the " + base::format_number(options_.max_mass, 4) + " kg that it may");
     }
 
+    /// One painting takes a solution for each load case.
+    void require_enough_solutions() const {
+        if (search_.may_solve()) return;
+        throw base::InputError(
+            "a search of at most " + std::to_string(search_.most_solutions()) + " nonlinear solution" +
+            (search_.most_solutions() == 1 ? "" : "s") + " tries no painting: the target has " +
+            std::to_string(trials_.parts().cases.size()) + " load cases, and each takes one");
+    }
+
+    [[nodiscard]] std::string no_equilibrium() const {
+        if (search_.may_solve() || report_.uniform_tried == palette().size())
+            return "no single pattern of the palette has a stable equilibrium under this load: a smaller "
+                   "load may have";
+        return "no single pattern of the " + std::to_string(report_.uniform_tried) +
+               " for which the solutions were enough has a stable equilibrium under this load: a smaller "
+               "load may have, or a larger number of solutions find one";
+    }
+
     /// Uniform paintings, the best first; those with the best chances have their own best unknowns.
     std::vector<Solved> solve_uniform(std::vector<Solved> known) {
         std::vector<Solved> starts = search_.try_uniform(palette(), choice_.coordinates, std::move(known));
-        if (starts.empty())
-            throw base::InputError(
-                "no single pattern of the palette has a stable equilibrium under this load: a smaller load "
-                "may have");
+        if (starts.empty()) throw base::InputError(no_equilibrium());
         best_ = starts.front().point;
         detail::survey(trials_, starts, report_);
-        report_.reach_of_ten_loads = detail::reach_of_ten_loads(trials_, starts, report_, options_.control);
+        if (search_.may_solve())
+            report_.reach_of_ten_loads =
+                detail::reach_of_ten_loads(trials_, starts, report_, options_.control);
         if (trials_.initial_unknowns().size() > 0) {
             const int before = trials_.solutions();
             DesignOptions fitting = options_;

@@ -79,8 +79,12 @@ void Search::set_columns(std::vector<std::size_t> shortlist, std::vector<std::si
     all_ = std::move(all);
 }
 
+bool Search::may_solve() const {
+    return trials_.solutions() + static_cast<int>(trials_.parts().cases.size()) <= most_solutions_;
+}
+
 bool Search::may_go_on(double reserve) const {
-    return trials_.solutions() < most_solutions_ && watch_.has_left(reserve + step_seconds_);
+    return may_solve() && watch_.has_left(reserve + step_seconds_);
 }
 
 void Search::note(const Solved& solved) {
@@ -171,7 +175,7 @@ Search::Step Search::step(Solved& current, double& radius, int round, const Dema
                         .most_mass = mass_for_groups(current.point, table, start),
                         .control = options_.control.silent()};
     const bool is_too_heavy = options_.max_mass > 0.0 && trials_.mass_of(current.point) > options_.max_mass;
-    for (int proposal = 0; proposal < kMostProposals && radius >= kLeastRadius; ++proposal) {
+    for (int proposal = 0; proposal < kMostProposals && radius >= kLeastRadius && may_solve(); ++proposal) {
         options_.control.check();
         sweeps.radius = radius;
         sweeps.seed = options_.seed + static_cast<std::uint64_t>(100 * round + proposal);
@@ -194,7 +198,6 @@ Search::Step Search::step(Solved& current, double& radius, int round, const Dema
             return Step::Better;
         }
         radius = 0.25 * std::min(radius, choice.energy / table.energy);
-        if (trials_.solutions() >= most_solutions_) return Step::NoBetter;
     }
     return Step::NoBetter;
 }
@@ -236,6 +239,7 @@ Solved Search::descend(Solved start, double reserve, const Demand& demand) {
             failures = 0;
             continue;
         }
+        if (taken == Step::NoBetter && !may_solve()) break;
         // Once more with other patterns, if there are any.
         radius = std::max(radius, 0.05);
         const int most = limited_.empty() && all_.size() > shortlist_.size() ? 2 : 1;

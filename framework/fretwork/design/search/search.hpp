@@ -92,6 +92,8 @@ class Search {
         seen_.clear();
     }
     [[nodiscard]] bool may_go_on(double reserve) const;
+    /// True if the solutions that are left are enough for one more point, which takes one for each load case.
+    [[nodiscard]] bool may_solve() const;
     /// The largest number of nonlinear solutions, granted solutions included.
     [[nodiscard]] int most_solutions() const { return most_solutions_; }
     /// Increase the largest number of nonlinear solutions.

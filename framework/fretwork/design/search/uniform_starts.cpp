@@ -43,7 +43,7 @@ void Search::try_one_uniform(std::size_t pattern, std::vector<Solved>& found) {
 
 Search::Beginning Search::begin(const std::vector<std::size_t>& palette) {
     Beginning beginning;
-    for (std::size_t p = 0; p < std::min(palette.size(), kEarlyUniform); ++p)
+    for (std::size_t p = 0; p < std::min(palette.size(), kEarlyUniform) && may_solve(); ++p)
         try_one_uniform(palette[p], beginning.uniform);
     if (beginning.uniform.empty()) return beginning;
     const Solved& best = *std::ranges::min_element(
@@ -63,18 +63,20 @@ Search::Beginning Search::begin(const std::vector<std::size_t>& palette) {
 
 std::vector<Solved> Search::try_uniform(const std::vector<std::size_t>& palette,
                                         const Eigen::MatrixXd& coordinates, std::vector<Solved> found) {
-    const auto has_time = [&] { return found.empty() || watch_.has_left(0.7 * options_.seconds); };
+    const auto may_try = [&] {
+        return may_solve() && (found.empty() || watch_.has_left(0.7 * options_.seconds));
+    };
     const std::size_t most = std::min(palette.size(), options_.uniform_paintings);
     const std::size_t spread = std::min(most, std::max<std::size_t>(2, (2 * most) / 3));
     std::vector<bool> is_tried(palette.size(), false);
     for (std::size_t p = 0; p < palette.size(); ++p) is_tried[p] = is_seen(trials_.uniform(palette[p]));
-    for (std::size_t p = 0; p < palette.size() && report_.uniform_tried < most && has_time(); ++p) {
+    for (std::size_t p = 0; p < palette.size() && report_.uniform_tried < most && may_try(); ++p) {
         if (report_.uniform_tried >= spread && found.size() >= 2) break;
         if (is_tried[p]) continue;
         try_one_uniform(palette[p], found);
         is_tried[p] = true;
     }
-    while (report_.uniform_tried < most && has_time()) {
+    while (report_.uniform_tried < most && may_try()) {
         const std::size_t next = predicted_best(found, palette, coordinates, is_tried);
         if (next == palette.size()) break;
         try_one_uniform(palette[next], found);

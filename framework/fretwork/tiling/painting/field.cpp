@@ -32,6 +32,20 @@ struct GreyImage {
 /// More pixels than any surface has use for would take the memory.
 constexpr std::size_t kMostPixels = 100'000'000;
 
+/// True if the last chunk is there in whole: libpng stops reading behind the last pixel.
+bool has_png_end(std::string_view bytes) {
+    constexpr std::size_t kSignature = 8;
+    constexpr std::size_t kFrame = 12;  // of a chunk around its data: length, type, checksum
+    for (std::size_t at = kSignature; at + kFrame <= bytes.size();) {
+        std::size_t length = 0;
+        for (std::size_t i = 0; i < 4; ++i) length = 256 * length + static_cast<unsigned char>(bytes[at + i]);
+        if (length > bytes.size() - at - kFrame) return false;
+        if (bytes.substr(at + 4, 4) == "IEND") return true;
+        at += kFrame + length;
+    }
+    return false;
+}
+
 GreyImage read_image(const std::filesystem::path& path) {
     const std::string bytes = base::read_text_file(path);
     png_image image{};
@@ -48,6 +62,8 @@ GreyImage read_image(const std::filesystem::path& path) {
     read.grey.resize(PNG_IMAGE_SIZE(image));
     const png_color white{255, 255, 255};  // under what is transparent
     if (png_image_finish_read(&image, &white, read.grey.data(), 0, nullptr) == 0) fail(image.message);
+    if (!has_png_end(bytes))
+        throw base::InputError(path.string(), "", "cannot be read as a PNG image: its end is missing");
     return read;
 }
 
