@@ -9,7 +9,7 @@ import tempfile
 import numpy
 
 COMPONENTS = ("ux", "uy", "uz", "rx", "ry", "rz")
-ELEMENTS = 4  # quadratic elements of a bar in nonlinear decks
+ELEMENTS = 16  # quadratic elements of a bar in nonlinear decks: of resolve.py's four patterns with 4 the worst differs by 0.8 %, with 16 by 0.06 %
 
 
 def read_mesh(path):
