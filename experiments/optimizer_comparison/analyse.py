@@ -108,7 +108,7 @@ class Analysis:
             cost = sum(run.cost for run in runs)
             cpu = sum(run.cpu for run in runs)
             rows.append([name, starts, len(runs), float(np.median(gaps)), *map(float, np.quantile(gaps, [0.25, 0.75])),
-                         measures.success_rate(runs, 1e-2), success(runs), *map(float, measures.bootstrap_success(by_problem, SUCCESS)), last,
+                         measures.success_rate(runs, 1e-2), success(runs), *map(float, measures.success_interval(by_problem, SUCCESS)), last,
                          float(np.mean(measures.median_gaps(by_problem, self.problems) <= SUCCESS)),
                          measures.never_hit(by_problem, SUCCESS), cost / len(runs),
                          1e3 * cpu / len(runs), 1e6 * cpu / cost, sum(run.failures for run in runs),
@@ -160,7 +160,7 @@ class Analysis:
         rows = []
         for name in self.calibrators():
             ours = self.groups[name]
-            share = (success(self.all_runs(ours)), *measures.bootstrap_success(ours, SUCCESS))
+            share = (success(self.all_runs(ours)), *measures.success_interval(ours, SUCCESS))
             rows.append([name, "runs within 0.1 % of the best known", 0.99, *share])
             for what, wanted, quantity in (("factorizations", 50, lambda run: run.cost), ("CPU time", 25, lambda run: run.cpu)):
                 rows.append([name, f"{what} of {self.annealing} over its own", wanted, self.ratio(self.annealing, name, quantity),
@@ -233,7 +233,8 @@ def sections_of(analysis, runs, known, out):
     yield ("What was run", f"{len(runs)} runs; {count} calibration problems on which all {len(analysis.groups)} methods have "
            f"run, with up to {repetitions} repetitions of each method that uses the seed. Every method is scored on the paper's "
            "objective E, unsmoothed; cost is counted in stiffness factorizations, and a value with derivatives costs one as well, "
-           "since they come from the same factorization. Definitions are in README.md. Low and high: 95 % bootstrap intervals.",
+           "since they come from the same factorization. Definitions are in README.md. Low and high: 95 % intervals, of shares exact where "
+           "each pattern has one run, else by bootstrap.",
            html_table(*tables["verdicts"]))
     yield ("Annealing's cost over the calibrators'", "Ratios of the means over patterns, with 95 % bootstrap intervals, for every "
            "variant of annealing in this table.", html_table(*tables["ratios"]))

@@ -4,10 +4,15 @@ import csv
 import dataclasses
 import gzip
 import math
+import pathlib
+import sys
 import warnings
 
 import numpy as np
 from scipy import stats
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
+from intervals import exact_interval  # noqa: E402
 
 csv.field_size_limit(2**30)  # traces of long runs are longer than the default allows
 TARGETS = (1e-1, 1e-2, 1e-3)  # shares of the scale above the best known value
@@ -125,6 +130,20 @@ def bootstrap_success(by_problem, target, draws=1000, seed=1):
     """95 % interval of the success rate over problems and their runs."""
     hits, count = bootstrap_sums(by_problem, [lambda run: run.gap <= target, lambda run: 1.0], draws, seed).T
     return np.quantile(hits / count, [0.025, 0.975], method="inverted_cdf")
+
+
+def success_interval(by_problem, target):
+    """95 % interval of the success rate.
+
+    Of one run a problem it is Clopper and Pearson's, which is exact. Runs of one problem are not independent, so of more runs it is the bootstrap's;
+    but where all runs hit, or none, that has no width, and it is the exact one of as many trials as there are problems.
+    """
+    hits = [run.gap <= target for runs in by_problem.values() for run in runs]
+    if len(hits) == len(by_problem):
+        return exact_interval(sum(hits), len(hits))
+    if all(hits) or not any(hits):
+        return exact_interval(len(by_problem) if all(hits) else 0, len(by_problem))
+    return bootstrap_success(by_problem, target)
 
 
 def bootstrap_ratio(theirs, ours, quantity, draws=1000, seed=1):

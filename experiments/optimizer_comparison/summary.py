@@ -20,7 +20,7 @@ def rows(runs):
         for run in of_one:
             by_problem.setdefault(run.problem, []).append(run)
         gaps = np.array([run.gap for run in of_one])
-        low, high = measures.bootstrap_success(by_problem, measures.SUCCESS)
+        low, high = measures.success_interval(by_problem, measures.SUCCESS)
         yield (f"`{name}` ({starts})", f"{len(by_problem):,}", f"{len(of_one):,}",
                f"{100 * np.mean(gaps <= 1e-3):.1f} ({100 * low:.1f} to {100 * high:.1f})", f"{100 * np.mean(gaps <= 1e-2):.1f}",
                f"{np.sum(gaps > 1e-3):,}", f"{100 * gaps.max():.2g}", f"{np.mean([run.cost for run in of_one]):,.0f}",

@@ -70,6 +70,21 @@ class Measures(unittest.TestCase):
         dearer = {name: [run(name, 120, (5, 0.0))] for name in "pq"}
         self.assertEqual(tuple(measures.bootstrap_ratio(dearer, runs, lambda one: one.cost, 50)), (3.0, 3.0))
 
+    def test_intervals_of_shares_are_exact_where_each_problem_has_one_run(self):
+        single = {str(i): [run(str(i), 40, (5, 0.0 if i < 59 else 1.0))] for i in range(60)}
+        low, high = measures.success_interval(single, 0.01)
+        self.assertEqual((round(low, 4), round(high, 4)), (0.9106, 0.9996))  # SciPy: binomtest(59, 60).proportion_ci(method="exact")
+        exact = measures.stats.binomtest(59, 60).proportion_ci(method="exact")
+        np.testing.assert_allclose((low, high), (exact.low, exact.high), rtol=1e-9)
+
+    def test_intervals_have_a_width_where_all_runs_hit(self):
+        certain = {str(i): [run(str(i), 40, (5, 0.0))] * 3 for i in range(60)}
+        low, high = measures.success_interval(certain, 0.01)
+        self.assertAlmostEqual(low, 0.025 ** (1 / 60), places=9)
+        self.assertEqual(high, 1.0)
+        mixed = {name: [run(name, 40, (5, 0.0)), run(name, 40, (5, 1.0))] for name in "pq"}
+        self.assertEqual(tuple(measures.success_interval(mixed, 0.01)), tuple(measures.bootstrap_success(mixed, 0.01)))
+
 
 if __name__ == "__main__":
     unittest.main()
