@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Calibrate a library under Slurm: a job array of N shards, and a job that merges them when all have ended
 # well. Run it again to go on after a failure or a cancellation: nothing that is stored is computed twice.
-# Usage: [FRETWORK=PROGRAM] [CPUS=1] submit.sh [--wait] FOLDER N [OPTIONS OF fretwork calibrate..]
+# Usage: [FRETWORK=PROGRAM] [LAYOUT=paper7] [CPUS=1] submit.sh [--wait] FOLDER N [OPTIONS OF fretwork calibrate..]
 # The folder has to be one that all nodes see. The result is FOLDER/library.db.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
@@ -16,7 +16,7 @@ shift 2
 
 # A shard's setting is that of its patterns.db, or what --setting says; its patterns are fixed here.
 [[ -e $folder/patterns.db ]] || {
-  "$program" enumerate --library "$folder/patterns.part.db" >/dev/null
+  "$program" enumerate --layout "${LAYOUT:-paper7}" --library "$folder/patterns.part.db" >/dev/null
   mv "$folder/patterns.part.db" "$folder/patterns.db"
 }
 array=$(sbatch --parsable --job-name=fretwork-shards --array="1-$count" --cpus-per-task="${CPUS:-1}" \
