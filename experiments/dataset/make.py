@@ -60,6 +60,7 @@ def calibrate(fretwork, options):
 
 
 def export(fretwork, options):
+    shutil.rmtree(fretwork.folder / "stiffness", ignore_errors=True)  # of a run that was killed
     fretwork("library", "export", "--library", "library.db", "--csv", "tables", "--stiffness", "stiffness", "--patterns", "computed")
     if options.draw is None:  # classes are those of all patterns of a layout
         fretwork("enumerate", "--layout", options.layout, "--classes", "tables/classes.csv")

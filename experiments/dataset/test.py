@@ -155,6 +155,8 @@ class Release(unittest.TestCase):
         parts = self.folder.parent / "parts"
         ids = [str(name) for name in load(self.folder)[0]["patterns"]]
         make(parts, "--patterns", ",".join(ids[7:])).check_returncode()
+        (parts / "stiffness").mkdir()  # as if it had been killed while it wrote
+        (parts / "stiffness" / "stiffness.npy").write_bytes(b"half")
         make(parts, "--patterns", ",".join(ids)).check_returncode()  # goes on where the first ended
         self.assertEqual((parts / "SHA256SUMS").read_text(), (self.folder / "SHA256SUMS").read_text())
 
