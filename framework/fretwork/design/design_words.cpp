@@ -54,9 +54,8 @@ std::optional<DesignWarning> load_warning(const DesignReport& report, const Desi
 }
 
 std::string clearance_line(std::size_t pairs) {
-    return "no painting that was checked keeps the clearance: " + std::to_string(pairs) + " pair" +
-           (pairs == 1 ? "" : "s") + " of bars of the one that was written " + (pairs == 1 ? "does" : "do") +
-           " not";
+    return "no painting that was checked keeps the clearance: " + base::counted(pairs, "pair") +
+           " of bars of the one that was written " + (pairs == 1 ? "does" : "do") + " not";
 }
 
 std::string utilization_line(const DesignReport& report, const DesignOptions& options) {

@@ -43,12 +43,9 @@ void merge(TessellationReport& whole, const TessellationReport& part) {
 
 TessellationResult tessellate_part(const std::vector<outlines::Outline>& parts, std::size_t part,
                                    const pattern::NodeLayout& layout, const TessellationOptions& options) {
-    try {
-        return tessellate(parts[part], layout, options);
-    } catch (const base::GeometryError& error) {
-        throw base::within("part " + std::to_string(part + 1) + " of " + std::to_string(parts.size()), "",
-                           error);
-    }
+    const std::string name = "part " + std::to_string(part + 1) + " of " + std::to_string(parts.size());
+    return base::located<base::GeometryError>(name, "",
+                                              [&] { return tessellate(parts[part], layout, options); });
 }
 
 }  // namespace

@@ -68,12 +68,10 @@ CaseGoals::CaseGoals(const Target& target, const std::string& load_case, const s
     for (std::size_t i = 0; i < target.goals.size(); ++i) {
         const Goal& goal = target.goals[i];
         if ((goal.load_case.empty() ? default_case : goal.load_case) != load_case) continue;
-        try {
+        base::located("", "/goals/" + std::to_string(i), [&] {
             goal.validate();
             add(goal, tessellation);
-        } catch (const base::InputError& error) {
-            throw base::within("", "/goals/" + std::to_string(i), error);
-        }
+        });
         for (; first < goals_.size(); ++first) goals_[first].goal = i;
     }
     require_agreement();

@@ -92,11 +92,8 @@ std::vector<std::string> case_names(const Target& target, const simulation::Proj
     for (std::size_t i = 0; i < target.goals.size(); ++i) {
         const bool is_named = !target.goals[i].load_case.empty();
         const std::string& name = is_named ? target.goals[i].load_case : own;
-        try {
-            (void)simulation::find_load_case(project, name);
-        } catch (const base::InputError& error) {
-            throw base::within("", "/goals/" + std::to_string(i) + (is_named ? "/case" : ""), error);
-        }
+        base::located("", "/goals/" + std::to_string(i) + (is_named ? "/case" : ""),
+                      [&] { (void)simulation::find_load_case(project, name); });
         if (std::ranges::find(names, name) == names.end()) names.push_back(name);
     }
     return names;
@@ -170,8 +167,7 @@ std::vector<NamedPattern> within_number(std::vector<NamedPattern> palette,
     std::erase_if(palette,
                   [&](const NamedPattern& own) { return std::ranges::find(kept, own.id) == kept.end(); });
     if (kept.size() > options.max_patterns || palette.empty())
-        throw base::InputError("the kept tiles have " + std::to_string(kept.size()) +
-                               (kept.size() == 1 ? " pattern" : " patterns") +
+        throw base::InputError("the kept tiles have " + base::counted(kept.size(), "pattern") +
                                " already, where all tiles are to have " +
                                std::to_string(options.max_patterns) + " at most" +
                                (palette.empty() ? ", and none of these is in the palette" : ""));

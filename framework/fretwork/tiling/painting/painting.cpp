@@ -57,11 +57,7 @@ std::vector<NamedPattern> read_patterns(const base::JsonReader& list, const patt
     Palette palette(layout);
     for (const base::JsonReader& element : list.elements()) {
         const std::string id = element.string();
-        try {
-            palette.add(id);
-        } catch (const base::InputError& error) {
-            element.fail(error);
-        }
+        element.located([&] { palette.add(id); });
     }
     if (palette.patterns().empty()) list.fail("is empty, where at least one pattern is needed");
     return palette.patterns();
