@@ -6,10 +6,18 @@
 #include <fretwork/base/json_reader.hpp>
 #include <fretwork/simulation/load_cases/load_case.hpp>
 
+#include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
 namespace fretwork::simulation {
+
+/// The names of the sides of a surface, in the order of Side.
+inline constexpr std::array<const char*, 4> kSideNames = {"left", "right", "bottom", "top"};
+inline const char* side_name(Side side) {
+    return kSideNames[static_cast<std::size_t>(side)];
+}
 
 /// Read a load case as it stands in its own file. Throws InputError with the JSON pointer.
 LoadCase read_load_case(const base::JsonReader& json);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/base/limits.hpp>
-#include <fretwork/simulation/detail/side_names.hpp>
 #include <fretwork/simulation/internal/load_case_json.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
 
@@ -12,8 +11,6 @@ namespace {
 
 using base::Json;
 using base::JsonReader;
-using detail::kSideNames;
-using detail::side_name;
 using mechanics::Dof;
 using mechanics::kDofNames;
 

@@ -3,7 +3,7 @@
 #include <fretwork/geometry/internal/message_text.hpp>
 #include <fretwork/mechanics/standard_gravity.hpp>
 #include <fretwork/simulation/detail/line_bearers.hpp>
-#include <fretwork/simulation/detail/side_names.hpp>
+#include <fretwork/simulation/internal/load_case_json.hpp>
 #include <fretwork/simulation/load_cases/conditions.hpp>
 #include <fretwork/simulation/load_cases/load_case_text.hpp>
 #include <fretwork/tiling/painting/tile_choice.hpp>
@@ -35,7 +35,7 @@ struct SelectionText {
         return "nearest to " + geometry::place_text(near.points.front()) +
                (near.points.size() > 1 ? " and others" : "");
     }
-    std::string operator()(const NodesAtSide& at) const { return detail::side_name(at.side); }
+    std::string operator()(const NodesAtSide& at) const { return side_name(at.side); }
 };
 
 class EntryTexts {
