@@ -27,13 +27,11 @@ Json points(const std::vector<geometry::Point2>& places) {
 
 /// The nodes along each side of the box, as a selection by side picks them.
 Json sides_json(const tiling::Tessellation& tessellation) {
-    constexpr std::pair<const char*, simulation::Side> kSides[] = {{"left", simulation::Side::Left},
-                                                                   {"right", simulation::Side::Right},
-                                                                   {"bottom", simulation::Side::Bottom},
-                                                                   {"top", simulation::Side::Top}};
     Json sides;
-    for (const auto& [name, side] : kSides)
-        sides[name] = numbers(simulation::select_nodes(simulation::NodesAtSide{side}, tessellation));
+    for (std::size_t s = 0; s < simulation::kSideNames.size(); ++s) {
+        const simulation::NodesAtSide side{static_cast<simulation::Side>(s)};
+        sides[simulation::kSideNames[s]] = numbers(simulation::select_nodes(side, tessellation));
+    }
     return sides;
 }
 
