@@ -58,10 +58,10 @@ function legendDrawn({ title, colours, values }: FrameLegend, [x, y]: readonly [
   );
 }
 
-function barDrawn({ length, words }: ScaleBar, [right, y]: readonly [number, number], ink: string): string {
+function barDrawn({ length, words }: ScaleBar, [right, y]: readonly [number, number], { ink, halo }: Frame): string {
   const left = right - length;
   return (
-    `<path d="M${left} ${y + 10}v8h${length}v-8" fill="none" stroke="${ink}" stroke-width="1.5"/>` +
+    [`${halo}" stroke-width="4`, `${ink}" stroke-width="1.5`].map((stroke) => `<path d="M${left} ${y + 10}v8h${length}v-8" fill="none" stroke="${stroke}"/>`).join('') +
     lettered(words, { at: [left + length / 2, y + 38], anchor: 'middle' })
   );
 }
@@ -82,7 +82,7 @@ export function framed(drawing: string, size: { width: number; height: number },
     lettered(frame.title, { at: [PICTURE_PAD, 24], size: 17, weight: 600 }),
     lettered(frame.caption, { at: [PICTURE_PAD, 43] }),
     frame.legend ? legendDrawn(frame.legend, [PICTURE_PAD, below]) : '',
-    frame.scaleBar ? barDrawn(frame.scaleBar, [width - PICTURE_PAD, below], frame.ink) : '',
+    frame.scaleBar ? barDrawn(frame.scaleBar, [width - PICTURE_PAD, below], frame) : '',
   ];
   const text =
     `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}"><title>${escaped(frame.title)}</title>` +
