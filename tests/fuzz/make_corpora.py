@@ -159,7 +159,7 @@ def typed():
     for name, text in (("gradient", "(x-0.02)*20+(y-0.01)*4"), ("choice", "u > 0.5 ? sin(2*pi*v) : abs(x)^0.5")):
         put("expression", name, text)
     for name, text in (("range", "bending_stiffness between 0.07 and 0.09 and bending_poisson < 0"), ("set", "edges in (2, 3) or not mass_per_area >= 0.1"),
-                       ("call", "abs(bending_poisson) > 0.1 and pattern like '0-%'")):
+                       ("call", "abs(bending_poisson) > 0.1 and pattern_id like '0-%'")):
         put("query", name, text)
 
 
