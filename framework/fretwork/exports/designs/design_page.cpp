@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/text.hpp>
+#include <fretwork/design/design_words.hpp>
 #include <fretwork/exports/colours.hpp>
 #include <fretwork/exports/designs/design_page.hpp>
 #include <fretwork/exports/detail/design_template.hpp>
@@ -127,21 +128,14 @@ std::string percent(double share) {
     return base::format_number(100.0 * share, 3) + " %";
 }
 
-const char* end_sentence(design::DesignEnd end) {
-    switch (end) {
-        case design::DesignEnd::NoSwapImproves:
-            return "The search found no further swap that improves the painting. This is no proof that there "
-                   "is "
-                   "none.";
-        case design::DesignEnd::SolutionsSpent:
-            return "The search ended because its solutions were spent: more may improve the painting.";
-        case design::DesignEnd::TimeSpent:
-            return "The search ended because its time was spent: more may improve the painting.";
-        case design::DesignEnd::Unreachable:
-            return "The target was not searched for: no painting of these patterns comes near it.";
-        default:
-            return "The search was stopped: this is the best painting so far.";
-    }
+std::string end_sentence(design::DesignEnd end) {
+    using design::DesignEnd;
+    const bool is_spent = end == DesignEnd::SolutionsSpent || end == DesignEnd::TimeSpent;
+    return "The design ended: " + std::string(design::design_end_words(end)) +
+           (end == DesignEnd::NoSwapImproves ? ", which is no proof that there is none"
+            : is_spent                       ? ", and more may improve the painting"
+                                             : "") +
+           ".";
 }
 
 void add_reach(const DesignReport& report, std::vector<std::string>& lines) {

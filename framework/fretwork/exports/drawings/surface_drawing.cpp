@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/text.hpp>
 #include <fretwork/exports/drawings/detail/panels.hpp>
 #include <fretwork/exports/drawings/surface_drawing.hpp>
 
@@ -14,11 +15,8 @@ using simulation::Conditions;
 using simulation::Surface;
 
 std::string surface_title(const Surface& surface) {
-    const auto counted = [](std::size_t count, const std::string& noun) {
-        return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-    };
-    return "Tessellation with " + counted(surface.tessellation.tiles.size(), "tile") + " and " +
-           counted(surface.tessellation.patterns.size(), "pattern");
+    return "Tessellation with " + base::counted(surface.tessellation.tiles.size(), "tile") + " and " +
+           base::counted(surface.tessellation.patterns.size(), "pattern");
 }
 
 struct NamedPanel {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/text.hpp>
 #include <fretwork/exports/space/bar_scene.hpp>
 #include <fretwork/exports/tables/line_set.hpp>
 #include <fretwork/simulation/results/surface_beams.hpp>
@@ -132,8 +133,7 @@ class Builder {
     }
 
     void add_title() {
-        const std::size_t tiles = scene_.surface.tessellation.tiles.size();
-        bars_.title = std::to_string(tiles) + (tiles == 1 ? " tile" : " tiles");
+        bars_.title = base::counted(scene_.surface.tessellation.tiles.size(), "tile");
         if (scene_.results.empty()) return;
         const auto& result = scene_.results.front();
         const auto& subject = result.result.subject;
