@@ -203,7 +203,7 @@ TEST(Check, RefusesALayoutThatNoFileUses) {
     test::expect_refused("fretwork check experiments/settings/paper.json --layout paper7", folder.path(),
                          "--layout: is for paintings, and none of the files is one");
     test::expect_refused("fretwork check experiments/settings/paper.json --layout nosuch", folder.path(),
-                         "--layout: unknown node layout 'nosuch'");
+                         "--layout: unknown layout 'nosuch'");
     const auto outcome = run_command(
         "fretwork check painting.json experiments/settings/paper.json --layout paper7", folder.path());
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

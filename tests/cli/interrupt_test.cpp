@@ -236,6 +236,8 @@ TEST_F(InterruptOfDesign, EndsShortVerbsWithTheExitCodeToo) {
 TEST_F(InterruptOfDesign, ASecondTermIsNoSecondCtrlC) {
     SlowFile target(folder_.path() / "t.json");
     Running program(folder_.path(), {"design", "p.json", "--target", "t.json", "--out", "d.json"});
+    ASSERT_TRUE(comes_true([&] { return program.catches(SIGTERM); }))
+        << "it runs: before, it has this file, too";
     ASSERT_TRUE(comes_true([&] { return program.has_open(folder_.path() / "t.json"); }));
     program.signal(SIGTERM);
     ASSERT_TRUE(comes_true([&] { return program.has_one_thread(); }));

@@ -197,8 +197,7 @@ void add_limits(CLI::App& verb, DesignArguments& arguments) {
     verb.add_option("--symmetry", arguments.symmetry,
                     "Symmetry of the painting about the middle: mirror:x (left and right), mirror:y, turn:N")
         ->type_name("SYMMETRY");
-    verb.add_option("--max-mass", options.max_mass, "Most mass of all beams, kg")
-        ->check(above_zero());
+    verb.add_option("--max-mass", options.max_mass, "Most mass of all beams, kg")->check(above_zero());
     verb.add_option("--max-utilization", options.max_utilization,
                     "Largest utilization, checked with all beams, together with the estimated error of one "
                     "element a beam; the result is the best checked painting that keeps it")

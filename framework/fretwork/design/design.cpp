@@ -301,8 +301,9 @@ class Designer {
     /// The best that mixtures of patterns are predicted to reach, from the painting that is written.
     void relax() {
         if (!best_ || !watch_.has_left(reserve())) return;
+        const int before = trials_.solutions();
         const Trial trial = trials_.solve(*best_, options_.control);
-        trials_.count_solutions(-1);  // none of the search
+        trials_.count_solutions(before - trials_.solutions());  // none of the search
         if (!trial.is_found) return;
         report_.relaxed = search_.relaxed_misfit({*best_, trial});
     }

@@ -13,8 +13,7 @@
 namespace fretwork::mechanics::nonlinear {
 namespace {
 
-/// How far the push goes from an unstable equilibrium (rad, or element lengths).
-constexpr double kPush = 0.02;
+constexpr double kPush = 0.02;  // from an unstable equilibrium; rad, or element lengths
 
 /// A branch whose lowest eigenvalue is below this share of the one that was lost is taken to be neutral: else
 /// it is about twice as large.
