@@ -8,9 +8,10 @@ namespace fretwork::design {
 
 /// A number in the text of a warning, in SI, for programs that show lengths and angles in other units.
 struct WarnedValue {
+    /// The kind of the number.
     enum class Quantity { Length, Angle };
-    double value = 0.0;  ///< m or rad
-    Quantity quantity = Quantity::Length;
+    double value = 0.0;                    ///< number, m or rad
+    Quantity quantity = Quantity::Length;  ///< kind of the number
 };
 
 /// One reason why a design falls short of what was asked for.

@@ -174,6 +174,10 @@ void bind_report(py::module_& m) {
         .constant("factors", &DesignReport::factors, "on the loads of each load case of load_cases")
         .constant("load_cases", &DesignReport::load_cases, "names")
         .constant("largest_utilization", &DesignReport::largest_utilization, "None without a strength")
+        .constant("utilization_error", &DesignReport::utilization_error,
+                  "of one element a beam, estimated where max_utilization is asked for")
+        .constant("relaxed", &DesignReport::relaxed,
+                  "misfit that mixtures of patterns in each tile are predicted to reach, or None")
         .constant("wanted_of_softest", &DesignReport::wanted_of_softest,
                   "largest displacement wanted, by that of the softest single pattern")
         .constant("wanted_of_stiffest", &DesignReport::wanted_of_stiffest, "the same of the stiffest")

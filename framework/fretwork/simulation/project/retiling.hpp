@@ -38,6 +38,7 @@ struct DroppedEntries {
     int supports = 0;    ///< number of supports
     int loads = 0;       ///< number of loads, on nodes and on areas
     int prescribed = 0;  ///< number of prescribed displacements; components of one entry count once
+    /// The number of all entries.
     [[nodiscard]] int total() const { return supports + loads + prescribed; }
 };
 

@@ -123,7 +123,7 @@ test('an icon of four millimetres is shown, and becomes a surface of a useful si
 });
 
 /** The first bytes of each kind of file. */
-const BEGINNINGS = { json: /^\{/, html: /^<!doctype html/i, svg: /<svg/, dxf: /SECTION/, stl: /^[^]{84}/, '3mf': /^PK/, obj: /^(#|v )/m, ply: /^ply/, vtu: /<VTKFile/, txt: /^Facts/, csv: /,/ };
+const BEGINNINGS = { json: /^\{/, html: /^<!doctype html/i, svg: /<svg/, 'picture-svg': /<svg/, glb: /^glTF/, dxf: /SECTION/, stl: /^[^]{84}/, '3mf': /^PK/, obj: /^(#|v )/m, ply: /^ply/, vtu: /<VTKFile/, txt: /^Facts/, csv: /,/ };
 
 async function exported(page, ending, place) {
   const coming = page.waitForEvent('download', { timeout: 30_000 });

@@ -4,6 +4,8 @@ import { beforeEach, expect, it, vi } from 'vitest';
 import { documentWith } from './document_of_tests';
 
 vi.stubGlobal('localStorage', { getItem: () => null, setItem: () => undefined });
+vi.stubGlobal('matchMedia', () => ({ matches: false, addEventListener: () => undefined }));
+vi.stubGlobal('document', { documentElement: { dataset: {} } });
 vi.stubGlobal('location', { protocol: 'http:', host: '', search: '' });
 vi.mock('../../src/document/studio', () => ({ ask: () => Promise.resolve({}), tryAsk: () => Promise.resolve(null) }));
 const store = await import('../../src/document/store');
