@@ -146,12 +146,12 @@ Json changed_event(const State& before, const State& now, const DocumentStatus& 
     Json event = started("changed", status);
     add_place(now, status, event);
     add_status(status, event);
-    const bool is_tiled_anew = before.ground != now.ground;
-    if (is_tiled_anew) add_ground(now, event);
-    if (is_tiled_anew || before.painting != now.painting) add_painting(now, event);
-    if (is_tiled_anew || before.tile_models != now.tile_models) event["tile_models"] = *now.tile_models;
+    const bool is_retiled = before.ground != now.ground;
+    if (is_retiled) add_ground(now, event);
+    if (is_retiled || before.painting != now.painting) add_painting(now, event);
+    if (is_retiled || before.tile_models != now.tile_models) event["tile_models"] = *now.tile_models;
     if (before.setting != now.setting) add_setting(now, event);
-    if (is_tiled_anew || before.load_cases != now.load_cases) add_load_cases(now, event);
+    if (is_retiled || before.load_cases != now.load_cases) add_load_cases(now, event);
     if (before.model != now.model || before.analysis != now.analysis) add_model(now, event);
     return event;
 }

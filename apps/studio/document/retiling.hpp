@@ -36,7 +36,7 @@ Retiling make_retiling(const StatePtr& state, const RetileRequest& wanted, const
 /// True if a request gets the same tiles and the same pattern, whatever has been painted and loaded since.
 bool gives_the_same(const Retiling& known, const State& state, const RetileRequest& wanted);
 
-/// A document on other tiles, and what its page is told.
+/// A document on other tiles, and the answer to its page.
 struct Retiled {
     Edited edit;
     base::Json answer;

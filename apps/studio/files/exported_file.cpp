@@ -63,8 +63,8 @@ const exports::WriterRow& find_target_writer(const Target& target) {
     return exports::find_writer(target.value("to"), wanted);
 }
 
-/// For files that move: the load path of a nonlinear model, in so many steps. The path of a linear one is
-/// straight, and its end is enough.
+/// For files that move: the load path of a nonlinear model, in this number of steps. The path of a linear one
+/// is straight, and its end is enough.
 void add_load_path(const Target& target, const State& state, exports::Scene& scene) {
     constexpr long long kMostSteps = 200;
     const std::string text = target.value("steps");

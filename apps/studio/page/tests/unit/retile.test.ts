@@ -31,7 +31,7 @@ it('what was selected by hand is counted before it goes, and nothing is said of 
   expect(droppedWords({ supports: 1, loads: 0, prescribed: 0 })).toMatch(/^1 support is on nodes selected by hand and will be removed\./);
   expect(droppedWords({ supports: 2, loads: 1, prescribed: 3 })).toMatch(/^2 supports, 1 load and 3 prescribed displacements are on nodes/);
 });
-it('paintings that are made again are told, and so is the rest', () => {
+it('names the paintings that are made again, and all that goes', () => {
   expect(paintingWords(TILES, 'made:one')).toEqual(['All tiles get one pattern.']);
   expect(paintingWords(TILES, 'keep')).toEqual(['10 tiles take the pattern of the nearest old tile.']);
   const words = paintingWords({ ...TILES, painted_again: { field: 6, image: 1 } }, 'keep');
