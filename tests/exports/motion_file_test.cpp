@@ -173,7 +173,9 @@ TEST(MotionFile, TheAnimationGoesFromRestThroughEveryState) {
     ASSERT_EQ(weights.size(), (kSteps + 1U) * kSteps);
     EXPECT_EQ(times.front(), 0.0F);
     for (std::size_t frame = 0; frame <= kSteps; ++frame) {
-        if (frame > 0) EXPECT_GT(times[frame], times[frame - 1]);
+        if (frame > 0) {
+            EXPECT_GT(times[frame], times[frame - 1]);
+        }
         for (std::size_t k = 0; k < kSteps; ++k)
             EXPECT_EQ(weights[frame * kSteps + k], frame == k + 1 ? 1.0F : 0.0F);
     }
