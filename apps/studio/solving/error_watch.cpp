@@ -23,8 +23,7 @@ Json error_of(const SolvedSurface& live, const base::Control& control) {
     const simulation::SurfaceResult turned = session.solve(control);
     simulation::SurfaceResult result = live.result;
     result.subject = simulation::result_subject(surface, load_case, options);
-    for (const tiling::TileIndex tile : session.full_tiles())
-        result.subject->full_tiles.push_back(tile.value);
+    result.subject->full_tiles = simulation::tile_numbers(session.full_tiles());
     const auto error = simulation::estimate_model_error(session, turned, result.model_doubt.value(), surface,
                                                         result, control);
     if (!error) return nullptr;

@@ -7,17 +7,10 @@
 #include <fretwork/simulation/session.hpp>
 #include <fretwork/simulation/simulate.hpp>
 
-#include <span>
-#include <utility>
+#include <vector>
 
 namespace fretwork::simulation {
 namespace {
-
-std::vector<int> numbers(std::span<const tiling::TileIndex> tiles) {
-    std::vector<int> result;
-    for (const tiling::TileIndex tile : tiles) result.push_back(tile.value);
-    return result;
-}
 
 class Simulation {
   public:
@@ -41,7 +34,7 @@ class Simulation {
     SurfaceResult solve() {
         Session session(surface_, load_case_, options_);
         SurfaceResult result = session.solve(control_);
-        full_tiles_ = numbers(session.full_tiles());
+        full_tiles_ = tile_numbers(session.full_tiles());
         if (options_.estimate_where_doubtful && result.solution.converged() &&
             is_nonlinear(surface_, options_) && !is_reference(surface_, options_))
             add_doubt(session, result);
@@ -59,13 +52,13 @@ class Simulation {
         plain.estimate_model_error = false;
         Session session(surface_, load_case_, estimating_options(surface_, options_));
         const SurfaceResult turned = session.solve(control_);
-        full_tiles_ = numbers(session.full_tiles());
+        full_tiles_ = tile_numbers(session.full_tiles());
         SurfaceResult result = begins_with_own_solution(surface_, options_)
                                    ? turned
                                    : Session(surface_, load_case_, plain).solve(control_);
         estimate(session, turned, model_doubt(session, turned), result);
         if (result.solution.converged())
-            result.buckled_tiles = numbers(buckled_tiles(surface_, result.solution, options_, control_));
+            result.buckled_tiles = tile_numbers(buckled_tiles(surface_, result.solution, options_, control_));
         return result;
     }
 

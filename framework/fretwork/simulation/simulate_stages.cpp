@@ -133,7 +133,8 @@ class StagedSimulation {
         if (options_.estimate_where_doubtful && has_ended && is_reduced) result.model_doubt = own.doubt;
         const bool is_doubted = options_.model == kMixedTiles && is_doubtful(result);
         if (has_ended && (options_.estimate_model_error || is_doubted)) estimate(own);
-        if (has_ended && options_.estimate_model_error) add_buckled_tiles(result);
+        if (has_ended && options_.estimate_model_error)
+            result.buckled_tiles = tile_numbers(buckled_tiles(surface_, result.solution, options_, control_));
         detail::add_wanted(surface_, plan_.supports, options_, control_, result);
         return std::move(result);
     }
@@ -228,12 +229,6 @@ class StagedSimulation {
             }
         }
         return {reduced.begin(), reduced.end()};
-    }
-
-    void add_buckled_tiles(SurfaceResult& result) const {
-        result.buckled_tiles.emplace();
-        for (const TileIndex tile : buckled_tiles(surface_, result.solution, options_, control_))
-            result.buckled_tiles->push_back(tile.value);
     }
 
     const Surface& surface_;

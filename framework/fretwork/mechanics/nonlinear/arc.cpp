@@ -59,8 +59,10 @@ double Arc::length_to_crossing(double wanted) const {
     return std::clamp(kBeyondChange * load_scale() / state.load_rate, crossing, std::max(beyond, crossing));
 }
 
-Arc begin_arc(const PathStepper& stepper, const PathPoint& point, double load_factor) {
+Arc begin_arc(const PathStepper& stepper, const PathPoint& point, double load_factor,
+              double least_load_scale) {
     Arc arc{stepper.rising(point), {}};
+    arc.least_load_scale = least_load_scale;
     arc.length = stepper.first_length(arc.state, load_factor);
     arc.shortest = std::min(stepper.length_of(arc.state, kShortestMove), kShortestShare * arc.length);
     return arc;

@@ -44,6 +44,7 @@ struct Arc {
 };
 
 /// Begin an arc at an equilibrium with a known rate, towards a larger load.
-Arc begin_arc(const PathStepper& stepper, const PathPoint& point, double load_factor);
+Arc begin_arc(const PathStepper& stepper, const PathPoint& point, double load_factor,
+              double least_load_scale);
 
 }  // namespace fretwork::mechanics::nonlinear

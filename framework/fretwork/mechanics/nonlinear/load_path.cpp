@@ -42,6 +42,7 @@ class LoadPath::Impl {
           stepper_(system_, newton_, options),
           point_{
               start ? start->configuration : unknowns_.rest(), 0.0, {}, {}, start ? std::numbers::pi : 0.0},
+          least_load_scale_(start ? 1.0 : 0.0),
           is_at_rest_(!start),
           mixed_is_here_(!start),
           predictor_(unknowns_) {
@@ -152,11 +153,7 @@ class LoadPath::Impl {
         }
     }
 
-    Arc arc_here(double target) {
-        Arc arc = begin_arc(stepper_, point_, target);
-        arc.least_load_scale = system_.begins_at_rest() ? 0.0 : 1.0;
-        return arc;
-    }
+    Arc arc_here(double target) { return begin_arc(stepper_, point_, target, least_load_scale_); }
 
     /// Step by step along the path, load and displacements together, until the load is the wanted one.
     Termination follow_arc(double target, const PathProgress& progress) {
@@ -372,8 +369,9 @@ class LoadPath::Impl {
     PathStepper stepper_;
     PathPoint point_;                                 ///< the last equilibrium
     Termination beginning_ = Termination::Converged;  ///< whether there is an equilibrium to begin at
-    bool is_at_rest_ = true;
-    bool mixed_is_here_ = true;  ///< its stresses and factors are those of the last equilibrium
+    double least_load_scale_;
+    bool is_at_rest_;
+    bool mixed_is_here_;  ///< its stresses and factors are those of the last equilibrium
     Eigen::VectorXd first_rate_;
     PathPredictor predictor_;
     std::vector<StabilityLoss> losses_;

@@ -62,6 +62,7 @@ NonlinearSystem::NonlinearSystem(const Assembly& assembly, int threads, const ba
     }
     answers_.resize(batch_);
     values_.resize(unknowns_.layout().row().size());
+    start_loads_.setZero(std::ssize(assembly.nodes), kDofsPerNode);
     take_up_loads();
 }
 
@@ -78,18 +79,15 @@ void NonlinearSystem::begin_at(const PathStart& start) {
 }
 
 NodeValues NonlinearSystem::loads_at(double load_factor) const {
-    NodeValues loads = load_factor * load_change_;
-    if (start_loads_.size() > 0) loads += start_loads_;
-    return loads;
+    return load_factor * load_change_ + start_loads_;
 }
 
 void NonlinearSystem::take_up_loads() {
     const Assembly& assembly = unknowns_.assembly();
-    load_change_ = assembly.loads;
-    if (start_loads_.size() > 0) load_change_ -= start_loads_;
+    load_change_ = assembly.loads - start_loads_;
     const auto has_moment = [&](int node) {
-        const bool at_start = start_loads_.size() > 0 && !start_loads_.row(node).tail<3>().isZero(0.0);
-        return at_start || !assembly.loads.row(node).tail<3>().isZero(0.0);
+        return !start_loads_.row(node).tail<3>().isZero(0.0) ||
+               !assembly.loads.row(node).tail<3>().isZero(0.0);
     };
     moment_nodes_.clear();
     for (int node = 0; node < static_cast<int>(assembly.nodes.size()); ++node) {
@@ -101,7 +99,6 @@ void NonlinearSystem::take_up_loads() {
         unknowns_.layout().gather(rounding_forces(assembly, unknowns_.length()), rounding_);
         rounded_elements_ = assembly.elements;
     }
-    is_loaded_ = unknowns_.has_prescribed() || !assembly.loads.isZero(0.0);
     spin_maps_.resize(unknowns_.vector_nodes().size());
     prescribed_rate_.setZero(static_cast<Eigen::Index>(assembly.nodes.size()), kDofsPerNode);
 }
@@ -282,7 +279,7 @@ NodeValues NonlinearSystem::mapped(NodeValues forces) const {
     return forces;
 }
 
-void NonlinearSystem::gather_unbalanced(double load_factor) {
+void NonlinearSystem::gather_unbalanced(double load_factor, const NodeValues& loads) {
     const NodeValues unbalanced = mapped(forces_);
     NodeValues rate = mapped(load_change_);
     if (unknowns_.has_prescribed()) rate -= prescribed_rate_;
@@ -296,15 +293,11 @@ void NonlinearSystem::gather_unbalanced(double load_factor) {
             square += value * value;
         }
     }
-    const double loads = begins_at_rest()
-                             ? load_factor * structure::force_norm(load_change_, unknowns_.length())
-                             : structure::force_norm(loads_at(load_factor), unknowns_.length());
-    const double scale = loads + structure::force_norm(reactions(), unknowns_.length());
-    const bool is_unloaded = begins_at_rest()
-                                 ? !is_loaded_ || load_factor == 0.0
-                                 : loads_at(load_factor).isZero(0.0) && unknowns_.holds_at_rest(load_factor);
+    const double scale = structure::force_norm(loads, unknowns_.length()) +
+                         structure::force_norm(reactions(), unknowns_.length());
+    const auto is_unloaded = [&] { return loads.isZero(0.0) && unknowns_.holds_at_rest(load_factor); };
     const bool is_at_rest =
-        square == 0.0 || (is_unloaded && is_rounding()) || is_moved_rigidly(scale, std::sqrt(square));
+        square == 0.0 || (is_rounding() && is_unloaded()) || is_moved_rigidly(scale, std::sqrt(square));
     relative_residual_ = is_at_rest ? 0.0 : std::sqrt(square) / scale;
 }
 
@@ -342,7 +335,7 @@ void NonlinearSystem::evaluate(const Configuration& configuration, double load_f
     forces_ = loads - internal_;
     if (pass.demand == Demand::Tangent)
         add_moment_terms(configuration, loads, mixed ? given_internal_ : internal_);
-    gather_unbalanced(load_factor);
+    gather_unbalanced(load_factor, loads);
     if (pass.has_lag()) unknowns_.layout().gather(mapped(loads - given_internal_) - lag_, mixed_unbalanced_);
 }
 

@@ -28,8 +28,6 @@ class NonlinearSystem {
 
     /// Begin the path at an equilibrium instead of at rest.
     void begin_at(const PathStart& start);
-    /// True if the path begins at rest.
-    [[nodiscard]] bool begins_at_rest() const { return start_loads_.size() == 0; }
 
     /// Take over the present state of the assembly, after elements were replaced by others of the same nodes,
     /// or after loads or prescribed values changed. The control is replaced, too.
@@ -129,13 +127,12 @@ class NonlinearSystem {
     void add_moment_terms(const Configuration& configuration, const NodeValues& loads,
                           const NodeValues& internal);
     [[nodiscard]] Eigen::Matrix3d skew_of_moment(int node, const NodeValues& loads) const;
-    void gather_unbalanced(double load_factor);
+    void gather_unbalanced(double load_factor, const NodeValues& loads);
     [[nodiscard]] bool is_moved_rigidly(double scale, double unbalanced) const;
 
     Unknowns unknowns_;
-    NodeValues start_loads_;                  ///< loads at the beginning of the path; empty: at rest
+    NodeValues start_loads_;                  ///< loads at the beginning of the path
     NodeValues load_change_;                  ///< from there to the full load
-    bool is_loaded_ = false;                  ///< of a path that begins at rest
     Eigen::VectorXd rounding_;                ///< rounding of the force of each equation at rest
     Elements rounded_elements_;               ///< elements to which `rounding_` belongs
     std::vector<int> moment_nodes_;           ///< nodes with applied moments and at least two free rotations

@@ -27,6 +27,7 @@ Unknowns::Unknowns(const Assembly& assembly, const base::Control& control)
     : assembly_(assembly),
       constraints_(structure::constraints_of(assembly)),
       length_(structure::characteristic_length(assembly)),
+      start_(NodeValues::Zero(constraints_.values.rows(), kDofsPerNode)),
       layout_(lay_out(assembly, constraints_, control)) {
     take_up_prescribed();
     NodeValues weights = NodeValues::Ones(static_cast<Eigen::Index>(assembly.nodes.size()), kDofsPerNode);
@@ -35,7 +36,6 @@ Unknowns::Unknowns(const Assembly& assembly, const base::Control& control)
 }
 
 void Unknowns::begin_at(const Configuration& start) {
-    start_ = NodeValues::Zero(static_cast<Eigen::Index>(assembly_.nodes.size()), kDofsPerNode);
     for (int node = 0; node < static_cast<int>(assembly_.nodes.size()); ++node) {
         for (int d = 0; d < kDofsPerNode; ++d) {
             if (!is_held(node, d)) continue;
@@ -52,8 +52,7 @@ void Unknowns::refresh() {
 }
 
 void Unknowns::take_up_prescribed() {
-    prescribed_change_ = constraints_.values;
-    if (start_.size() > 0) prescribed_change_ -= start_;
+    prescribed_change_ = constraints_.values - start_;
     find_vector_nodes();
 }
 
@@ -63,8 +62,8 @@ void Unknowns::find_vector_nodes() {
     vector_nodes_.clear();
     for (int node = 0; node < static_cast<int>(assembly_.nodes.size()); ++node) {
         const int held = is_held(node, 3) + is_held(node, 4) + is_held(node, 5);
-        const bool prescribed = !constraints_.values.row(node).tail<3>().isZero(0.0) ||
-                                (start_.size() > 0 && !start_.row(node).tail<3>().isZero(0.0));
+        const bool prescribed =
+            !constraints_.values.row(node).tail<3>().isZero(0.0) || !start_.row(node).tail<3>().isZero(0.0);
         if (held == 0 || (held == 3 && !prescribed)) continue;
         vector_slot_[at(node)] = static_cast<int>(vector_nodes_.size());
         vector_nodes_.push_back(node);
@@ -89,8 +88,8 @@ void Unknowns::prescribe(double load_factor, Configuration& configuration) const
     for (const PrescribedDisplacement& given : assembly_.prescribed) {
         const auto node = at(given.node.value);
         const auto dof = static_cast<int>(given.dof);
-        double value = load_factor * given.value;  // exact at the full load
-        if (start_.size() > 0) value += (1.0 - load_factor) * start_(given.node.value, dof);
+        // Exact at the full load.
+        const double value = load_factor * given.value + (1.0 - load_factor) * start_(given.node.value, dof);
         if (dof < 3) {
             configuration.states[node].displacement[dof] = value;
         } else {

@@ -81,8 +81,7 @@ class Unknowns {
     [[nodiscard]] bool has_prescribed() const { return has_prescribed_; }
     /// True if all held components are zero at a load factor.
     [[nodiscard]] bool holds_at_rest(double load_factor) const {
-        const NodeValues values = load_factor * constraints_.values;
-        return start_.size() == 0 ? values.isZero(0.0) : (values + (1.0 - load_factor) * start_).isZero(0.0);
+        return (load_factor * constraints_.values + (1.0 - load_factor) * start_).isZero(0.0);
     }
     /// The largest rotation that is prescribed at a node from the beginning of the path to the full load,
     /// rad.
@@ -102,9 +101,9 @@ class Unknowns {
 
     const Assembly& assembly_;
     structure::Constraints constraints_;
-    NodeValues start_;              ///< held components at the beginning of the path; empty: at rest
-    NodeValues prescribed_change_;  ///< from there to the full load
     double length_;
+    NodeValues start_;              ///< held components at the beginning of the path
+    NodeValues prescribed_change_;  ///< from there to the full load
     std::unique_ptr<sparse::SystemLayout> layout_;
     std::vector<int> vector_nodes_;
     std::vector<int> vector_slot_;

@@ -107,6 +107,12 @@ ResultSubject result_subject(const Surface& surface, const LoadCase& load_case,
             .joints = surface.setting.joints};
 }
 
+std::vector<int> tile_numbers(std::span<const tiling::TileIndex> tiles) {
+    std::vector<int> numbers;
+    for (const tiling::TileIndex tile : tiles) numbers.push_back(tile.value);
+    return numbers;
+}
+
 std::string main_model(const ResultSubject& subject) {
     return named_models(subject.model).front();
 }

@@ -9,6 +9,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace fretwork::simulation {
 
@@ -18,6 +19,9 @@ namespace fretwork::simulation {
 /// painting's hash covers each tile's pattern and first vertex.
 ResultSubject result_subject(const Surface& surface, const LoadCase& load_case,
                              const SimulationOptions& options);
+
+/// The numbers of tiles, as ResultSubject::full_tiles and SurfaceResult::buckled_tiles have them.
+std::vector<int> tile_numbers(std::span<const tiling::TileIndex> tiles);
 
 /// The model of the tiles without their own tile model, in the form of `simulate --model`.
 std::string main_model(const ResultSubject& subject);
