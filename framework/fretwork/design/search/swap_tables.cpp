@@ -47,8 +47,16 @@ constexpr double kMostPairWork = 3e8;
 
 }  // namespace
 
-std::vector<CaseModel> Trials::models_at(const Trial& trial, const SwapSample& sample,
-                                         const base::Control& control) {
+std::vector<CaseModel> Trials::models_at(const Trial& trial, const std::vector<std::size_t>& columns,
+                                         std::uint64_t seed, Between between, const base::Control& control) {
+    refresh_candidates(control);
+    const SwapSample sample{.candidates = parts_.candidates,
+                            .strains = strains_,
+                            .painting = painted_,
+                            .patterns = columns,
+                            .seed = seed,
+                            .threads = parts_.threads,
+                            .between_tiles = between == Between::Tiles};
     std::vector<CaseModel> models;
     for (std::size_t c = 0; c < sessions_.size(); ++c) {
         const CaseState state{sessions_[c], parts_.cases[c].goals, trial.displacements[c], aims_[c],
@@ -74,16 +82,7 @@ SwapTable Trials::table_of(const std::vector<CaseModel>& models, const Point& po
 
 SwapTable Trials::table(const Point& point, const Trial& trial, const std::vector<std::size_t>& columns,
                         std::uint64_t seed, const base::Control& control) {
-    refresh_candidates(control);
-    return table_of(models_at(trial,
-                              {.candidates = parts_.candidates,
-                               .strains = strains_,
-                               .painting = painted_,
-                               .patterns = columns,
-                               .seed = seed,
-                               .threads = parts_.threads},
-                              control),
-                    point, columns, control);
+    return table_of(models_at(trial, columns, seed, Between::Nothing, control), point, columns, control);
 }
 
 bool Trials::has_few_pairs(std::size_t columns) const {
@@ -102,16 +101,7 @@ bool Trials::has_few_pairs(std::size_t columns) const {
 
 PairTable Trials::pair_table(const Point& point, const Trial& trial, const std::vector<std::size_t>& columns,
                              std::uint64_t seed, const base::Control& control) {
-    refresh_candidates(control);
-    const std::vector<CaseModel> models = models_at(trial,
-                                                    {.candidates = parts_.candidates,
-                                                     .strains = strains_,
-                                                     .painting = painted_,
-                                                     .patterns = columns,
-                                                     .seed = seed,
-                                                     .threads = parts_.threads,
-                                                     .between_tiles = true},
-                                                    control);
+    const std::vector<CaseModel> models = models_at(trial, columns, seed, Between::Tiles, control);
     PairTable table{table_of(models, point, columns, control), {}};
     const std::size_t groups = parts_.groups.size();
     const std::size_t count = columns.size();

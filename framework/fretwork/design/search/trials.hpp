@@ -152,8 +152,10 @@ class Trials {
     void add_section(const std::vector<CaseModel>& models, const Point& point, SwapTable& table) const;
     [[nodiscard]] double objective(const std::vector<mechanics::NodeValues>& displacements,
                                    const std::vector<mechanics::NodeValues>& aims) const;
-    std::vector<CaseModel> models_at(const Trial& trial, const SwapSample& sample,
-                                     const base::Control& control);
+    /// What the models of the load cases have beside the answers of single tiles.
+    enum class Between { Nothing, Tiles };
+    std::vector<CaseModel> models_at(const Trial& trial, const std::vector<std::size_t>& columns,
+                                     std::uint64_t seed, Between between, const base::Control& control);
     [[nodiscard]] SwapTable table_of(const std::vector<CaseModel>& models, const Point& point,
                                      const std::vector<std::size_t>& columns,
                                      const base::Control& control) const;
