@@ -52,6 +52,30 @@ TEST(StagedPath, AnArchThatIsPushedThroughAndFreedStaysThere) {
     EXPECT_LT(freed.reactions.leftCols<3>().row(1).norm(), 1e-9);
 }
 
+class HeldArch : public testing::TestWithParam<double> {};
+
+/// Let go of, an arch goes downhill. As a load, the force that held it would push some of them over the top,
+/// which is where that force changes its sign: near 0.8 of the rise.
+TEST_P(HeldArch, GoesDownhillWhereItIsLetGo) {
+    const double push = GetParam() * kRise;
+    const Assembly assembly = assemble(bistable_arch());
+    StagedPath path(assembly);
+    const Solution held = path.advance({pins(), {{NodeIndex(1), Dof::uz, -push}}, no_loads(assembly)});
+    ASSERT_TRUE(held.converged());
+    const Solution freed = path.advance({pins(), {}, no_loads(assembly)});
+    ASSERT_TRUE(freed.converged());
+    EXPECT_TRUE(freed.stable);
+    EXPECT_LT(freed.energy, held.energy);
+    if (GetParam() < 0.8) {
+        EXPECT_LT(held.reactions(1, 2), 0.0);
+        EXPECT_LT(freed.displacements.norm(), 1e-7);
+    } else {
+        EXPECT_LT(freed.displacements(1, 2), -1.4 * kRise);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(StagedPath, HeldArch, testing::Values(0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 1.2, 1.5, 1.8));
+
 TEST(StagedPath, WhatIsKeptBearsTheLoadThatPressedIt) {
     const Assembly assembly = assemble(bistable_arch());
     StagedPath path(assembly);

@@ -47,8 +47,7 @@ class LoadPath::Impl {
           mixed_is_here_(!start),
           predictor_(unknowns_) {
         if (start) {
-            system_.begin_at(*start);
-            beginning_ = begin_at_equilibrium();
+            beginning_ = begin_at(*start);
         } else {
             mixed_.begin_at_rest(point_.configuration);
             point_.rate = newton_.solve_tangent(system_.load_rate());
@@ -67,8 +66,9 @@ class LoadPath::Impl {
         return solution(termination);
     }
 
-    [[nodiscard]] const Configuration& configuration() const { return point_.configuration; }
-    [[nodiscard]] NodeValues reactions() const { return system_.reactions(); }
+    [[nodiscard]] PathEnd end() const {
+        return {point_.configuration, system_.loads_at(point_.load_factor), system_.reactions()};
+    }
 
   private:
     void report(const PathProgress& progress) const {
@@ -77,7 +77,8 @@ class LoadPath::Impl {
     }
 
     /// Released components may have made the equilibrium inexact, or unstable.
-    Termination begin_at_equilibrium() {
+    Termination begin_at(const PathStart& start) {
+        system_.begin_at(start.configuration, start.loads + start.released);
         Configuration beginning = point_.configuration;
         const Termination found = newton_.solve(0.0, beginning);
         if (found != Termination::Converged) return found;
@@ -85,8 +86,12 @@ class LoadPath::Impl {
         point_.configuration = beginning;
         point_.outcome = newton_.factorize();
         if (point_.outcome.zero_pivot >= 0) return Termination::Diverged;
-        if (!point_.outcome.positive_definite() && options_.branch != Branch::Primary)
-            return leave(0.0, {}, beginning);
+        if (!point_.outcome.positive_definite() && options_.branch != Branch::Primary) {
+            if (start.released.isZero(0.0)) return leave(0.0, {}, beginning);
+            // As loads, the forces that held it would push it on. It is let go of.
+            system_.begin_at(start.configuration, start.loads);
+            return snap_to(0.0);
+        }
         predict_anew();
         return Termination::Converged;
     }
@@ -386,12 +391,8 @@ Solution LoadPath::advance_to(double load_factor, const PathProgress& progress) 
     return impl_->advance_to(load_factor, progress);
 }
 
-const Configuration& LoadPath::configuration() const {
-    return impl_->configuration();
-}
-
-NodeValues LoadPath::reactions() const {
-    return impl_->reactions();
+PathEnd LoadPath::end() const {
+    return impl_->end();
 }
 
 }  // namespace fretwork::mechanics::nonlinear

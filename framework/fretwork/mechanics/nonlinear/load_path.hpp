@@ -20,14 +20,22 @@ struct PathProgress {
     double last_load_factor;  ///< load factor at which the task is done
 };
 
+/// The last equilibrium of a path; loads, forces and moments have one row for each node.
+struct PathEnd {
+    Configuration configuration;
+    NodeValues loads;
+    NodeValues reactions;  ///< forces and moments of the supports
+};
+
 /// A load path that is followed from one load factor to the next, as follow_load_path() describes. The
 /// assembly and the options must outlive the path.
 class LoadPath {
   public:
     /// Begin at rest; or at an equilibrium under other loads, from where the load factor grows from 0 to 1 at
     /// the loads and prescribed values of the assembly. A beginning that is no equilibrium is corrected. With
-    /// Branch::Stable and Branch::Snapping, the path leaves a beginning that is unstable. Throws
-    /// NumericalError that names a node if the structure can move without strain at rest.
+    /// Branch::Stable and Branch::Snapping, the path leaves a beginning that is unstable: downhill without
+    /// the released forces, or along the lowest mode if there are none. Throws NumericalError that names a
+    /// node if the structure can move without strain at rest.
     LoadPath(const Assembly& assembly, const EquilibriumOptions& options,
              const std::optional<PathStart>& start = std::nullopt);
     LoadPath(const LoadPath&) = delete;
@@ -38,9 +46,7 @@ class LoadPath {
     /// equilibrium found.
     Solution advance_to(double load_factor, const PathProgress& progress);
     /// The last equilibrium.
-    [[nodiscard]] const Configuration& configuration() const;
-    /// The forces and moments of the supports at the last equilibrium, one row for each node.
-    [[nodiscard]] NodeValues reactions() const;
+    [[nodiscard]] PathEnd end() const;
 
   private:
     class Impl;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace fretwork::mechanics::nonlinear {
 namespace {
@@ -72,14 +73,14 @@ void NonlinearSystem::refresh(const base::Control& control) {
     take_up_loads();
 }
 
-void NonlinearSystem::begin_at(const PathStart& start) {
-    unknowns_.begin_at(start.configuration);
-    start_loads_ = start.loads;
+void NonlinearSystem::begin_at(const Configuration& start, NodeValues loads) {
+    unknowns_.begin_at(start);
+    start_loads_ = std::move(loads);
     take_up_loads();
 }
 
 NodeValues NonlinearSystem::loads_at(double load_factor) const {
-    return load_factor * load_change_ + start_loads_;
+    return load_factor * unknowns_.assembly().loads + (1.0 - load_factor) * start_loads_;
 }
 
 void NonlinearSystem::take_up_loads() {

@@ -26,8 +26,10 @@ class NonlinearSystem {
 
     [[nodiscard]] const Unknowns& unknowns() const { return unknowns_; }
 
-    /// Begin the path at an equilibrium instead of at rest.
-    void begin_at(const PathStart& start);
+    /// Begin the path at a configuration under these loads instead of at rest.
+    void begin_at(const Configuration& start, NodeValues loads);
+    /// The loads at a load factor.
+    [[nodiscard]] NodeValues loads_at(double load_factor) const;
 
     /// Take over the present state of the assembly, after elements were replaced by others of the same nodes,
     /// or after loads or prescribed values changed. The control is replaced, too.
@@ -95,7 +97,6 @@ class NonlinearSystem {
         Eigen::Matrix3d matrix;
     };
     void take_up_loads();
-    [[nodiscard]] NodeValues loads_at(double load_factor) const;
     void map_spins(const Configuration& configuration);
     /// The quantities requested from the elements. `stresses` is null except in a mixed iteration.
     struct Pass {

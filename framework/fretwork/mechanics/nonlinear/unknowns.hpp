@@ -22,6 +22,8 @@ struct Configuration {
 struct PathStart {
     Configuration configuration;
     NodeValues loads;  ///< loads at the equilibrium, one row for each node
+    NodeValues
+        released;  ///< forces of supports that have gone, which act at the equilibrium beside the loads
 };
 
 /// The unknown components of a structure's nodes, and the effect of steps of the unknowns on a configuration.

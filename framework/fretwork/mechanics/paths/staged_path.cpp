@@ -44,22 +44,18 @@ class StagedPath::Impl {
         options_.validate();
         options_.locate_critical_loads = false;
         if (options_.branch == Branch::Primary) options_.branch = Branch::Stable;
-        loads_ = NodeValues::Zero(std::ssize(assembly_.nodes), kDofsPerNode);
     }
 
     Solution advance(const StageTarget& target) {
         HeldValues held = held_values(target);
-        if (last_) loads_ += reactions_of_released(held);
-        take_up(held, target.loads);
+        std::optional<PathStart> start;
+        if (last_) start = {last_->configuration, last_->loads, reactions_of_released(held)};
+        take_up(held, target.loads, start);
         held_ = std::move(held);
         const base::Task task(options_.control, "load stage (thousandths)", nonlinear::kThousandths);
-        const auto start = last_ ? std::optional(PathStart{*last_, loads_}) : std::nullopt;
         LoadPath path(assembly_, options_, start);
         Solution solution = path.advance_to(1.0, {task, 1.0});
-        const double share = solution.load_factor;
-        loads_ = (1.0 - share) * loads_ + share * target.loads;  // exact at the end of the stage
-        reactions_ = path.reactions();
-        last_ = path.configuration();
+        last_ = path.end();
         return solution;
     }
 
@@ -67,34 +63,33 @@ class StagedPath::Impl {
     /// A released component begins its stage with the force that held it. The moment of a support that holds
     /// some components of a rotation has all components.
     [[nodiscard]] NodeValues reactions_of_released(const HeldValues& held) const {
-        NodeValues forces = NodeValues::Zero(loads_.rows(), kDofsPerNode);
+        NodeValues forces = NodeValues::Zero(last_->reactions.rows(), kDofsPerNode);
         for (const auto& [place, value] : held_) {
             const auto [node, dof] = place;
             if (held.contains(place)) continue;
             if (dof >= 3 && !holds_a_rotation(held, node))
-                forces.row(node).tail<3>() = reactions_.row(node).tail<3>();
+                forces.row(node).tail<3>() = last_->reactions.row(node).tail<3>();
             else
-                forces(node, dof) = reactions_(node, dof);
+                forces(node, dof) = last_->reactions(node, dof);
         }
         return forces;
     }
 
     /// Held components may have moved, so each of them has a prescribed value.
-    void take_up(const HeldValues& held, const NodeValues& loads) {
+    void take_up(const HeldValues& held, const NodeValues& loads, const std::optional<PathStart>& start) {
         assembly_.supports.clear();
         assembly_.prescribed.clear();
         for (const auto& [place, value] : held)
             assembly_.prescribed.push_back({NodeIndex(place.first), static_cast<Dof>(place.second), value});
         assembly_.loads = loads;
-        assembly_.has_moments = has_moments(loads) || has_moments(loads_);
+        assembly_.has_moments =
+            has_moments(loads) || (start && (has_moments(start->loads) || has_moments(start->released)));
     }
 
     Assembly assembly_;
     EquilibriumOptions options_;
-    std::optional<nonlinear::Configuration> last_;  ///< the last equilibrium; none: at rest
-    HeldValues held_;                               ///< at the end of the last stage
-    NodeValues loads_;                              ///< at the last equilibrium
-    NodeValues reactions_;
+    std::optional<nonlinear::PathEnd> last_;  ///< none: at rest
+    HeldValues held_;                         ///< at the end of the last stage
 };
 
 StagedPath::StagedPath(Assembly assembly, const EquilibriumOptions& options)

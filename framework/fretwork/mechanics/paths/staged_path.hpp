@@ -22,11 +22,11 @@ struct StageTarget {
 ///
 /// Each load stage is followed like a load path (follow_load_path() with Branch::Stable): one load stage from
 /// rest gives the equilibrium of the load path, and a smooth path is followed wherever it leads. The
-/// structure leaves an unstable equilibrium along a descent direction, also if the release of a component has
-/// made the beginning of a load stage unstable. A load stage ends at a limit load; with Branch::Snapping, the
-/// structure instead descends in energy from its last equilibrium. Solution::stability_losses lists each
-/// unstable equilibrium and each limit load. The load factor of an entry is the share of the load stage, and
-/// its node is the node that moves farthest.
+/// structure leaves an unstable equilibrium along a descent direction. If the release of a component has made
+/// the beginning of a load stage unstable, the structure descends without the reaction that held it. A load
+/// stage ends at a limit load; with Branch::Snapping, the structure instead descends in energy from its last
+/// equilibrium. Solution::stability_losses lists each unstable equilibrium and each limit load. The load
+/// factor of an entry is the share of the load stage, and its node is the node that moves farthest.
 class StagedPath {
   public:
     /// Begin a path at rest. The supports, prescribed values and loads of the assembly are ignored, and so is
