@@ -4,8 +4,6 @@
 #include <fretwork/simulation/project/project_library.hpp>
 #include <studio/document/state.hpp>
 
-#include <map>
-
 namespace fretwork::studio {
 namespace {
 
@@ -20,16 +18,6 @@ std::vector<std::string> tile_models_of(const Project& project) {
     std::vector<std::string> models = simulation::models_by_tile(project);
     models.resize(project.tessellation.tiles.size());
     return models;
-}
-
-std::vector<Project::TileModelChoice> tile_model_choices(const std::vector<std::string>& models) {
-    std::map<std::string, std::vector<tiling::TileIndex>> tiles;
-    for (std::size_t t = 0; t < models.size(); ++t) {
-        if (!models[t].empty()) tiles[models[t]].emplace_back(t);
-    }
-    std::vector<Project::TileModelChoice> choices;
-    for (auto& [model, chosen] : tiles) choices.push_back({model, std::move(chosen)});
-    return choices;
 }
 
 std::size_t size_of(const Painting& painting) {
@@ -75,7 +63,7 @@ Project make_project(const State& state, const std::filesystem::path& folder) {
     }
     project.load_cases = *state.load_cases;
     project.setting = *state.setting;
-    project.tile_models = tile_model_choices(*state.tile_models);
+    project.tile_models = simulation::tile_model_choices(*state.tile_models);
     const LibraryLink& library = *state.library;
     project.library_hash = library.hash;
     project.library_path =

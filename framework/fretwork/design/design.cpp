@@ -145,9 +145,10 @@ class Designer {
     void require_enough_solutions() const {
         if (search_.may_solve()) return;
         throw base::InputError(
-            "a search of at most " + std::to_string(search_.most_solutions()) + " nonlinear solution" +
-            (search_.most_solutions() == 1 ? "" : "s") + " tries no painting: the target has " +
-            std::to_string(trials_.parts().cases.size()) + " load cases, and each takes one");
+            "a search of at most " +
+            base::counted(static_cast<std::size_t>(search_.most_solutions()), "nonlinear solution") +
+            " tries no painting: the target has " + std::to_string(trials_.parts().cases.size()) +
+            " load cases, and each takes one");
     }
 
     [[nodiscard]] std::string no_equilibrium() const {

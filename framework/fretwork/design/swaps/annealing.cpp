@@ -36,9 +36,9 @@ class Annealing {
         for (std::size_t c = 0; c < options.allowed.size(); ++c) {
             if (options.allowed[c]) choices_.push_back(c);
         }
-        residual_ = left_by_unknowns(table.residual);
+        residual_ = left_by_unknowns(unknowns_, table.residual);
         for (std::size_t g = 0; g < columns_.size(); ++g) {
-            if (unknowns.cols() > 0) projected_.push_back(left_by_unknowns(table.responses[g]));
+            if (unknowns.cols() > 0) projected_.push_back(left_by_unknowns(unknowns_, table.responses[g]));
             residual_ += answers(g).col(static_cast<Index>(columns_[g]));
             products_.emplace_back(answers(g).transpose() * answers(g));
         }
@@ -68,10 +68,6 @@ class Annealing {
     [[nodiscard]] long scored() const { return scored_; }
 
   private:
-    [[nodiscard]] MatrixXd left_by_unknowns(const MatrixXd& residuals) const {
-        if (unknowns_.cols() == 0) return residuals;
-        return residuals - unknowns_ * (unknowns_.transpose() * residuals);
-    }
     [[nodiscard]] const MatrixXd& answers(std::size_t group) const {
         return projected_.empty() ? table_.responses[group] : projected_[group];
     }

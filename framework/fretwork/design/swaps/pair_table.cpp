@@ -20,11 +20,12 @@ class EveryChoice {
     EveryChoice(const PairTable& table, std::size_t count, const base::Control& control)
         : table_(table), count_(count), control_(control), columns_(table.swaps.groups(), 0) {
         unknowns_ = unknown_basis(table.swaps);
-        for (const MatrixXd& own : table.crosses) crosses_.push_back(left_by_unknowns(own));
+        for (const MatrixXd& own : table.crosses) crosses_.push_back(left_by_unknowns(unknowns_, own));
         levels_.resize(columns_.size() + 1);
         Level& top = levels_.back();
-        top.residual = left_by_unknowns(table.swaps.residual);
-        for (const MatrixXd& own : table.swaps.responses) top.responses.push_back(left_by_unknowns(own));
+        top.residual = left_by_unknowns(unknowns_, table.swaps.residual);
+        for (const MatrixXd& own : table.swaps.responses)
+            top.responses.push_back(left_by_unknowns(unknowns_, own));
         for (std::size_t g = 0; g + 1 < levels_.size(); ++g) levels_[g].responses.resize(g);
     }
 
@@ -43,11 +44,6 @@ class EveryChoice {
         std::vector<MatrixXd> responses;
     };
     using Scored = std::pair<double, std::vector<std::size_t>>;
-
-    [[nodiscard]] MatrixXd left_by_unknowns(const MatrixXd& residuals) const {
-        if (unknowns_.cols() == 0) return residuals;
-        return residuals - unknowns_ * (unknowns_.transpose() * residuals);
-    }
 
     void descend(std::size_t level) {
         const std::size_t group = level - 1;

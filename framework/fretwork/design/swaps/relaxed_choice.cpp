@@ -20,9 +20,9 @@ constexpr int kMixingSteps = 4;
 class Relaxation {
   public:
     Relaxation(const SwapTable& table, const std::vector<std::size_t>& start) : basis_(unknown_basis(table)) {
-        residual_ = left_by_unknowns(table.residual);
+        residual_ = left_by_unknowns(basis_, table.residual);
         for (std::size_t g = 0; g < start.size(); ++g) {
-            responses_.push_back(left_by_unknowns(table.responses[g]));
+            responses_.push_back(left_by_unknowns(basis_, table.responses[g]));
             const auto own = static_cast<Index>(start[g]);
             weights_.push_back(VectorXd::Unit(responses_[g].cols(), own));
             residual_ += responses_[g].col(own);
@@ -65,11 +65,6 @@ class Relaxation {
     [[nodiscard]] const std::vector<VectorXd>& weights() const { return weights_; }
 
   private:
-    [[nodiscard]] MatrixXd left_by_unknowns(const MatrixXd& residuals) const {
-        if (basis_.cols() == 0) return residuals;
-        return residuals - basis_ * (basis_.transpose() * residuals);
-    }
-
     MatrixXd basis_;
     std::vector<MatrixXd> responses_;
     std::vector<VectorXd> weights_;

@@ -40,6 +40,10 @@ StepFactors step_factors_of(const SwapTable& table) {
     return factors;
 }
 
+MatrixXd basis_of(const StepFactors& factors, Index rows) {
+    return factors.householderQ() * MatrixXd::Identity(rows, factors.rank());
+}
+
 class Sweeper {
   public:
     Sweeper(const SwapTable& table, const SweepOptions& options) : table_(table), options_(options) {
@@ -48,7 +52,7 @@ class Sweeper {
             squares_.col(static_cast<Index>(g)) = table.responses[g].colwise().squaredNorm().transpose();
         if (table.by_factors.cols() > 0) {
             factors_ = step_factors_of(table);
-            unknowns_ = unknown_basis(table);
+            unknowns_ = basis_of(factors_, table.by_factors.rows());
         }
     }
 
@@ -253,8 +257,12 @@ void keep_best(std::vector<Choice>& choices, std::size_t count) {
 
 MatrixXd unknown_basis(const SwapTable& table) {
     if (table.by_factors.cols() == 0) return {};
-    const StepFactors factors = step_factors_of(table);
-    return factors.householderQ() * MatrixXd::Identity(table.by_factors.rows(), factors.rank());
+    return basis_of(step_factors_of(table), table.by_factors.rows());
+}
+
+MatrixXd left_by_unknowns(const MatrixXd& basis, const MatrixXd& residuals) {
+    if (basis.cols() == 0) return residuals;
+    return residuals - basis * (basis.transpose() * residuals);
 }
 
 VectorXd best_steps(const SwapTable& table, const VectorXd& residual) {

@@ -43,6 +43,8 @@ Eigen::VectorXd best_steps(const SwapTable& table, const Eigen::VectorXd& residu
 
 /// An orthonormal basis of the columns of SwapTable::by_factors; no columns if there are no unknowns.
 Eigen::MatrixXd unknown_basis(const SwapTable& table);
+/// What continuous unknowns leave of residuals: the part beside the columns of unknown_basis().
+Eigen::MatrixXd left_by_unknowns(const Eigen::MatrixXd& basis, const Eigen::MatrixXd& residuals);
 
 struct SweepOptions {
     std::vector<bool> allowed;  ///< for each column, true if it may be chosen

@@ -7,6 +7,7 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/exports/space/detail/bar_colours.hpp>
 #include <fretwork/exports/space/pictures.hpp>
+#include <fretwork/simulation/results/surface_beams.hpp>
 
 #include <algorithm>
 #include <array>
@@ -98,19 +99,12 @@ Motions motions_of(const Scene& scene, const BarScene& bars) {
     if (scene.results.empty()) return motions;
     const simulation::SurfaceResult& result = scene.results.front().result;
     if (result.load_steps.empty()) return {{bars.motion}, {result.solution.load_factor}};
-    Scene step_scene = scene;
-    simulation::SurfaceResult& there = step_scene.results.front().result;
-    there.load_steps.clear();
-    for (const mechanics::Solution& step : result.load_steps) {
-        scene.control.check();
-        there.solution = step;
-        BarScene state = make_bar_scene(step_scene);
-        if (state.bars != bars.bars)
-            throw base::InputError("the load steps of " + scene.results.front().label +
-                                   " have other bars than its end");
-        motions.states.push_back(std::move(state.motion));
-        motions.factors.push_back(step.load_factor);
-    }
+    scene.control.check();
+    const simulation::SurfaceBeams beams = simulation::surface_beams(scene.surface);
+    for (const simulation::BeamState& state :
+         simulation::step_beam_states(scene.surface, result, beams, {}, scene.models))
+        motions.states.push_back(state.nodes.array().isNaN().select(0.0, state.nodes));
+    for (const mechanics::Solution& step : result.load_steps) motions.factors.push_back(step.load_factor);
     return motions;
 }
 

@@ -32,11 +32,7 @@ std::string npy_header(std::size_t count, std::size_t side) {
 Eigen::MatrixXd stiffness_of(const library::Library& library, const pattern::NamedPattern& entry, int nodes) {
     const mechanics::Frame frame =
         reduction::pattern_frame(library.layout(), entry.pattern, library.setting());
-    try {
-        return reduction::condensed_frame(frame, nodes);
-    } catch (const base::InputError& error) {
-        throw base::within("pattern " + entry.id, "", error);
-    }
+    return base::located("pattern " + entry.id, "", [&] { return reduction::condensed_frame(frame, nodes); });
 }
 
 }  // namespace

@@ -36,16 +36,23 @@ tiling::TessellationResult tessellate_named(const std::vector<outlines::Outline>
 tiling::TessellationResult new_tiles(const std::vector<outlines::Outline>& parts,
                                      const NewProjectOptions& options, const pattern::NodeLayout& layout,
                                      const reduction::Setting& setting) {
-    tiling::TessellationOptions tiles;
-    tiles.edge_length = options.edge_length.value_or(setting.tile_side);
-    tiles.smallest_side = std::min(mechanics::rectangle_width(setting.section), 0.25 * tiles.edge_length);
-    tiles.angle = options.angle;
+    tiling::TessellationOptions tiles =
+        tiling_options(setting, options.edge_length.value_or(setting.tile_side), options.angle);
     tiles.narrow = options.narrow;
     tiles.control = options.control;
     return tessellate_named(parts, options.outline_name, layout, tiles);
 }
 
 }  // namespace
+
+tiling::TessellationOptions tiling_options(const reduction::Setting& setting, double edge_length,
+                                           std::optional<double> angle) {
+    tiling::TessellationOptions options;
+    options.edge_length = edge_length;
+    options.smallest_side = std::min(mechanics::rectangle_width(setting.section), 0.25 * edge_length);
+    options.angle = angle;
+    return options;
+}
 
 NewProject make_project(const outlines::Outline& outline, const NewProjectOptions& options,
                         const library::Library* library) {

@@ -37,6 +37,11 @@ struct NewProjectOptions {
     base::Control control{};    ///< progress and stop
 };
 
+/// Options of tiles with a wanted mean side, m, and an angle of the rows, rad (none: the most regular). No
+/// side is shorter than the smaller of the width of the setting's bars and a quarter of the wanted side.
+tiling::TessellationOptions tiling_options(const reduction::Setting& setting, double edge_length,
+                                           std::optional<double> angle);
+
 /// A project without load cases, and a report about its tiling.
 struct NewProject {
     Project project;                    ///< the project, with tessellation and painting

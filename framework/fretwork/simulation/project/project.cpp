@@ -4,6 +4,9 @@
 #include <fretwork/simulation/load_cases/combination.hpp>
 #include <fretwork/simulation/project/project.hpp>
 
+#include <map>
+#include <utility>
+
 namespace fretwork::simulation {
 
 LoadCase find_load_case(const Project& project, const std::string& name) {
@@ -25,6 +28,16 @@ std::vector<std::string> models_by_tile(const Project& project) {
         for (const tiling::TileIndex tile : choice.tiles) models[tile] = choice.model;
     }
     return models;
+}
+
+std::vector<Project::TileModelChoice> tile_model_choices(const std::vector<std::string>& models) {
+    std::map<std::string, std::vector<tiling::TileIndex>> tiles;
+    for (std::size_t t = 0; t < models.size(); ++t) {
+        if (!models[t].empty()) tiles[models[t]].emplace_back(t);
+    }
+    std::vector<Project::TileModelChoice> choices;
+    for (auto& [model, chosen] : tiles) choices.push_back({model, std::move(chosen)});
+    return choices;
 }
 
 }  // namespace fretwork::simulation

@@ -96,13 +96,11 @@ void check_calibrations(const std::string& file, const Project& project, const S
                         const ModelChoice& choice) {
     for (std::size_t t = 0; t < surface.tessellation.tiles.size(); ++t) {
         const tiling::TileIndex tile(t);
-        try {
+        base::located(file, place_of_model(project, tile), [&] {
             const auto& model = tile_model(surface, choice, tile);
             const std::vector<double> values = tile_parameters(surface, tile, model);
             check_values(values, tiling::pattern_of(surface.tessellation, tile)->id, model);
-        } catch (const base::InputError& error) {
-            throw base::within(file, place_of_model(project, tile), error);
-        }
+        });
     }
 }
 

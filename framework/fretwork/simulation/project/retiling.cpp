@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/geometry/polygon.hpp>
-#include <fretwork/mechanics/frame/section.hpp>
 #include <fretwork/reduction/scenarios/setting_file.hpp>
 #include <fretwork/simulation/load_cases/conditions.hpp>
+#include <fretwork/simulation/project/new_project.hpp>
 #include <fretwork/simulation/project/retiling.hpp>
+#include <fretwork/tiling/painting/tile_choice.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <utility>
 
 namespace fretwork::simulation {
@@ -35,8 +35,8 @@ double longest_side(const Tessellation& tessellation) {
 class NearestTile {
   public:
     explicit NearestTile(const Tessellation& tessellation) {
-        for (const TileIndex tile : tessellation.tiles.indices())
-            sorted_.push_back({geometry::centroid(tiling::tile_polygon(tessellation, tile)), tile});
+        const auto centers = tiling::tile_centers(tessellation);
+        for (const TileIndex tile : centers.indices()) sorted_.push_back({centers[tile], tile});
         std::ranges::sort(sorted_, {}, [](const Entry& entry) { return entry.place.x; });
     }
     /// From the place's x outwards, until a difference in x alone is larger than the distance found.
@@ -74,8 +74,7 @@ using FromTiles = base::IndexVector<TileIndex, TileIndex>;
 FromTiles nearest_tiles(const Tessellation& old_tiles, const Tessellation& new_tiles) {
     const NearestTile nearest(old_tiles);
     FromTiles from;
-    for (const TileIndex tile : new_tiles.tiles.indices())
-        from.push_back(nearest(geometry::centroid(tiling::tile_polygon(new_tiles, tile))));
+    for (const Point2& center : tiling::tile_centers(new_tiles)) from.push_back(nearest(center));
     return from;
 }
 
@@ -130,14 +129,9 @@ void carry_load_case(LoadCase& load_case, const FromTiles& from, DroppedEntries&
 std::vector<Project::TileModelChoice> carried_models(const Project& project, const FromTiles& from) {
     const std::vector<std::string> models = models_by_tile(project);
     if (models.empty()) return {};
-    std::map<std::string, std::vector<TileIndex>> tiles;
-    for (const TileIndex tile : from.indices()) {
-        const std::string& model = models[from[tile]];
-        if (!model.empty()) tiles[model].push_back(tile);
-    }
-    std::vector<Project::TileModelChoice> choices;
-    for (auto& [model, chosen] : tiles) choices.push_back({model, std::move(chosen)});
-    return choices;
+    std::vector<std::string> carried;
+    for (const TileIndex tile : from) carried.push_back(models[tile]);
+    return tile_model_choices(carried);
 }
 
 }  // namespace
@@ -146,10 +140,7 @@ NewTiles new_tiles(const Project& project, const RetilingOptions& options) {
     const reduction::Setting setting = project.setting.value_or(reduction::paper_setting());
     std::vector<outlines::Outline> parts{project.outline};
     parts.insert(parts.end(), project.further_outlines.begin(), project.further_outlines.end());
-    tiling::TessellationOptions wanted;
-    wanted.edge_length = options.edge_length;
-    wanted.smallest_side = std::min(mechanics::rectangle_width(setting.section), 0.25 * options.edge_length);
-    wanted.angle = options.angle;
+    tiling::TessellationOptions wanted = tiling_options(setting, options.edge_length, options.angle);
     wanted.control = options.control;
     NewTiles made;
     made.layout = options.layout.value_or(project.layout);

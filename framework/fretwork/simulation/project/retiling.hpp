@@ -27,8 +27,7 @@ struct NewTiles {
     double largest_side = 0.0;                             ///< length of the longest side, m
 };
 
-/// Tile the outline of a project again. No side is shorter than the smaller of the width of the setting's
-/// bars and a quarter of the wanted side, as in make_project(). The project is not changed, and its present
+/// Tile the outline of a project again, with tiling_options(). The project is not changed, and its present
 /// tiles have no effect. Throws as tiling::tessellate().
 NewTiles new_tiles(const Project& project, const RetilingOptions& options);
 
@@ -38,8 +37,6 @@ struct DroppedEntries {
     int supports = 0;    ///< number of supports
     int loads = 0;       ///< number of loads, on nodes and on areas
     int prescribed = 0;  ///< number of prescribed displacements; components of one entry count once
-    /// The number of all entries.
-    [[nodiscard]] int total() const { return supports + loads + prescribed; }
 };
 
 /// A project on other tiles.
