@@ -7,8 +7,7 @@
 
 namespace fretwork::app {
 
-/// Read a surface's result, and check its subject against the project. A result of an older program has no
-/// subject; it is accepted, with a line on standard error.
+/// Read a surface's result and check its subject. Each warning about the result is a line on standard error.
 simulation::SurfaceResult read_surface_result(const std::string& file);
 
 /// Throw InputError unless a result that was read from `file` is one of a project's surface.

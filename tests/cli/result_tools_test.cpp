@@ -147,6 +147,44 @@ TEST_F(ResultTools, StagesBelongToTheResultInEveryCommand) {
                 HasSubstr("the stages"));
 }
 
+/// The warnings of a result's path reach everybody who uses the result.
+TEST_F(ResultTools, AResultThatIsNotTheAnswerSaysSoInEveryCommand) {
+    json ended = json::parse(base::read_text_file(folder_.path() / "full.json"));
+    ended["termination"] = "limit-load";
+    ended["converged"] = false;
+    ended["load_factor"] = 0.43;
+    folder_.file("ended.json", ended.dump());
+    for (const std::string command :
+         {"beams p.json ended.json", "export p.json --result ended.json --to e.svg",
+          "export p.json --result ended.json --content facts --to e.json", "compare ended.json full.json"})
+        EXPECT_THAT(
+            run("fretwork " + command).err,
+            HasSubstr("fretwork: ended.json: this is not the answer to the load: the path ends at 43 % "
+                      "of the load"))
+            << command;
+    EXPECT_THAT(base::read_text_file(folder_.path() / "e.json"), HasSubstr("ends at 43 % of the load"));
+}
+
+TEST_F(ResultTools, StagesAreListedAndCheckedBeforeTheyAreSimulated) {
+    folder_.file("stages.json", R"({"format": "fretwork/stages/1", "stages": [
+        {"name": "press", "loads": [{"load_case": "cantilever", "factor": 0.5}]},
+        {"name": "ease", "loads": [{"load_case": "cantilever", "factor": 0.25}]}]})");
+    const Outcome staged = run("fretwork simulate p.json --stages stages.json --out staged.json --json");
+    ASSERT_EQ(staged.exit_code, 0) << staged.err;
+    const json steps = json::parse(staged.out).at("load_steps");
+    ASSERT_EQ(steps.size(), 2U);
+    EXPECT_EQ(steps[1].at("stage"), "ease");
+    EXPECT_EQ(steps[1].at("termination"), "converged");
+    EXPECT_GT(steps[0].at("largest_displacement").get<double>(),
+              steps[1].at("largest_displacement").get<double>());
+    folder_.file("wrong.json", R"({"format": "fretwork/stages/1", "stages": [
+        {"name": "let go", "free": [{"side": "right", "fixed": ["uz"]}]}]})");
+    const Outcome wrong = run("fretwork simulate p.json --stages wrong.json --out wrong-result.json");
+    EXPECT_EQ(wrong.exit_code, 2);
+    EXPECT_THAT(wrong.err,
+                StartsWith("fretwork: wrong.json: load stage 'let go': /free/0: releases nothing"));
+}
+
 TEST_F(ResultTools, ALinearResultSaysInItsFileThatItIsOutOfItsRange) {
     folder_.file("far.json", R"({"format": "fretwork/load-case/1", "name": "far",
         "supports": [{"side": "left", "fixed": ["ux", "uy", "uz", "rx", "ry", "rz"]}],

@@ -13,6 +13,7 @@ using testing::AllOf;
 using testing::Contains;
 using testing::Field;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 /// Held on the left, with a force down at each rim node on the right.
 simulation::LoadCase cantilever() {
@@ -136,6 +137,21 @@ TEST(Facts, AStressAboveTheStrengthIsToldWithTileAndNode) {
     EXPECT_THAT(
         known.warnings,
         Contains(Field(&Warning::message, AllOf(HasSubstr("tile "), HasSubstr("node "), HasSubstr("MPa")))));
+}
+
+TEST(Facts, AStressOfAResultThatIsNotTheAnswerIsWarnedOf) {
+    const simulation::Surface surface = sample();
+    const simulation::LoadCase load_case = cantilever();
+    simulation::SurfaceResult result = simulation::simulate(surface, load_case, {.model = "corotational"});
+    result.subject = simulation::result_subject(surface, load_case, {.model = "corotational"});
+    const auto warns = Contains(Field(&Warning::message, StartsWith("the stress of the result: ")));
+    EXPECT_THAT(facts(surface, {}, {nullptr, &result}).warnings, testing::Not(warns));
+    result.solution.termination = mechanics::Termination::LimitLoad;
+    const Facts known = facts(surface, {}, {nullptr, &result});
+    EXPECT_THAT(known.warnings, warns);
+    for (const Warning& warning : known.warnings)
+        if (warning.message.starts_with("the stress of the result"))
+            EXPECT_FALSE(warning.place) << "it is about the whole surface";
 }
 
 TEST(Facts, SharpAnglesAreToldWithTileAndNode) {

@@ -204,6 +204,82 @@ TEST(StagesError, IsEstimatedIfAskedForAndOfCorotationalTilesAlone) {
             << model;
 }
 
+simulation::SurfaceResult in_one_stage(const std::vector<LoadCase>& cases, const std::string& stage) {
+    return staged(cases, (R"({"format": "fretwork/stages/1", "stages": [)" + stage + "]}").c_str());
+}
+
+LoadCase pulled(const char* name, double amount) {
+    LoadCase load_case = named(name, 0.0);
+    load_case.loads.clear();
+    load_case.prescribed.push_back({NodesAtSide{Side::Right}, mechanics::Dof::uz, amount});
+    return load_case;
+}
+
+/// A load case that prescribes displacements is moved by its factor, in a stage as alone.
+TEST(Stages, TakePrescribedDisplacementsOfALoadCase) {
+    const std::vector<LoadCase> cases = {pulled("lift", 0.01)};
+    const auto result =
+        in_one_stage(cases, R"({"name": "up", "loads": [{"load_case": "lift", "factor": 2}]})");
+    ASSERT_TRUE(result.solution.converged());
+    const auto alone = simulate(strip(), pulled("lift", 0.02), {.model = "corotational"});
+    EXPECT_LT((result.solution.displacements - alone.solution.displacements).norm(),
+              1e-6 * alone.solution.displacements.norm());  // two paths to one equilibrium
+}
+
+/// Whatever a stage says of a component itself goes before the load cases that it names.
+TEST(Stages, PreferWhatTheySayThemselvesToWhatTheirLoadCasesPrescribe) {
+    const std::vector<LoadCase> cases = {pulled("lift", 0.01)};
+    const auto result = in_one_stage(cases, R"({"name": "up", "loads": [{"load_case": "lift", "factor": 1}],
+        "prescribed": [{"side": "right", "uz": 0.005}]})");
+    const auto alone = simulate(strip(), pulled("lift", 0.005), {.model = "corotational"});
+    EXPECT_LT((result.solution.displacements - alone.solution.displacements).norm(),
+              1e-6 * alone.solution.displacements.norm());
+    const auto let_go = staged(cases, R"({"format": "fretwork/stages/1", "stages": [
+        {"name": "up", "loads": [{"load_case": "lift", "factor": 1}]},
+        {"name": "off", "loads": [{"load_case": "lift", "factor": 0}],
+                        "free": [{"side": "right", "fixed": ["uz"]}]}]})");
+    ASSERT_TRUE(let_go.solution.converged());
+    EXPECT_LT(let_go.solution.displacements.norm(), 1e-6 * alone.solution.displacements.norm());
+}
+
+/// Contradictions, and changes that change nothing.
+TEST(Stages, RefuseEntriesThatContradictEachOther) {
+    const std::vector<LoadCase> cases = {named("tip", -0.01), pulled("lift", 0.01), pulled("raise", 0.02)};
+    const auto complaint = [&](const std::string& stage) {
+        return complaint_of([&] { (void)in_one_stage(cases, stage); });
+    };
+    EXPECT_THAT(complaint(R"({"name": "a", "loads": [{"load_case": "tip", "factor": 1},
+                                                     {"load_case": "tip", "factor": 2}]})"),
+                "load stage 'a': /loads/1: names the load case 'tip' a second time");
+    EXPECT_THAT(complaint(R"({"name": "a", "loads": [{"load_case": "lift", "factor": 1},
+                                                     {"load_case": "raise", "factor": 1}]})"),
+                testing::StartsWith("load stage 'a': /loads/1: gives uz of node "));
+    EXPECT_THAT(complaint(R"({"name": "a", "prescribed": [{"side": "right", "uz": 0.01}],
+                              "keep": [{"side": "right", "fixed": ["uz"]}]})"),
+                testing::AllOf(testing::StartsWith("load stage 'a': /prescribed/0: uz of node "),
+                               HasSubstr("is also in \"keep\"")));
+    EXPECT_THAT(complaint(R"({"name": "a", "prescribed": [{"side": "right", "uz": 0.01},
+                                                          {"side": "right", "uz": 0.02}]})"),
+                testing::StartsWith("load stage 'a': /prescribed/1: gives uz of node "));
+    EXPECT_THAT(complaint(R"({"name": "a", "free": [{"side": "right", "fixed": ["uz"]}]})"),
+                testing::StartsWith("load stage 'a': /free/0: releases nothing"));
+    EXPECT_THAT(complaint(R"({"name": "a", "free": [{"side": "left", "fixed": ["uz"]}]})"),
+                testing::StartsWith("load stage 'a': /free/0: releases nothing"));
+    EXPECT_THAT(complaint(R"({"name": "a", "keep": [{"nodes": [100000], "fixed": ["uz"]}]})"),
+                testing::StartsWith("load stage 'a': /keep/0: "));
+}
+
+TEST(Stages, ASupportThatWasMovedIsNotReleased) {
+    const std::vector<LoadCase> cases = {named("tip", -0.01)};
+    EXPECT_THAT(complaint_of([&] {
+                    (void)staged(cases, R"({"format": "fretwork/stages/1", "stages": [
+        {"name": "push", "prescribed": [{"side": "left", "uz": 0.001}]},
+        {"name": "off", "free": [{"side": "left", "fixed": ["uz"]}]}]})");
+                }),
+                testing::AllOf(testing::StartsWith("load stage 'off': /free/0: uz of node "),
+                               HasSubstr("is a support of the load case 'tip'")));
+}
+
 TEST(Stages, NoneIsRefused) {
     const std::vector<LoadCase> cases = {named("tip", -0.01)};
     EXPECT_THAT(complaint_of([&] {

@@ -3,6 +3,7 @@
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/results/result_file.hpp>
+#include <fretwork/simulation/results/model_doubt.hpp>
 #include <fretwork/simulation/results/surface_result.hpp>
 
 #include <gmock/gmock.h>
@@ -90,6 +91,24 @@ TEST(SurfaceResult, WithoutASubjectNothingIsWritten) {
     SurfaceResult result = some_result();
     result.subject.reset();
     EXPECT_THROW(surface_result_text(result), base::InputError);
+}
+
+TEST(SurfaceResult, AnEndThatIsNotTheAnswerIsWarnedOf) {
+    SurfaceResult result = some_result();
+    result.subject->stages_text.clear();
+    EXPECT_EQ(path_warning(result), "");
+    result.solution.stable = false;
+    EXPECT_EQ(path_warning(result), "") << "no test, or an undecided one, says that it is unstable";
+    result.solution.stability = mechanics::StabilityTest::Tangent;
+    EXPECT_THAT(path_warning(result), HasSubstr("unstable"));
+    result.solution.termination = mechanics::Termination::LimitLoad;
+    result.solution.load_factor = 0.43;
+    EXPECT_THAT(path_warning(result), HasSubstr("the path ends at 43 % of the load"));
+    result.subject->stages_text = R"({"stages":[{"name":"press"}]})";
+    result.load_steps.resize(1);
+    EXPECT_THAT(path_warning(result), HasSubstr("load stage 1 ends at 43 % of the load"));
+    result.solver = "relaxation";
+    EXPECT_EQ(path_warning(result), "this is not an equilibrium");
 }
 
 }  // namespace THIS_TEST

@@ -9,7 +9,7 @@ namespace fretwork::app {
 /// Throws InputError with the place of an unknown key, a missing key or a value out of range.
 void check_beam_table(const std::string& text, const std::string& source);
 
-/// Check facts for making, "fretwork/facts/2", which `fretwork export --content facts` writes. Throws as
+/// Check facts for making, "fretwork/facts/2" or 3, which `fretwork export --content facts` writes. Throws as
 /// check_beam_table().
 void check_facts(const std::string& text, const std::string& source);
 

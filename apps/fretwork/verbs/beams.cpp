@@ -15,7 +15,6 @@
 #include <fretwork/simulation/results/stress_refinement.hpp>
 #include <fretwork/simulation/stages.hpp>
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -44,14 +43,12 @@ simulation::Surface read_surface(const BeamsOptions& options, const simulation::
     return simulation::make_surface(project, library ? &*library : nullptr);
 }
 
-/// At the end of which stages the beams bear this.
+/// The load stages at whose end the beams bear this.
 void print_stages(const simulation::SurfaceResult& result) {
-    if (result.subject->stages_text.empty()) return;
     std::vector<std::string> names;
-    for (const simulation::LoadStage& stage : simulation::parse_stages(result.subject->stages_text, "stages"))
-        names.push_back("'" + base::printable(stage.name) + "'");
-    names.resize(std::min(names.size(), result.load_steps.size()));
-    std::printf("after the stages %s\n", base::join(names, ", ").c_str());
+    for (const std::string& name : simulation::stage_names(result))
+        names.push_back("'" + base::printable(name) + "'");
+    if (!names.empty()) std::printf("after the stages %s\n", base::join(names, ", ").c_str());
 }
 
 void print(const simulation::BeamTable& table, const simulation::Surface& surface, std::size_t top) {

@@ -9,8 +9,10 @@
 #include <fretwork/geometry/plane.hpp>
 #include <fretwork/mechanics/standard_gravity.hpp>
 #include <fretwork/simulation/results/bar_clearance.hpp>
+#include <fretwork/simulation/results/model_doubt.hpp>
 #include <fretwork/simulation/results/result_subject.hpp>
 #include <fretwork/simulation/results/surface_beams.hpp>
+#include <fretwork/simulation/results/surface_linear_range.hpp>
 #include <fretwork/simulation/simulate.hpp>
 
 #include <algorithm>
@@ -53,7 +55,7 @@ LoadCase own_weight(const LoadCase& load_case) {
 
 simulation::SurfaceResult estimate(const Surface& surface, const LoadCase& load_case,
                                    const base::Control& control) {
-    const simulation::SimulationOptions options{.model = kModel};
+    const simulation::SimulationOptions options{.model = kModel, .estimate_where_doubtful = true};
     simulation::SurfaceResult result = simulation::simulate(surface, load_case, options, control.silent());
     result.subject = simulation::result_subject(surface, load_case, options);
     return result;
@@ -66,7 +68,7 @@ class FactFinder {
         shape_ = make_shape(plan_, shape.without_kerf());
         const auto remarks = shape.kerf > 0.0 ? shape_remarks(shape_, make_shape(plan_, shape), shape)
                                               : shape_remarks(shape_, shape_, shape);
-        for (const std::string& remark : remarks) warn(remark, {});
+        for (const std::string& remark : remarks) warn(remark);
     }
 
     Facts run(const FactsLoads& loads) {
@@ -103,12 +105,19 @@ class FactFinder {
         facts_.strength = options_.strength ? options_.strength : surface_.setting.strength;
     }
 
-    void warn(std::string message, const Point2& place) {
+    void warn(std::string message, const std::optional<Point2>& place = std::nullopt) {
         facts_.warnings.push_back({std::move(message), place});
     }
+    /// Sag and stress are as good as the result from which they come.
+    void warn_of_result(const std::string& value, const simulation::SurfaceResult& result) {
+        const std::string linear =
+            simulation::is_out_of_range(result) ? simulation::linear_doubt_text(result) : "";
+        for (const std::string& warning :
+             {simulation::path_warning(result), linear, simulation::model_warning(result)})
+            if (!warning.empty()) warn(value + ": " + warning);
+    }
     void warn_of_more(std::size_t count, const std::string& what) {
-        if (count > kMostOfOneKind)
-            warn("and " + std::to_string(count - kMostOfOneKind) + " more " + what, {});
+        if (count > kMostOfOneKind) warn("and " + std::to_string(count - kMostOfOneKind) + " more " + what);
     }
 
     void judge_places() {
@@ -146,7 +155,7 @@ class FactFinder {
     /// They are one piece in what is made, and two bars in the model: a slit may be closed so.
     void judge_overlaps() {
         const auto close = simulation::close_bars(surface_, 0.0, options_.control);
-        if (!close.empty()) warn(simulation::close_bars_text(close), {});
+        if (!close.empty()) warn(simulation::close_bars_text(close));
     }
 
     void judge_pieces() {
@@ -161,9 +170,8 @@ class FactFinder {
             plan_.coincidences, [&](const BarPlan::Coincidence& one) { return used[one.taken]; });
         if (corners > 0)
             warn(std::to_string(corners) +
-                     " nodes of neighbouring tiles, or of the border, lie at one place: the material is "
-                     "joined there, but the model is not",
-                 {});
+                 " nodes of neighbouring tiles, or of the border, lie at one place: the material is "
+                 "joined there, but the model is not");
     }
 
     /// Gravity as it pulls on the outline: beams count the material of joints more than once.
@@ -177,8 +185,8 @@ class FactFinder {
         const simulation::SurfaceResult result = estimate_outline(own_weight(load_case));
         if (!result.solution.converged())
             return warn("the sag under its own weight is not known: its path ends at " +
-                            short_number(100.0 * result.solution.load_factor) + " % of the weight",
-                        {});
+                        short_number(100.0 * result.solution.load_factor) + " % of the weight");
+        warn_of_result("the sag under its own weight", result);
         Facts::Sag sag{load_case.name, result.solution.reactions.col(2).sum(), 0.0, {}};
         for (std::size_t n = 0; n < surface_.tessellation.interface_nodes.size(); ++n) {
             const double down = std::abs(result.solution.displacements(n, 2));
@@ -192,10 +200,12 @@ class FactFinder {
     }
 
     void judge_stress(const FactsLoads& loads) {
-        if (loads.result != nullptr)
+        if (loads.result != nullptr) {
+            warn_of_result("the stress of the result", *loads.result);
             take_stress(*loads.result, "the result");
-        else if (loads.load_case != nullptr)
+        } else if (loads.load_case != nullptr) {
             estimate_stress(*loads.load_case);
+        }
         if (!facts_.stress || !facts_.strength || facts_.stress->value <= *facts_.strength) return;
         const Point2& place = plan_.nodes[facts_.stress->node];
         warn(where(facts_.stress->tile, facts_.stress->node, place) + "a stress of " +
@@ -208,9 +218,9 @@ class FactFinder {
         const simulation::SurfaceResult result = estimate_outline(load_case);
         if (!result.solution.converged())
             return warn("the stress under the load case " + load_case.name +
-                            " is not known: its path ends at " +
-                            short_number(100.0 * result.solution.load_factor) + " % of the load",
-                        {});
+                        " is not known: its path ends at " +
+                        short_number(100.0 * result.solution.load_factor) + " % of the load");
+        warn_of_result("the stress under the load case " + load_case.name, result);
         take_stress(result, "load case " + load_case.name);
     }
 

@@ -30,10 +30,10 @@ struct FactsOptions {
     void validate() const;
 };
 
-/// A warning to the maker, with a place.
+/// A warning to the maker.
 struct Warning {
-    std::string message;     ///< text in one line, with tile, node and place
-    geometry::Point2 place;  ///< m
+    std::string message;                      ///< text in one line, with tile, node and place
+    std::optional<geometry::Point2> place{};  ///< m; none if the warning is about the whole surface
 };
 
 /// The facts that a maker needs before making a surface, in SI units.

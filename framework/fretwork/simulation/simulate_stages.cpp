@@ -4,9 +4,8 @@
 #include <fretwork/simulation/detail/joined_tiles.hpp>
 #include <fretwork/simulation/detail/tile_deformations.hpp>
 #include <fretwork/simulation/detail/wanted.hpp>
-#include <fretwork/simulation/load_cases/combination.hpp>
-#include <fretwork/simulation/load_cases/conditions.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
+#include <fretwork/simulation/load_cases/stage_conditions.hpp>
 #include <fretwork/simulation/mixed_model.hpp>
 #include <fretwork/simulation/results/model_doubt.hpp>
 #include <fretwork/simulation/results/model_error.hpp>
@@ -24,87 +23,12 @@ namespace {
 
 using tiling::TileIndex;
 
-using Place = std::pair<int, int>;  // node and dof
-
-/// The state between stages: which components are held beside the supports, and how much of each load case
-/// acts.
-class Stages {
-  public:
-    Stages(const Surface& surface, const LoadCase& load_case, std::span<const LoadCase> cases,
-           std::size_t nodes)
-        : surface_(surface), load_case_(load_case), cases_(cases), nodes_(nodes) {
-        LoadCase supports;
-        supports.name = load_case.name;
-        supports.supports = load_case.supports;
-        supports_ = resolve(supports, surface).supports;
-    }
-
-    mechanics::StageTarget target(const LoadStage& stage, const mechanics::NodeValues& displacements) {
-        for (const LoadCase::Share& share : stage.loads) factors_[share.load_case] = share.factor;
-        for (const Place& place : places_of(stage.free)) held_.erase(place);
-        for (const Place& place : places_of(stage.keep))
-            held_[place] = displacements(place.first, place.second);
-        LoadCase prescribed;
-        prescribed.name = stage.name;
-        prescribed.prescribed = stage.prescribed;
-        for (const auto& given : resolve(prescribed, surface_).prescribed)
-            held_[{given.node.value, static_cast<int>(given.dof)}] = given.value;
-        mechanics::StageTarget target{supports_, {}, loads()};
-        for (const auto& [place, value] : held_)
-            target.prescribed.push_back(
-                {mechanics::NodeIndex(place.first), static_cast<mechanics::Dof>(place.second), value});
-        return target;
-    }
-
-  private:
-    [[nodiscard]] std::vector<Place> places_of(const std::vector<LoadCase::Support>& entries) const {
-        LoadCase picked;
-        picked.name = "stage";
-        picked.supports = entries;
-        std::vector<Place> places;
-        for (const mechanics::Support& support : resolve(picked, surface_).supports) {
-            for (int d = 0; d < mechanics::kDofsPerNode; ++d)
-                if (support.fixed.contains[d]) places.emplace_back(support.node.value, d);
-        }
-        return places;
-    }
-
-    [[nodiscard]] mechanics::NodeValues loads() const {
-        mechanics::NodeValues sum =
-            mechanics::NodeValues::Zero(static_cast<Eigen::Index>(nodes_), mechanics::kDofsPerNode);
-        for (const auto& [name, factor] : factors_) {
-            LoadCase part = case_of(name);
-            part.supports.clear();
-            part.prescribed.clear();
-            sum += factor * load_rows(resolve(part, surface_), nodes_);
-        }
-        return sum;
-    }
-
-    [[nodiscard]] LoadCase case_of(const std::string& name) const {
-        if (name == load_case_.name) return load_case_;
-        return combined(load_case_of(name, cases_), cases_);
-    }
-
-    const Surface& surface_;
-    const LoadCase& load_case_;
-    std::span<const LoadCase> cases_;
-    std::size_t nodes_;
-    std::vector<mechanics::Support> supports_;
-    std::map<Place, double> held_;
-    std::map<std::string, double> factors_;
-};
-
 /// The load cases that stages name, as files, in the order of their names.
-std::vector<std::string> named_cases(std::span<const LoadStage> stages, std::span<const LoadCase> cases,
-                                     const LoadCase& own) {
+std::vector<std::string> named_cases(const StagePlan& plan) {
     std::map<std::string, std::string> texts;
-    for (const LoadStage& stage : stages) {
-        for (const LoadCase::Share& share : stage.loads) {
-            const bool is_own = share.load_case == own.name;
-            texts[share.load_case] =
-                load_case_text(is_own ? own : combined(load_case_of(share.load_case, cases), cases));
-        }
+    for (const LoadStage& stage : plan.stages) {
+        for (const LoadCase::Share& share : stage.loads)
+            texts[share.load_case] = load_case_text(stage_load_case(plan, share.load_case));
     }
     std::vector<std::string> result;
     for (const auto& [name, text] : texts) result.push_back(text);
@@ -156,20 +80,20 @@ class StagedSimulation {
             add_deformations(detail::tile_deformations(assembly, joined.starts, end), followed);
         result.subject = result_subject(surface, plan_.supports, options_);
         result.subject->stages_text = stages_text(plan_.stages);
-        result.subject->stage_load_cases = named_cases(plan_.stages, plan_.cases, plan_.supports);
+        result.subject->stage_load_cases = named_cases(plan_);
         return followed;
     }
 
     [[nodiscard]] std::vector<mechanics::Solution> ends_of(const Surface& surface,
                                                            const mechanics::Assembly& assembly) const {
-        Stages state(surface, plan_.supports, plan_.cases, assembly.nodes.size());
+        StageConditions conditions(surface, plan_);
         mechanics::StagedPath path(
             assembly, {.branch = options_.branch, .threads = options_.threads, .control = control_});
         mechanics::NodeValues displacements =
             mechanics::NodeValues::Zero(assembly.reported_nodes, mechanics::kDofsPerNode);
         std::vector<mechanics::Solution> ends;
         for (const LoadStage& stage : plan_.stages) {
-            ends.push_back(path.advance(state.target(stage, displacements)));
+            ends.push_back(path.advance(conditions.advance(stage, displacements, assembly.nodes.size())));
             if (!ends.back().converged()) break;
             displacements = ends.back().displacements;
         }
@@ -238,7 +162,7 @@ class StagedSimulation {
     detail::TileBuilder builder_;
 };
 
-/// Full and corotational tiles, and what can be told of them.
+/// Stages are simulated with full and corotational tiles.
 void check(const Surface& surface, const StagePlan& plan, const SimulationOptions& options) {
     options.validate(surface);
     if (plan.stages.empty()) throw base::InputError("there is no stage to simulate");
@@ -250,6 +174,7 @@ void check(const Surface& surface, const StagePlan& plan, const SimulationOption
     if (options.estimate_model_error && options.model != kMixedTiles)
         throw base::InputError("through stages, the error of " + std::string(kMixedTiles) +
                                " tiles is estimated, not that of " + options.model);
+    check_stages(surface, plan);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <fretwork/simulation/internal/load_case_json.hpp>
 #include <fretwork/simulation/stages.hpp>
 
+#include <algorithm>
+
 namespace fretwork::simulation {
 namespace {
 
@@ -59,6 +61,15 @@ std::string stages_text(std::span<const LoadStage> stages) {
 
 std::vector<LoadStage> read_stages(const std::filesystem::path& path) {
     return parse_stages(base::read_text_file(path), path.string());
+}
+
+std::vector<std::string> stage_names(const SurfaceResult& result) {
+    std::vector<std::string> names;
+    if (!result.subject || result.subject->stages_text.empty()) return names;
+    for (const LoadStage& stage : parse_stages(result.subject->stages_text, "stages"))
+        names.push_back(stage.name);
+    names.resize(std::min(names.size(), result.load_steps.size()));
+    return names;
 }
 
 }  // namespace fretwork::simulation

@@ -17,16 +17,19 @@
 namespace fretwork::simulation {
 
 /// A load stage, as the changes that it makes. All loads, supports and prescribed displacements that the load
-/// stage does not name stay as the previous load stage left them.
+/// stage does not name stay as the previous load stage left them. A load stage names a component in one of
+/// `prescribed`, `keep` and `free` only.
 struct LoadStage {
     std::string name;  ///< name in reports
-    /// Load cases, each with the factor to which its loads change; 0 removes the loads.
+    /// Load cases, each with the factor to which its loads and prescribed displacements change; 0 removes the
+    /// loads, and holds the prescribed components at 0. Supports of these load cases are ignored.
     std::vector<LoadCase::Share> loads{};
-    /// Components with the values to which they change.
+    /// Components with the values to which they change, also where `loads` prescribes another value. A
+    /// support moves to its value.
     std::vector<LoadCase::PrescribedDisplacement> prescribed{};
     /// Components that are held at their present values.
     std::vector<LoadCase::Support> keep{};
-    /// Components that are released, after they were prescribed or kept.
+    /// Components that are released, after they were prescribed or kept. Supports stay.
     std::vector<LoadCase::Support> free{};
 };
 
@@ -46,10 +49,14 @@ std::string stages_text(std::span<const LoadStage> stages);
 /// Read a file of load stages. Throws as parse_stages.
 std::vector<LoadStage> read_stages(const std::filesystem::path& path);
 
+/// The names of the load stages that were begun, one for each of Result::load_steps. Empty for results without
+/// load stages. Throws InputError as parse_stages.
+std::vector<std::string> stage_names(const SurfaceResult& result);
+
 /// Load stages with the load cases that they need.
 struct StagePlan {
-    base::Borrowed<LoadCase>
-        supports;  ///< load case whose supports hold the surface; its loads act only if a load stage names it
+    base::Borrowed<LoadCase> supports;  ///< load case whose supports hold the surface; the rest of it acts
+                                        ///< only if a load stage names it
     std::span<const LoadCase> cases;    ///< the load cases that load stages may name
     std::span<const LoadStage> stages;  ///< load stages, one after the other
 };
@@ -61,7 +68,7 @@ struct StagePlan {
 /// the load cases that they name. The error of corotational tiles is estimated by the same load stages where
 /// the worst tiles have all of their beams. The doubt and the error in the result are the largest at the end
 /// of any load stage. Throws InputError if a model is not for large displacements, if there is no load stage,
-/// if a place has no node, or if a load case does not exist.
+/// and as check_stages().
 SurfaceResult simulate_stages(const Surface& surface, const StagePlan& plan, const SimulationOptions& options,
                               const base::Control& control = {});
 

@@ -153,9 +153,9 @@ void bind_facts(py::module_& m) {
         .field("sharp_angle", &FactsOptions::sharp_angle, "rad: warn about smaller angles between bars")
         .field("strength", &FactsOptions::strength, "Pa: warn about higher stresses; None: the material's")
         .done();
-    Record<Warning>(m, "FactsWarning", "A warning to the maker, and its place.")
+    Record<Warning>(m, "FactsWarning", "A warning to the maker.")
         .constant("message", &Warning::message, "one line")
-        .constant("place", &Warning::place, "m")
+        .constant("place", &Warning::place, "m; None if it is about the whole surface")
         .done(Made::ByFunctions);
     Record<Facts>(m, "Facts", "The facts that a maker needs before making a surface. SI.")
         .constant("tiles", &Facts::tiles, "")
@@ -180,7 +180,7 @@ void bind_facts(py::module_& m) {
             "text", [](const Facts& self) { return exports::facts_text(self); },
             "a table for people, with sag, stress and warnings")
         .def_property_readonly(
-            "json", [](const Facts& self) { return exports::facts_json(self); }, "'fretwork/facts/2'");
+            "json", [](const Facts& self) { return exports::facts_json(self); }, "'fretwork/facts/3'");
     m.def(
         "facts",
         [](const simulation::Surface& surface, const ShapeOptions& shape,

@@ -79,6 +79,8 @@ void bind_surface_result(py::module_& m) {
             "rad, of the interface nodes");
     m.def("is_doubtful", &is_doubtful, "result"_a,
           "Whether its error may be large, and has to be estimated.");
+    m.def("path_warning", &path_warning, "result"_a,
+          "The warning about a result that is not the answer to its load, or is unstable; '': none.");
     m.def("model_warning", &model_warning, "result"_a,
           "What there is to know of a result whose error is or may be large; '': nothing.");
     bind_files<SurfaceResult>(

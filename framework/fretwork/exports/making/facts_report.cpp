@@ -94,8 +94,7 @@ std::string marked_picture(const FactsOfScene& scene) {
     fabrication::CutSheet sheet = scene.sheet;
     const double radius = 0.012 * std::max(scene.facts.box.width(), scene.facts.box.height());
     for (const fabrication::Warning& warning : scene.facts.warnings) {
-        if (warning.place == geometry::Point2{}) continue;
-        sheet.guides.push_back(fabrication::circle(warning.place, radius));
+        if (warning.place) sheet.guides.push_back(fabrication::circle(*warning.place, radius));
     }
     const std::string svg = cut_svg(sheet);
     return svg.substr(svg.find("<svg"));
@@ -115,7 +114,7 @@ std::string facts_text(const Facts& facts) {
 }
 
 std::string facts_json(const Facts& facts) {
-    Json document = {{"format", "fretwork/facts/2"},
+    Json document = {{"format", "fretwork/facts/3"},
                      {"joints", reduction::joints_name(facts.joints)},
                      {"tiles", facts.tiles},
                      {"bars", facts.bars},
@@ -152,7 +151,8 @@ std::string facts_json(const Facts& facts) {
     if (facts.strength) document["strength"] = *facts.strength;
     document["warnings"] = Json::array();
     for (const fabrication::Warning& warning : facts.warnings)
-        document["warnings"].push_back({{"message", warning.message}, {"place", place_json(warning.place)}});
+        document["warnings"].push_back(
+            {{"message", warning.message}, {"place", warning.place ? place_json(*warning.place) : Json()}});
     return base::json_text(document);
 }
 

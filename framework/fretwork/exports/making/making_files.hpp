@@ -34,7 +34,7 @@ std::string lattice_3mf(const fabrication::BarPlan& plan);
 /// The facts of a surface as a table for people, in millimetres, grams and megapascals, followed by one line
 /// for each warning.
 std::string facts_text(const fabrication::Facts& facts);
-/// The facts of a surface as JSON, "fretwork/facts/2", SI.
+/// The facts of a surface as JSON, "fretwork/facts/3", SI.
 std::string facts_json(const fabrication::Facts& facts);
 /// The facts of a surface, and a sheet with its outline.
 struct FactsOfScene {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/mechanics/solve.hpp>
 #include <fretwork/simulation/results/comparison.hpp>
 #include <fretwork/simulation/results/model_doubt.hpp>
 
@@ -41,6 +42,22 @@ bool is_doubtful(const SurfaceResult& result) {
 
 double warned_error(const ModelError& error) {
     return error.full_share < 1.0 ? kWarnedEstimate : kWarnedError;
+}
+
+std::string path_warning(const SurfaceResult& result) {
+    const mechanics::Solution& solution = result.solution;
+    if (solution.converged())
+        return !solution.stable && solution.stability == mechanics::StabilityTest::Tangent
+                   ? "this equilibrium is unstable: a specimen does not stay there"
+                   : "";
+    if (result.solver != mechanics::solver_name(mechanics::Solver::Newton))
+        return "this is not an equilibrium";
+    char share[40];
+    std::snprintf(share, sizeof share, "%.4g %% of the load", 100.0 * solution.load_factor);
+    const bool has_stages = result.subject && !result.subject->stages_text.empty();
+    const std::string path =
+        has_stages ? "load stage " + std::to_string(result.load_steps.size()) : std::string("the path");
+    return "this is not the answer to the load: " + path + " ends at " + share;
 }
 
 std::string model_warning(const SurfaceResult& result) {

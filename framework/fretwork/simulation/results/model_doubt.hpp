@@ -36,6 +36,9 @@ bool is_doubtful(const SurfaceResult& result);
 /// The estimated error at the worst node, as a share of the largest displacement, above which a warning is
 /// given: kWarnedError or kWarnedEstimate.
 double warned_error(const ModelError& error);
+/// The warning about a result that is no equilibrium under the whole load, or an equilibrium that is
+/// unstable. Empty if there is no reason to warn.
+std::string path_warning(const SurfaceResult& result);
 /// The warning about a converged result whose estimated error is large, or whose error is not known and may
 /// be large. Empty if there is no reason to warn.
 std::string model_warning(const SurfaceResult& result);
