@@ -151,7 +151,7 @@ Frame column() {
 
 /// 4 pi^2 E I / L^2, N.
 double euler_load_of_the_column() {
-    const Beam& beam = column().beams.front();
+    const Beam beam = column().beams.front();
     const double pi = std::numbers::pi;
     const double stiffness = beam.material.young_modulus * std::min(beam.section.I2, beam.section.I3);
     return 4.0 * pi * pi * stiffness / (0.4 * 0.4);
