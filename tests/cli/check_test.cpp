@@ -155,7 +155,7 @@ TEST(Check, TakesTheReportsThatTheProgramWrites) {
     const auto outcome = run_command("fretwork check beams.json facts.json picture.png", folder.path());
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.out,
-              "beams.json: valid fretwork/beams/2\nfacts.json: valid fretwork/facts/2\n"
+              "beams.json: valid fretwork/beams/2\nfacts.json: valid fretwork/facts/3\n"
               "picture.png: valid image (png)\n");
 }
 

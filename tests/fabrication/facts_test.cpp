@@ -149,9 +149,11 @@ TEST(Facts, AStressOfAResultThatIsNotTheAnswerIsWarnedOf) {
     result.solution.termination = mechanics::Termination::LimitLoad;
     const Facts known = facts(surface, {}, {nullptr, &result});
     EXPECT_THAT(known.warnings, warns);
-    for (const Warning& warning : known.warnings)
-        if (warning.message.starts_with("the stress of the result"))
+    for (const Warning& warning : known.warnings) {
+        if (warning.message.starts_with("the stress of the result")) {
             EXPECT_FALSE(warning.place) << "it is about the whole surface";
+        }
+    }
 }
 
 TEST(Facts, SharpAnglesAreToldWithTileAndNode) {

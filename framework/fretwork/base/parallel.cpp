@@ -188,7 +188,8 @@ void run_on_threads(std::size_t count, int threads, const std::function<void()>&
 }  // namespace
 
 int resolved_thread_count(int wanted) {
-    const int present = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    // The library asks the system, by opening a file, at each call.
+    static const int present = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     return std::min(wanted > 0 ? wanted : present, static_cast<int>(kMostThreads));
 }
 
