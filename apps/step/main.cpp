@@ -4,7 +4,7 @@
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/file.hpp>
-#include <fretwork/base/files/provenance.hpp>
+#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/simulation/load_cases/conditions.hpp>
 #include <fretwork/simulation/project/project_library.hpp>
@@ -32,7 +32,8 @@ struct Options {
 void require_replaceable(const std::filesystem::path& path) {
     if (path.extension() != ".step" && path.extension() != ".stp")
         throw base::InputError(path.string(), "", "has another ending than .step and .stp");
-    if (!std::filesystem::exists(path)) return;
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored)) return;
     if (base::read_text_file(path).rfind("ISO-10303-21", 0) != 0)
         throw base::InputError(path.string(), "", "is there already, and is no STEP file");
 }
@@ -42,6 +43,19 @@ simulation::Surface read_surface(const Options& options, const simulation::Proje
     const std::optional<library::Library> library =
         simulation::open_project_library(options.project, project, options.library);
     return simulation::make_surface(project, library ? &*library : nullptr);
+}
+
+void print(const fabrication::Shape& shape, const Options& options) {
+    const std::size_t solids = shape.pieces.size();
+    const double volume = fabrication::area(shape) * shape.height;
+    if (options.json) {
+        const std::string document = base::json_text(
+            {{"path", options.to}, {"solids", solids}, {"volume", volume}, {"unit", "millimetre"}});
+        std::fputs(document.c_str(), stdout);
+    } else {
+        std::printf("%s: %s, %s mm3\n", base::printable(options.to).c_str(),
+                    base::counted(solids, "solid").c_str(), base::format_number(1e9 * volume, 6).c_str());
+    }
 }
 
 void run(const Options& options) {
@@ -56,14 +70,7 @@ void run(const Options& options) {
     const std::string text = step_text(shape, std::filesystem::path(options.to).stem().string());
     base::write_file_atomically(options.to, text);
     for (const std::string& remark : remarks) std::fprintf(stderr, "fretwork-step: %s\n", remark.c_str());
-    const double volume = fabrication::area(shape) * shape.height;
-    if (options.json)
-        std::printf("{\"path\": \"%s\", \"solids\": %zu, \"volume\": %s, \"unit\": \"millimetre\"}\n",
-                    base::printable(options.to).c_str(), shape.pieces.size(),
-                    base::format_number(volume).c_str());
-    else
-        std::printf("%s: %zu solid%s, %s mm3\n", base::printable(options.to).c_str(), shape.pieces.size(),
-                    shape.pieces.size() == 1 ? "" : "s", base::format_number(1e9 * volume, 6).c_str());
+    print(shape, options);
 }
 
 void add_options(CLI::App& app, Options& options) {

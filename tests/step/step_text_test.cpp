@@ -3,6 +3,7 @@
 #include "support.hpp"
 
 #include <fretwork/base/files/file.hpp>
+#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/pattern/node_layout.hpp>
 #include <fretwork/simulation/project/project.hpp>
 
@@ -100,6 +101,24 @@ std::string output_of(const std::string& command) {
     return text;
 }
 
+/// The commands that tile a specimen as p.json in a folder.
+std::string tile_in(const std::string& place) {
+    return "cd " + place +
+           " && " FRETWORK_PROGRAM " tile " FRETWORK_SOURCE_DIR
+           "/experiments/outlines/specimen.svg "
+           "--edge-length 40mm --patterns 1-3+3-6 --out p.json >/dev/null";
+}
+
+TEST(StepProgram, PrintsJsonWhateverTheNameOfTheFile) {
+    const TemporaryFolder folder;
+    const std::string program = tile_in(folder.path().string()) + " && " FRETWORK_STEP " p.json";
+    const auto written = base::Json::parse(output_of(program + R"( --json --to 'a "b".step' 2>/dev/null)"));
+    EXPECT_EQ(written["path"], "a \"b\".step");
+    EXPECT_GE(written["solids"], 1);
+    EXPECT_GT(written["volume"], 0.0);
+    EXPECT_EQ(written["unit"], "millimetre");
+}
+
 /// What is made of a project, with fillets and a frame, has the volume that another program finds.
 TEST(StepProgram, GmshFindsTheVolumeThatItSays) {
     if (output_of("/usr/bin/python3 -c 'import gmsh; print(42)'").find("42") == std::string::npos)
@@ -107,11 +126,7 @@ TEST(StepProgram, GmshFindsTheVolumeThatItSays) {
     const TemporaryFolder folder;
     const std::string place = folder.path().string();
     const std::string said =
-        output_of(std::string("cd ") + place +
-                  " && " FRETWORK_PROGRAM " tile " FRETWORK_SOURCE_DIR
-                  "/experiments/outlines/specimen.svg "
-                  "--edge-length 40mm --patterns 1-3+3-6 --out p.json >/dev/null && " FRETWORK_STEP
-                  " p.json --fillet 0.5mm --frame 4mm --to a.step");
+        output_of(tile_in(place) + " && " FRETWORK_STEP " p.json --fillet 0.5mm --frame 4mm --to a.step");
     double expected = 0.0;
     ASSERT_EQ(std::sscanf(said.c_str(), "a.step: 1 solid, %lf mm3", &expected), 1) << said;
     const std::string found = output_of(
