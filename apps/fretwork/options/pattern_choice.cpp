@@ -6,6 +6,7 @@
 #include <fretwork/base/text.hpp>
 
 #include <algorithm>
+#include <set>
 #include <string_view>
 
 namespace fretwork::app {
@@ -18,12 +19,14 @@ std::size_t parse_count(std::string_view text, const char* option, const char* w
     throw base::InputError(option, "", "'" + std::string(text) + "' is not a " + what);
 }
 
+/// Responses are stored, recorded as failed, or lacking: never two of these.
 std::vector<NamedPattern> computed_patterns(const library::Library& library) {
-    const std::vector<NamedPattern> all = library.patterns();
-    const std::vector<library::PatternSummary> summaries = library.summaries(all);
-    std::vector<NamedPattern> computed;
-    for (std::size_t i = 0; i < all.size(); ++i)
-        if (summaries[i].samples > 0) computed.push_back(all[i]);
+    std::set<std::string> without;
+    for (const NamedPattern& lacking : library.patterns_without_responses()) without.insert(lacking.id);
+    for (const library::Failure& failure : library.failures())
+        if (failure.computation == library::responses_computation()) without.insert(failure.pattern);
+    std::vector<NamedPattern> computed = library.patterns();
+    std::erase_if(computed, [&](const NamedPattern& entry) { return without.contains(entry.id); });
     return computed;
 }
 
