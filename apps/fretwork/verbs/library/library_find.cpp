@@ -20,10 +20,7 @@ FoundPatterns found_by(const library::Library& library, const library::PatternQu
     try {
         return library.find(query);
     } catch (const base::InputError& error) {
-        base::ErrorData data = error.data();
-        if (data.where.empty() || (data.where[0].source != "where" && data.where[0].source != "sort")) throw;
-        data.where[0].source.insert(0, "--");
-        throw base::InputError(std::move(data));
+        throw base::renamed(base::renamed(error, "where", "--where"), "sort", "--sort");
     }
 }
 
