@@ -45,11 +45,13 @@ int allow_search(void*, int action, const char* first, const char* second, const
 /// Longest text that an expression may make.
 constexpr int kLongestValue = 1'000'000;
 
-/// While it lives, statements are prepared for searches alone, and a word in double quotes is a column.
+/// While it lives, statements are prepared for searches alone, and a word in double quotes is a column. It
+/// allows no transaction to begin.
 class SearchOnly {
   public:
     explicit SearchOnly(const Database& database) : handle_(database.handle()) {
         sqlite3_set_authorizer(handle_, allow_search, nullptr);
+        sqlite3_db_config(handle_, SQLITE_DBCONFIG_DQS_DML, -1, &quoted_texts_);
         sqlite3_db_config(handle_, SQLITE_DBCONFIG_DQS_DML, 0, nullptr);
         length_ = sqlite3_limit(handle_, SQLITE_LIMIT_LENGTH, kLongestValue);
     }
@@ -57,11 +59,13 @@ class SearchOnly {
     SearchOnly& operator=(const SearchOnly&) = delete;
     ~SearchOnly() {
         sqlite3_limit(handle_, SQLITE_LIMIT_LENGTH, length_);
+        sqlite3_db_config(handle_, SQLITE_DBCONFIG_DQS_DML, quoted_texts_, nullptr);
         sqlite3_set_authorizer(handle_, nullptr, nullptr);
     }
 
   private:
     sqlite3* handle_;
+    int quoted_texts_ = 0;  ///< 1: a word in double quotes that is no column is a text
     int length_ = 0;
 };
 
@@ -104,6 +108,7 @@ FoundPattern read_row(const Statement& row) {
 }  // namespace
 
 FoundPatterns Library::find(const PatternQuery& query) const {
+    const Transaction snapshot(impl_->database, Transaction::Kind::Read);
     const SearchOnly search(impl_->database);
     std::string sql = searched() + "SELECT * FROM found";
     if (!query.where.empty()) {
