@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "file_identity.hpp"
 #include "tools/file_kinds.hpp"
 #include "tools/report_files.hpp"
 
@@ -140,9 +141,7 @@ bool begins_as_json(const fs::path& path) {
 
 /// A pipe would be waited for, and a terminal.
 void require_regular(const fs::path& path) {
-    std::error_code ignored;
-    const fs::file_status status = fs::status(path, ignored);
-    if (!fs::exists(status) || fs::is_regular_file(status) || fs::is_directory(status)) return;
+    if (!is_device(path)) return;
     throw base::InputError(path.string(), "", "is a pipe or a device, where a file is needed");
 }
 
