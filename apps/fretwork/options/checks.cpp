@@ -27,6 +27,10 @@ bool is_not_negative(const std::string& text) {
     return number && *number >= 0.0 && std::isfinite(*number);
 }
 
+bool is_above_zero(const std::string& text) {
+    return is_not_negative(text) && *base::read_number<double>(text) > 0.0;
+}
+
 bool is_length(const std::string& text) {
     try {
         return base::parse_length(text) >= 0.0;
@@ -47,6 +51,10 @@ CLI::Validator thread_check() {
 
 CLI::Validator not_negative_check() {
     return validator(is_not_negative, "a number of zero or more", "NUMBER");
+}
+
+CLI::Validator above_zero_check() {
+    return validator(is_above_zero, "a number above zero; without the option there is no limit", "NUMBER");
 }
 
 CLI::Validator length_check() {

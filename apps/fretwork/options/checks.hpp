@@ -18,6 +18,9 @@ CLI::Validator thread_check();
 /// Finite numbers of zero or more: CLI11's own ranges let NaN pass.
 CLI::Validator not_negative_check();
 
+/// Finite numbers above zero, for a limit that does not exist without its option.
+CLI::Validator above_zero_check();
+
 /// Lengths of zero or more, such as 0.5mm.
 CLI::Validator length_check();
 

@@ -79,18 +79,6 @@ design::DesignReport run_design(const DesignArguments& arguments, const simulati
     }
 }
 
-/// A limit above zero, as an option has it: CLI11's own ranges let NaN pass, and the zero of DesignOptions
-/// means that there is no limit.
-CLI::Validator above_zero() {
-    const auto check = [](const std::string& text) {
-        const auto number = base::read_number<double>(text);
-        return number && *number > 0.0 && std::isfinite(*number)
-                   ? std::string()
-                   : "'" + text + "' is not a number above zero; without the option there is no limit";
-    };
-    return {check, "NUMBER", "number"};
-}
-
 /// A project that is replaced keeps what is its own: load cases that the designed one has not.
 void require_own_out(const DesignArguments& arguments, const simulation::Project& project) {
     std::error_code ignored;
@@ -197,11 +185,11 @@ void add_limits(CLI::App& verb, DesignArguments& arguments) {
     verb.add_option("--symmetry", arguments.symmetry,
                     "Symmetry of the painting about the middle: mirror:x (left and right), mirror:y, turn:N")
         ->type_name("SYMMETRY");
-    verb.add_option("--max-mass", options.max_mass, "Most mass of all beams, kg")->check(above_zero());
+    verb.add_option("--max-mass", options.max_mass, "Most mass of all beams, kg")->check(above_zero_check());
     verb.add_option("--max-utilization", options.max_utilization,
                     "Largest utilization, checked with all beams, together with the estimated error of one "
                     "element a beam; the result is the best checked painting that keeps it")
-        ->check(above_zero());
+        ->check(above_zero_check());
     verb.add_option(
             "--clearance", arguments.clearance,
             "Smallest gap between bars, such as 0.5mm: patterns that do not keep it are left out; the "
@@ -213,7 +201,7 @@ void add_effort(CLI::App& verb, DesignArguments& arguments) {
     design::DesignOptions& options = arguments.design;
     verb.add_option("--seconds", options.seconds,
                     "Wall time, checks included (default: until no swap improves)")
-        ->check(above_zero());
+        ->check(above_zero_check());
     verb.add_option("--solutions", options.most_solutions,
                     "Most nonlinear solutions of the search (default: 40, more on fewer than 44 tiles); "
                     "those that single patterns take for the unknowns of --free come on top")
