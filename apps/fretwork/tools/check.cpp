@@ -54,11 +54,7 @@ base::Json checked_json(const CheckedFile& file) {
 }
 
 void check_layout(const std::string& layout) {
-    try {
-        (void)pattern::find_node_layout(layout);
-    } catch (const base::InputError& error) {
-        throw base::within("--layout", "", error);
-    }
+    base::located("--layout", "", [&] { (void)pattern::find_node_layout(layout); });
 }
 
 /// A layout that no file uses would be ignored. Files that are not valid say so themselves.

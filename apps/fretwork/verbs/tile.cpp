@@ -63,11 +63,7 @@ double parse_length(const LengthOption& option, const std::string& text) {
 }
 
 double parse_angle(const std::string& text) {
-    try {
-        return base::parse_angle(text);
-    } catch (const base::InputError& error) {
-        throw base::within("--angle", "", error);
-    }
+    return base::located("--angle", "", [&] { return base::parse_angle(text); });
 }
 
 std::optional<double> wanted_width(const TileOptions& options) {
