@@ -32,7 +32,7 @@ Json error_of(const SolvedSurface& live, const base::Control& control) {
             {"model", live.model},
             {"mean", error->mean},
             {"largest", error->largest},
-            {"largest_stress", error->largest_stress ? Json(*error->largest_stress) : Json(nullptr)},
+            {"largest_stress", base::or_null(error->largest_stress)},
             {"is_warned", error->largest > simulation::warned_error(*error)}};
 }
 

@@ -122,7 +122,7 @@ Target read_target_json(const JsonReader& json) {
 
 Json free_vector_json(const FreeVector& vector) {
     Json json = Json::array();
-    for (const auto& component : vector) json.push_back(component ? Json(*component) : Json(nullptr));
+    for (const auto& component : vector) json.push_back(base::or_null(component));
     return json;
 }
 
@@ -142,7 +142,7 @@ Json content_json(const NodesGoal& goal) {
 Json content_json(const FormulaGoal& goal) {
     Json components = Json::array();
     for (const auto& component : goal.displacement)
-        components.push_back(component ? Json(*component) : Json(nullptr));
+        components.push_back(base::or_null(component));
     return {{"select", selection_json(goal.where)}, {"displacement", components}};
 }
 

@@ -138,7 +138,6 @@ std::string beam_table_csv(const BeamTable& table, const Surface& surface) {
 std::string beam_table_json(const BeamTable& table, const Surface& surface) {
     base::Json rows = base::Json::array();
     for (const BeamRow& row : table.rows) {
-        const auto utilization = table.utilization(row);
         rows.push_back({{"beam", row.beam},
                         {"tile", row.tile.value},
                         {"pattern", pattern_of(row, surface)},
@@ -146,11 +145,11 @@ std::string beam_table_json(const BeamTable& table, const Surface& surface) {
                         {"ends", {end_json(row, 0), end_json(row, 1)}},
                         {"largest_stress", row.largest_stress()},
                         {"largest_von_mises", row.largest_von_mises()},
-                        {"utilization", utilization ? base::Json(*utilization) : base::Json(nullptr)}});
+                        {"utilization", base::or_null(table.utilization(row))}});
     }
     return base::json_text({{"format", "fretwork/beams/2"},
                             {"joints", reduction::joints_name(table.joints)},
-                            {"strength", table.strength ? base::Json(*table.strength) : base::Json(nullptr)},
+                            {"strength", base::or_null(table.strength)},
                             {"utilization_formula", utilization_formula(table)},
                             {"unknown_beams", table.unknown},
                             {"beams", std::move(rows)}});
