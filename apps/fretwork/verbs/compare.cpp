@@ -73,8 +73,8 @@ ExitCode run(const CompareOptions& options) {
              " is an unstable equilibrium, in which no specimen stays, and the errors are relative to it; "
              "simulate --branch stable finds the stable one");
     if (options.tolerance && !(comparison.relative_l2_error <= *options.tolerance)) {
-        std::fprintf(stderr, "fretwork: the relative error %.4g is above the tolerance %.4g\n",
-                     comparison.relative_l2_error, *options.tolerance);
+        warn("the relative error " + base::format_number(comparison.relative_l2_error, 4) +
+             " is above the tolerance " + base::format_number(*options.tolerance, 4));
         return ExitCode::DidNotSucceed;
     }
     return ExitCode::Done;
