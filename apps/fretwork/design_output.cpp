@@ -22,6 +22,13 @@ Json history_json(const DesignReport& report) {
     return history;
 }
 
+Json warnings_json(const DesignReport& report, const design::DesignOptions& options) {
+    Json warnings = Json::array();
+    for (const design::DesignWarning& warning : design::design_warnings(report, options))
+        warnings.push_back(plain_text(warning));
+    return warnings;
+}
+
 void print_unknowns(const DesignReport& report) {
     for (std::size_t c = 0; c < report.factors.size(); ++c) {
         if (report.factors[c] != 1.0)
@@ -42,7 +49,7 @@ void print_utilization(const DesignReport& report) {
 
 }  // namespace
 
-void print_design_json(const DesignReport& report) {
+void print_design_json(const DesignReport& report, const design::DesignOptions& options) {
     const Json json = {{"error_mean", base::or_null(report.error, &TargetError::mean)},
                        {"error_largest", base::or_null(report.error, &TargetError::largest)},
                        {"error_best_uniform", base::or_null(report.best_uniform, &TargetError::mean)},
@@ -69,7 +76,7 @@ void print_design_json(const DesignReport& report) {
                        {"starts", report.starts},
                        {"history", history_json(report)},
                        {"patterns", report.patterns},
-                       {"warnings", report.warnings},
+                       {"warnings", warnings_json(report, options)},
                        {"seconds", report.seconds},
                        {"solutions", report.solutions},
                        {"full_solutions", report.full_solutions},

@@ -6,7 +6,7 @@
 namespace fretwork::app {
 
 /// Print what a design is, as JSON (the keys are listed in framework/fretwork/design/README.md).
-void print_design_json(const design::DesignReport& report);
+void print_design_json(const design::DesignReport& report, const design::DesignOptions& options);
 /// The same for people.
 void print_design(const design::DesignReport& report);
 /// One line on standard error for each thing that keeps the target out of reach, as far as it is known.

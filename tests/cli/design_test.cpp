@@ -4,6 +4,7 @@
 #include "support.hpp"
 
 #include <fretwork/base/files/file.hpp>
+#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/simulation/project/project_file.hpp>
 
 namespace fretwork::app {
@@ -43,6 +44,20 @@ TEST_F(DesignCommand, WritesAPaintedProjectAndWhatItReaches) {
     const auto designed = simulation::read_project(folder_.path() / "d.json");
     for (const tiling::Tile& tile : designed.tessellation.tiles) EXPECT_GE(tile.pattern, 0);
     EXPECT_EQ(run("fretwork simulate d.json --case cantilever --out r.json").exit_code, 0);
+}
+
+TEST_F(DesignCommand, PrintsEveryWarningForPeopleAndForPrograms) {
+    folder_.file("far.json", R"({"format": "fretwork/target/1", "goals": [
+        {"select": {"side": "right"}, "displacement": [null, null, -0.3]}]})");
+    const Outcome done =
+        run("fretwork design p.json --target far.json --palette 0-1+1-6,0-6 --json --out d.json");
+    ASSERT_EQ(done.exit_code, 1) << done.err;
+    const base::Json warnings = base::Json::parse(done.out)["warnings"];
+    ASSERT_FALSE(warnings.empty());
+    EXPECT_THAT(warnings[0].get<std::string>(), HasSubstr("the target asks for"));
+    EXPECT_EQ(std::ranges::count(done.err, '\n'), std::ssize(warnings)) << done.err;
+    for (const base::Json& warning : warnings)
+        EXPECT_THAT(done.err, HasSubstr("fretwork: " + warning.get<std::string>()));
 }
 
 /// Bad input is one line with its place, exit 2, and nothing is written.

@@ -146,7 +146,7 @@ ExitCode run(DesignArguments arguments) {
     const design::DesignReport report = run_design(arguments, project, given, target, options);
     write_design(arguments, report, target);
     if (arguments.json) {
-        print_design_json(report);
+        print_design_json(report, options);
     } else {
         print_design(report);
     }

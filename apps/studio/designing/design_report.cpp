@@ -3,7 +3,7 @@
 #include <studio/designing/design_report.hpp>
 #include <studio/document/painting_request.hpp>
 
-#include <optional>
+#include <vector>
 
 namespace fretwork::studio {
 
@@ -19,17 +19,18 @@ Json share_closed(const DesignReport& report) {
     return 1.0 - report.error->mean / report.best_uniform->mean;
 }
 
-Json warnings_json(const DesignFound& found) {
-    Json warnings = Json::array();
-    for (const design::DesignWarning& warning : design::design_warnings(found.report, found.options))
-        warnings.push_back(design::plain_text(warning));
-    return warnings;
+using Warnings = std::vector<design::DesignWarning>;
+
+Json warnings_json(const Warnings& warnings) {
+    Json texts = Json::array();
+    for (const design::DesignWarning& warning : warnings) texts.push_back(design::plain_text(warning));
+    return texts;
 }
 
 /// The same with their lengths and angles as numbers, which the page shows in its units.
-Json warning_parts(const DesignFound& found) {
+Json warning_parts(const Warnings& warnings) {
     Json parts = Json::array();
-    for (const design::DesignWarning& warning : design::design_warnings(found.report, found.options)) {
+    for (const design::DesignWarning& warning : warnings) {
         Json values = Json::array();
         for (const design::WarnedValue& own : warning.values)
             values.push_back(
@@ -55,6 +56,7 @@ Edited with_design(const State& state, const DesignReport& report) {
 
 Json designed_event(const DesignFound& found, std::int64_t revision) {
     const DesignReport& report = found.report;
+    const Warnings warnings = design::design_warnings(report, found.options);
     return {{"event", "designed"},
             {"revision", revision},
             {"sketch", found.stage == DesignFound::Stage::Sketch},
@@ -69,8 +71,8 @@ Json designed_event(const DesignFound& found, std::int64_t revision) {
             {"patterns", report.patterns},
             {"load_cases", report.load_cases},
             {"factors", report.factors},
-            {"warnings", warnings_json(found)},
-            {"warning_parts", warning_parts(found)},
+            {"warnings", warnings_json(warnings)},
+            {"warning_parts", warning_parts(warnings)},
             {"end", design::design_end_name(report.end)},
             {"words", design::design_end_words(report.end)},
             {"seconds", report.seconds},
