@@ -3,6 +3,7 @@
 
 #include <fretwork/base/internal/json_text.hpp>
 
+#include <cstddef>
 #include <string>
 
 namespace fretwork::app {
@@ -12,6 +13,9 @@ void complain(std::string message);
 
 /// Print a warning: one line on standard error.
 void warn(const std::string& line);
+
+/// The size of a file for people, with three digits: "27 bytes", "1.25 MB".
+std::string bytes_text(std::size_t bytes);
 
 /// Print the output of `--json`: one document on standard output.
 void print_document(const base::Json& document);

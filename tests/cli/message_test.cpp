@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The terminal gets one short line for a mistake, and nothing that it would obey.
 #include "cli/command.hpp"
+#include "output.hpp"
 #include "support.hpp"
 
 #include <fretwork/base/text.hpp>
@@ -88,6 +89,14 @@ TEST_F(Messages, NameThePlaceWhereNothingCanBeWrittenOrRead) {
     EXPECT_THAT(run("fretwork enumerate --library nowhere/N.db").err,
                 HasSubstr("nowhere/N.db: cannot be written"));
     EXPECT_THAT(run("fretwork solve /dev/zero --out r.json").err, HasSubstr("/dev/zero: is a device"));
+}
+
+TEST(SizesOfFiles, HaveThreeDigitsInEveryUnit) {
+    for (const auto& [bytes, text] : {std::pair(999U, "999 bytes"), std::pair(1000U, "1 kB"),
+                                      std::pair(123'456U, "123 kB"), std::pair(999'499U, "999 kB"),
+                                      std::pair(999'500U, "1 MB"), std::pair(1'250'000U, "1.25 MB"),
+                                      std::pair(999'499'999U, "999 MB"), std::pair(999'500'000U, "1 GB")})
+        EXPECT_EQ(bytes_text(bytes), text);
 }
 
 TEST_F(Messages, ALinkStaysALinkWhereItsFileIsWritten) {

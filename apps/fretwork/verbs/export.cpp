@@ -216,14 +216,6 @@ exports::Scene make_scene(const ExportOptions& options, const base::Control& con
     return scene;
 }
 
-std::string size_text(std::size_t bytes) {
-    constexpr double kKilo = 1000.0;
-    const auto size = static_cast<double>(bytes);
-    if (size < kKilo) return std::to_string(bytes) + " bytes";
-    if (size < kKilo * kKilo) return base::format_number(size / kKilo, 3) + " kB";
-    return base::format_number(size / kKilo / kKilo, 3) + " MB";
-}
-
 /// A line for each file: its path, its content, the unit of its lengths, its size. Reports name their units
 /// themselves.
 void print_written(const base::Json& report) {
@@ -233,7 +225,7 @@ void print_written(const base::Json& report) {
         std::printf("%s: %s%s, %s\n", base::printable(file["path"].get<std::string>()).c_str(),
                     file["content"].get<std::string>().c_str(),
                     unit == "none" ? "" : (", lengths in " + unit + "s").c_str(),
-                    size_text(file["bytes"].get<std::size_t>()).c_str());
+                    bytes_text(file["bytes"].get<std::size_t>()).c_str());
     }
 }
 
