@@ -5,9 +5,7 @@
 
 #include <fretwork/base/control.hpp>
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/text.hpp>
 
-#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -15,7 +13,6 @@
 #include <filesystem>
 #include <new>
 #include <string>
-#include <vector>
 
 namespace fretwork::app {
 namespace {

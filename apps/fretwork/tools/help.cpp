@@ -2,11 +2,10 @@
 // fretwork help: the help of a verb.
 #include "program.hpp"
 
-#include <fretwork/base/error.hpp>
-
-#include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace fretwork::app {
 namespace {

@@ -6,7 +6,6 @@
 #include "output.hpp"
 #include "verbs.hpp"
 
-#include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/library/fill.hpp>
 #include <fretwork/library/statistics.hpp>

@@ -3,11 +3,9 @@
 #include "options/file_options.hpp"
 #include "verbs.hpp"
 
-#include <fretwork/base/error.hpp>
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/exports/drawings/pattern_drawing.hpp>
-#include <fretwork/tiling/painting/painting.hpp>
 
 #include <memory>
 
