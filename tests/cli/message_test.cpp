@@ -92,10 +92,10 @@ TEST_F(Messages, NameThePlaceWhereNothingCanBeWrittenOrRead) {
 }
 
 TEST(SizesOfFiles, HaveThreeDigitsInEveryUnit) {
-    for (const auto& [bytes, text] : {std::pair(999U, "999 bytes"), std::pair(1000U, "1 kB"),
-                                      std::pair(123'456U, "123 kB"), std::pair(999'499U, "999 kB"),
-                                      std::pair(999'500U, "1 MB"), std::pair(1'250'000U, "1.25 MB"),
-                                      std::pair(999'499'999U, "999 MB"), std::pair(999'500'000U, "1 GB")})
+    for (const auto& [bytes, text] :
+         {std::pair(999U, "999 bytes"), std::pair(1000U, "1 kB"), std::pair(123'456U, "123 kB"),
+          std::pair(999'499U, "999 kB"), std::pair(999'500U, "1 MB"), std::pair(1'250'000U, "1.25 MB"),
+          std::pair(999'499'999U, "999 MB"), std::pair(999'500'000U, "1 GB")})
         EXPECT_EQ(bytes_text(bytes), text);
 }
 

@@ -141,8 +141,7 @@ Json content_json(const NodesGoal& goal) {
 
 Json content_json(const FormulaGoal& goal) {
     Json components = Json::array();
-    for (const auto& component : goal.displacement)
-        components.push_back(base::or_null(component));
+    for (const auto& component : goal.displacement) components.push_back(base::or_null(component));
     return {{"select", selection_json(goal.where)}, {"displacement", components}};
 }
 
