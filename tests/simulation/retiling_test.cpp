@@ -4,6 +4,7 @@
 
 #include <fretwork/simulation/load_cases/conditions.hpp>
 #include <fretwork/simulation/project/new_project.hpp>
+#include <fretwork/simulation/project/project_file.hpp>
 #include <fretwork/simulation/project/retiling.hpp>
 
 #include <gmock/gmock.h>
@@ -110,6 +111,44 @@ TEST(Retiling, SelectionsByPlaceStayAndThoseByNumberGo) {
     const auto& tiles = std::get<LoadCase::AreaLoad::Tiles>(after.area_loads.front().where).numbers;
     EXPECT_GT(tiles.size(), 3U) << "the new tiles are smaller";
     for (const int tile : tiles) EXPECT_LE(carried.from[TileIndex(tile)].value, 2);
+}
+
+/// Where the interface nodes are the same, their numbers mean the same places.
+TEST(Retiling, NumbersStayWhereTheNodesAreTheSame) {
+    Project before = plate();
+    before.load_cases = {every_kind()};
+    const CarriedOver same = carry_over(before, new_tiles(before, {.edge_length = 0.03}));
+    EXPECT_EQ(same.dropped.supports + same.dropped.loads + same.dropped.prescribed, 0);
+    EXPECT_EQ(same.project.load_cases, before.load_cases);
+}
+
+TEST(Retiling, KeepsTheMeanSideIfNoneIsGiven) {
+    const Project before = plate();
+    const double side = tiling::mean_tile_side(before.tessellation);
+    const NewTiles tiles = new_tiles(before, {.angle = 10.0 * kDegree});
+    EXPECT_NEAR(tiles.report.mean_side, side, 0.05 * side);
+}
+
+TEST(Retiling, IsTheSameInOneCallAsInItsParts) {
+    Project before = plate();
+    before.load_cases = {every_kind()};
+    const RetilingOptions options{.edge_length = 0.021};
+    const RetiledProject whole = retile(before, options, nullptr);
+    const NewTiles tiles = new_tiles(before, options);
+    const CarriedOver carried = carry_over(before, tiles);
+    EXPECT_EQ(project_text(whole.project), project_text(carried.project));
+    EXPECT_EQ(whole.report.tiles, tiles.report.tiles);
+    EXPECT_EQ(whole.dropped.loads, carried.dropped.loads);
+}
+
+TEST(Retiling, PaintsTheNewTilesIfItIsAskedTo) {
+    const Project before = plate();
+    const RetiledProject made =
+        retile(before, {.edge_length = 0.021, .painting = PaintOnePattern{"2-4+4-6"}}, nullptr);
+    for (const TileIndex tile : made.project.tessellation.tiles.indices())
+        EXPECT_EQ(tiling::pattern_of(made.project.tessellation, tile)->id, "2-4+4-6");
+    const RetilingOptions foreign{.edge_length = 0.021, .painting = PaintOnePattern{"0-99"}};
+    EXPECT_THAT(complaint_of([&] { (void)retile(before, foreign, nullptr); }), HasSubstr("0-99"));
 }
 
 TEST(Retiling, TileModelsStayByPlace) {

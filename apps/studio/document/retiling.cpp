@@ -176,7 +176,7 @@ Retiled retiled(const State& state, const Retiling& made) {
     next = made.wanted.patterns == kKeep ? painted_by_place(state, std::move(next), carried)
                                          : painted_with(std::move(next), made.pattern);
     Json answer = answer_json(next, made, carried);
-    const std::string side = base::format_number(1e3 * made.wanted.options.edge_length, 3);
+    const std::string side = base::format_number(1e3 * made.wanted.options.edge_length.value(), 3);
     return {{std::move(next), "tiles of " + side + " mm"}, std::move(answer)};
 }
 

@@ -3,6 +3,7 @@
 #include <fretwork/reduction/scenarios/setting_file.hpp>
 #include <fretwork/simulation/load_cases/conditions.hpp>
 #include <fretwork/simulation/project/new_project.hpp>
+#include <fretwork/simulation/project/project_library.hpp>
 #include <fretwork/simulation/project/retiling.hpp>
 #include <fretwork/tiling/painting/tile_choice.hpp>
 
@@ -110,19 +111,26 @@ LoadCase::AreaLoad::Tiles tiles_from(const LoadCase::AreaLoad::Tiles& old_tiles,
     return tiles;
 }
 
-int carry_area_loads(std::vector<LoadCase::AreaLoad>& loads, const FromTiles& from) {
-    return static_cast<int>(std::erase_if(loads, [&](LoadCase::AreaLoad& load) {
-        if (const auto* where = std::get_if<Selection>(&load.where))
-            return std::holds_alternative<NodesById>(*where);
-        auto& tiles = std::get<LoadCase::AreaLoad::Tiles>(load.where);
-        tiles = tiles_from(tiles, from);
-        return tiles.numbers.empty();
+int drop_area_numbers(std::vector<LoadCase::AreaLoad>& loads) {
+    return static_cast<int>(std::erase_if(loads, [](const LoadCase::AreaLoad& load) {
+        const auto* where = std::get_if<Selection>(&load.where);
+        return where != nullptr && std::holds_alternative<NodesById>(*where);
     }));
 }
 
-void carry_load_case(LoadCase& load_case, const FromTiles& from, DroppedEntries& dropped) {
+/// Gives the number of loads of which no new tile comes.
+int carry_tile_loads(std::vector<LoadCase::AreaLoad>& loads, const FromTiles& from) {
+    return static_cast<int>(std::erase_if(loads, [&](LoadCase::AreaLoad& load) {
+        auto* tiles = std::get_if<LoadCase::AreaLoad::Tiles>(&load.where);
+        if (tiles == nullptr) return false;
+        *tiles = tiles_from(*tiles, from);
+        return tiles->numbers.empty();
+    }));
+}
+
+void drop_node_numbers(LoadCase& load_case, DroppedEntries& dropped) {
     dropped.supports += drop_numbers(load_case.supports);
-    dropped.loads += drop_numbers(load_case.loads) + carry_area_loads(load_case.area_loads, from);
+    dropped.loads += drop_numbers(load_case.loads) + drop_area_numbers(load_case.area_loads);
     dropped.prescribed += drop_numbers(load_case.prescribed);
 }
 
@@ -140,7 +148,9 @@ NewTiles new_tiles(const Project& project, const RetilingOptions& options) {
     const reduction::Setting setting = project.setting.value_or(reduction::paper_setting());
     std::vector<outlines::Outline> parts{project.outline};
     parts.insert(parts.end(), project.further_outlines.begin(), project.further_outlines.end());
-    tiling::TessellationOptions wanted = tiling_options(setting, options.edge_length, options.angle);
+    const double edge_length = options.edge_length.value_or(tiling::mean_tile_side(project.tessellation));
+    tiling::TessellationOptions wanted = tiling_options(setting, edge_length, options.angle);
+    wanted.narrow = options.narrow;
     wanted.control = options.control;
     NewTiles made;
     made.layout = options.layout.value_or(project.layout);
@@ -167,11 +177,24 @@ CarriedOver carry_over(const Project& project, const NewTiles& tiles) {
         next.library_path.clear();
         next.library_hash.clear();
     }
+    const bool has_same_nodes = next.tessellation.interface_nodes == project.tessellation.interface_nodes;
     for (LoadCase& load_case : next.load_cases) {
-        carry_load_case(load_case, carried.from, carried.dropped);
+        carried.dropped.loads += carry_tile_loads(load_case.area_loads, carried.from);
+        if (!has_same_nodes) drop_node_numbers(load_case, carried.dropped);
         check_selections(load_case, next.tessellation);
     }
     return carried;
+}
+
+RetiledProject retile(const Project& project, const RetilingOptions& options,
+                      const library::Library* library) {
+    const NewTiles tiles = new_tiles(project, options);
+    if (library != nullptr) library->check_layout(tiles.layout);
+    CarriedOver carried = carry_over(project, tiles);
+    Project& next = carried.project;
+    const reduction::Setting setting = setting_of(next, library);
+    paint(next.tessellation, options.painting, {next.layout, setting, library});
+    return {std::move(next), tiles.report, carried.dropped};
 }
 
 }  // namespace fretwork::simulation

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <fretwork/base/control.hpp>
+#include <fretwork/library/library.hpp>
+#include <fretwork/simulation/project/painting_choice.hpp>
 #include <fretwork/simulation/project/project.hpp>
 #include <fretwork/tiling/tessellate.hpp>
 
@@ -10,12 +12,16 @@
 
 namespace fretwork::simulation {
 
-/// Options of new_tiles().
+/// Options of retile().
 struct RetilingOptions {
-    double edge_length = 0.0;       ///< wanted mean side of the new tiles, m
-    std::optional<double> angle{};  ///< of the rows of tiles, rad; none: the most regular tiling
+    /// Wanted mean side of the new tiles, m. None: the mean side of the present tiles.
+    std::optional<double> edge_length{};
+    std::optional<double> angle{};                   ///< of the rows of tiles, rad; none: the most regular
+    tiling::Narrow narrow = tiling::Narrow::Refine;  ///< treatment of places narrower than a tile
     /// The node layout of the new tiles. None: the layout of the project.
     std::optional<pattern::NodeLayout> layout{};
+    /// The way in which retile() paints the new tiles. Without one, patterns are carried over by place.
+    PaintingChoice painting{};
     base::Control control{};  ///< progress and stop
 };
 
@@ -27,12 +33,13 @@ struct NewTiles {
     double largest_side = 0.0;                             ///< length of the longest side, m
 };
 
-/// Tile the outline of a project again, with tiling_options(). The project is not changed, and its present
-/// tiles have no effect. Throws as tiling::tessellate().
+/// Tile the outline of a project again, with tiling_options(). The project is not changed. Its present tiles
+/// have no effect if options.edge_length is given. Throws as tiling::tessellate().
 NewTiles new_tiles(const Project& project, const RetilingOptions& options);
 
-/// The entries of load cases that select interface nodes by number. The numbers mean other places on other
-/// tiles, so these entries are left out.
+/// The entries of load cases that are left out, because they have no place on the new tiles: those that
+/// select interface nodes by number, unless the interface nodes are the same as before, and loads on tiles
+/// from which no new tile comes.
 struct DroppedEntries {
     int supports = 0;    ///< number of supports
     int loads = 0;       ///< number of loads, on nodes and on areas
@@ -55,5 +62,18 @@ struct CarriedOver {
 ///
 /// Throws InputError, with the load case and the entry, if an entry selects no node of the new tiles.
 CarriedOver carry_over(const Project& project, const NewTiles& tiles);
+
+/// A project on other tiles, as retile() gives it.
+struct RetiledProject {
+    Project project;                    ///< the project with new tiles
+    tiling::TessellationReport report;  ///< measures of the new tiles
+    DroppedEntries dropped;             ///< entries of load cases that were left out
+};
+
+/// Cover the outline of a project with other tiles: new_tiles(), carry_over() and, if options.painting says
+/// how, paint(). A painting finds patterns and their properties in `library`, which may be null. Throws as
+/// these three, and InputError if the library has another layout than the new tiles.
+RetiledProject retile(const Project& project, const RetilingOptions& options,
+                      const library::Library* library);
 
 }  // namespace fretwork::simulation
