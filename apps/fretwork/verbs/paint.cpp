@@ -169,6 +169,7 @@ ExitCode run(const PaintOptions& options) {
         warn(reason + "; nothing is painted");
         return ExitCode::DidNotSucceed;
     }
+    simulation::move_library_path(project, options.project, target);
     simulation::write_project(project, target);
     print(project, tiles, options);
     warn_of_close_bars(project, given, options.clearance);

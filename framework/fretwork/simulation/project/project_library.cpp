@@ -47,6 +47,16 @@ std::string library_path_of(const std::string& project_file, const Project& proj
     return (folder / project.library_path).string();
 }
 
+void move_library_path(Project& project, const std::string& from_file, const std::string& to_file) {
+    namespace fs = std::filesystem;
+    const auto folder_of = [](const std::string& file) {
+        return fs::absolute(file).lexically_normal().parent_path();
+    };
+    if (project.library_path.empty() || folder_of(from_file) == folder_of(to_file)) return;
+    const fs::path library = fs::absolute(library_path_of(from_file, project)).lexically_normal();
+    project.library_path = library.lexically_relative(folder_of(to_file)).generic_string();
+}
+
 reduction::Setting setting_of(const Project& project, const library::Library* library) {
     if (library == nullptr) return project.setting.value_or(reduction::paper_setting());
     if (project.setting) library->check_setting(*project.setting);

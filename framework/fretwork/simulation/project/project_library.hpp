@@ -13,6 +13,9 @@ namespace fretwork::simulation {
 /// The path of a project's library; empty if the project names none.
 std::string library_path_of(const std::string& project_file, const Project& project);
 
+/// Make the path of a project's library lead from another project file, to which the project is written.
+void move_library_path(Project& project, const std::string& from_file, const std::string& to_file);
+
 /// Open the library for simulating a project: the library at the path `wanted` or, if `wanted` is empty, the
 /// project's own library, whose path is relative to the project file. None if both are empty. Throws
 /// InputError if the project's own library has changed since the project was made.
