@@ -19,12 +19,12 @@ constexpr const char* kMaking = "Making and output";
 constexpr const char* kTools = "Tools";
 
 /// The verbs, in the order in which data flows.
-constexpr Verb kVerbs[] = {{kLibrary, add_enumerate}, {kLibrary, add_calibrate}, {kLibrary, add_library},
-                           {kSurface, add_tile},      {kSurface, add_paint},     {kSurface, add_case},
-                           {kSurface, add_simulate},  {kSurface, add_design},    {kSurface, add_compare},
-                           {kSurface, add_beams},     {kSurface, add_studio},    {kMaking, add_export},
-                           {kMaking, add_draw},       {kTools, add_solve},       {kTools, add_optimizers},
-                           {kTools, add_check},       {kTools, add_help},        {kTools, add_manual}};
+constexpr Verb kVerbs[] = {
+    {kLibrary, add_enumerate}, {kLibrary, add_calibrate}, {kLibrary, add_library}, {kSurface, add_tile},
+    {kSurface, add_retile},    {kSurface, add_paint},     {kSurface, add_case},    {kSurface, add_simulate},
+    {kSurface, add_design},    {kSurface, add_compare},   {kSurface, add_beams},   {kSurface, add_studio},
+    {kMaking, add_export},     {kMaking, add_draw},       {kTools, add_solve},     {kTools, add_optimizers},
+    {kTools, add_check},       {kTools, add_help},        {kTools, add_manual}};
 
 /// What --version prints: the version in the first line, then the commit, the compiler and the libraries with
 /// which the program was built.

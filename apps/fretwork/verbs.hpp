@@ -14,6 +14,7 @@ void add_enumerate(CLI::App& app, ExitCode& exit_code);
 void add_calibrate(CLI::App& app, ExitCode& exit_code);
 void add_library(CLI::App& app, ExitCode& exit_code);
 void add_tile(CLI::App& app, ExitCode& exit_code);
+void add_retile(CLI::App& app, ExitCode& exit_code);
 void add_paint(CLI::App& app, ExitCode& exit_code);
 void add_case(CLI::App& app, ExitCode& exit_code);
 void add_simulate(CLI::App& app, ExitCode& exit_code);

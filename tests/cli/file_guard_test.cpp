@@ -28,10 +28,15 @@ const std::set<std::string> kOtherTexts = {
     "new_name",  "--name",        "--problems",    "--optimizers", "--policy",    "--solver",     "--branch",
     "--masses",  "pattern",       "--address",     "--part",       "--narrow",    "--scale",      "--angle"};
 
-/// --patterns lists ids; that of `tile` may be a file.
+/// The --patterns of these verbs may be a file.
+bool takes_painting(const CLI::App& verb) {
+    return verb.get_name() == "tile" || verb.get_name() == "retile" || verb.get_name() == "paint";
+}
+
+/// --patterns lists ids elsewhere.
 bool is_other_text(const CLI::App& verb, const CLI::Option& option) {
     return kOtherTexts.contains(option.get_name()) ||
-           (verb.get_name() != "tile" && verb.get_name() != "paint" && option.get_name() == "--patterns") ||
+           (option.get_name() == "--patterns" && !takes_painting(verb)) ||
            (verb.get_name() == "known" && option.get_name() == "--patterns") ||
            (verb.get_name() == "export" && option.get_name() == "--case");
 }

@@ -14,8 +14,8 @@ using testing::HasSubstr;
 TEST(Help, OfEveryVerbHasAnExample) {
     const TemporaryFolder folder;
     for (const std::string verb :
-         {"enumerate", "calibrate", "library", "tile", "paint", "case", "simulate", "compare", "solve",
-          "optimizers", "export", "draw", "beams", "studio", "design", "check", "help", "manual"}) {
+         {"enumerate", "calibrate", "library", "tile", "retile", "paint", "case", "simulate", "compare",
+          "solve", "optimizers", "export", "draw", "beams", "studio", "design", "check", "help", "manual"}) {
         const auto outcome = run_command("fretwork " + verb + " --help", folder.path());
         EXPECT_EQ(outcome.exit_code, 0) << verb;
         EXPECT_THAT(outcome.out, testing::ContainsRegex("Examples?:(.|\n)* fretwork " + verb)) << verb;

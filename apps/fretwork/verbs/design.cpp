@@ -4,6 +4,7 @@
 #include "interrupt.hpp"
 #include "options/checks.hpp"
 #include "options/file_options.hpp"
+#include "other_project.hpp"
 #include "typed/palette_text.hpp"
 #include "typed/symmetry_text.hpp"
 #include "verbs.hpp"
@@ -21,7 +22,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -79,20 +79,6 @@ design::DesignReport run_design(const DesignArguments& arguments, const simulati
     }
 }
 
-/// A project that is replaced keeps what is its own: load cases that the designed one has not.
-void require_own_out(const DesignArguments& arguments, const simulation::Project& project) {
-    std::error_code ignored;
-    if (!std::filesystem::exists(arguments.out, ignored)) return;
-    for (const simulation::LoadCase& other : simulation::read_project(arguments.out).load_cases) {
-        const auto has_name = [&](const simulation::LoadCase& own) { return own.name == other.name; };
-        if (std::ranges::none_of(project.load_cases, has_name))
-            throw base::InputError(arguments.out, "",
-                                   "is another project: its load case '" + other.name +
-                                       "' would be lost, which " + arguments.project +
-                                       " has not; give --out another name");
-    }
-}
-
 /// Read what people type into the options of the design.
 template <class Read>
 void read_as(const char* option, const std::string& text, const Read& read) {
@@ -130,7 +116,7 @@ ExitCode run(DesignArguments arguments) {
     LongWork work;
     const design::Target target = design::read_target(arguments.target);
     const simulation::Project project = simulation::read_checked_project(arguments.project);
-    require_own_out(arguments, project);
+    refuse_other_project(arguments.out, {project, arguments.project});
     design::DesignOptions& options = arguments.design;
     read_typed(arguments, project);
     std::optional<library::Library> library;
@@ -143,7 +129,8 @@ ExitCode run(DesignArguments arguments) {
         throw base::InputError("--max-utilization", "",
                                "needs a strength, and the project's setting has none");
     options.control = work.control();
-    const design::DesignReport report = run_design(arguments, project, given, target, options);
+    design::DesignReport report = run_design(arguments, project, given, target, options);
+    simulation::move_library_path(report.project, arguments.project, arguments.out);
     write_design(arguments, report, target);
     if (arguments.json) {
         print_design_json(report, options);

@@ -4,12 +4,13 @@
 #include "interrupt.hpp"
 #include "options/file_options.hpp"
 #include "options/painting_options.hpp"
+#include "options/tiling_options.hpp"
 #include "output.hpp"
 #include "verbs.hpp"
+#include "verbs/tile_output.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/file_lock.hpp>
-#include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/library/library.hpp>
 #include <fretwork/reduction/scenarios/setting_file.hpp>
@@ -22,7 +23,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 
@@ -36,39 +36,22 @@ struct TileOptions {
     std::string outline;
     std::string part = "largest";
     std::optional<std::string> width;
-    std::optional<std::string> edge_length;
-    std::optional<std::string> angle;
+    TilingText tiling;
     typed::PaintingText painting;
     std::string library;
     std::string setting;
     std::string layout;
     std::string out;
-    std::string narrow = "refine";
     std::string clearance;
     bool keep_mesh = false;
     bool json = false;
 };
 
-/// An option that is a length, and what is questioned as a bare number.
-struct LengthOption {
-    const char* name;
-    double large;  ///< m
-};
-constexpr LengthOption kEdgeLength{"--edge-length", 1.0};
 constexpr LengthOption kWidth{"--width", 10.0};
-
-double parse_length(const LengthOption& option, const std::string& text) {
-    base::refuse_missing_unit(option.name, text, option.large);
-    return base::located(option.name, "", [&] { return base::parse_length(text); });
-}
-
-double parse_angle(const std::string& text) {
-    return base::located("--angle", "", [&] { return base::parse_angle(text); });
-}
 
 std::optional<double> wanted_width(const TileOptions& options) {
     if (!options.width) return std::nullopt;
-    const double width = parse_length(kWidth, *options.width);
+    const double width = read_length(kWidth, *options.width);
     if (!(width > 0))
         throw base::InputError(kWidth.name, "", "'" + *options.width + "' is not a width, such as 400mm");
     return width;
@@ -94,9 +77,6 @@ std::optional<reduction::Setting> wanted_setting(const TileOptions& options, con
     if (!options.library.empty() || !std::filesystem::exists(options.out)) return std::nullopt;
     return simulation::setting_of(simulation::read_project(options.out), library);
 }
-
-const std::map<std::string, tiling::Narrow> kNarrow = {
-    {"refine", tiling::Narrow::Refine}, {"merge", tiling::Narrow::Merge}, {"refuse", tiling::Narrow::Refuse}};
 
 /// The library of a project is named relative to the project file.
 void name_library(Project& project, const TileOptions& options, const Library* library) {
@@ -184,49 +164,15 @@ void tell(const outlines::OutlineFile& file, const TileOptions& options) {
     warn(options.outline + ": " + base::join(file.remarks, "; "));
 }
 
-std::vector<std::string> names_of(const std::vector<simulation::LoadCase>& load_cases) {
-    std::vector<std::string> names;
-    for (const simulation::LoadCase& load_case : load_cases) names.push_back(load_case.name);
-    return names;
-}
-
 void print_json(const tiling::TessellationReport& report, const Project& project,
                 const outlines::OutlineFile& file) {
-    print_document({{"outline", {{"size", outlines::size_text(file.parts)}, {"remarks", file.remarks}}},
-                    {"tiles", report.tiles},
-                    {"interface_nodes", project.tessellation.interface_nodes.size()},
-                    {"patterns", tiling::used_patterns(project.tessellation).size()},
-                    {"hexagon_share", report.hexagon_share},
-                    {"inner_hexagon_share", report.inner_hexagon_share},
-                    {"mean_side", report.mean_side},
-                    {"sd_side", report.sd_side},
-                    {"smallest_side", report.smallest_side},
-                    {"smallest_angle", report.smallest_angle},
-                    {"covered_share", report.covered_share},
-                    {"outside_share", report.outside_share},
-                    {"refined_share", report.refined_share},
-                    {"library", project.library_path},
-                    {"setting", reduction::setting_name(project.setting.value())},
-                    {"joints", reduction::joints_name(project.setting->joints)},
-                    {"load_cases_kept", names_of(project.load_cases)}});
+    base::Json json = {{"outline", {{"size", outlines::size_text(file.parts)}, {"remarks", file.remarks}}}};
+    json.update(tiling_json(report, project));
+    print_document(json);
 }
 
 void print(const tiling::TessellationReport& report, const Project& project, const TileOptions& options) {
-    const std::size_t patterns = tiling::used_patterns(project.tessellation).size();
-    std::printf("%s, %zu interface nodes, %s in use\n",
-                base::counted(static_cast<std::size_t>(report.tiles), "tile").c_str(),
-                project.tessellation.interface_nodes.size(), base::counted(patterns, "pattern").c_str());
-    std::printf("hexagons %.0f %% (away from the rim %.0f %%), mean side %.2f mm (+- %.2f, smallest %.2f)\n",
-                100 * report.hexagon_share, 100 * report.inner_hexagon_share, 1e3 * report.mean_side,
-                1e3 * report.sd_side, 1e3 * report.smallest_side);
-    std::printf("covers %.2f %% of the outline\n", 100 * report.covered_share);
-    if (report.refined_share > 0)
-        std::printf("%.0f %% of the tiles are smaller, because the outline is narrow near them\n",
-                    std::max(1.0, 100 * report.refined_share));
-    const std::size_t unpainted = unpainted_count(project.tessellation);
-    if (unpainted > 0 && patterns > 0) std::printf("not painted yet: %zu\n", unpainted);
-    if (!project.load_cases.empty())
-        std::printf("the project keeps its load cases: %zu\n", project.load_cases.size());
+    print_tiling(report, project);
     if (options.library.empty() && !project.library_path.empty())
         std::printf("the project keeps its library: %s\n", base::printable(project.library_path).c_str());
     std::printf("setting: %s, joints: %s\n", reduction::setting_name(project.setting.value()).c_str(),
@@ -239,9 +185,9 @@ simulation::NewProjectOptions wanted_project(const TileOptions& options) {
     simulation::NewProjectOptions wanted{.outline_name = options.outline,
                                          .layout = options.layout,
                                          .painting = typed::read_painting(options.painting)};
-    if (options.edge_length) wanted.edge_length = parse_length(kEdgeLength, *options.edge_length);
-    if (options.angle) wanted.angle = parse_angle(*options.angle);
-    wanted.narrow = kNarrow.at(options.narrow);
+    wanted.edge_length = wanted_edge_length(options.tiling);
+    wanted.angle = wanted_angle(options.tiling);
+    wanted.narrow = wanted_narrow(options.tiling);
     if (options.keep_mesh) wanted.tiles = simulation::TilesFrom::Mesh;
     return wanted;
 }
@@ -293,21 +239,11 @@ void add_tile(CLI::App& app, ExitCode&) {
         verb->add_option("--width", options->width,
                          "Scale the outline to this width, such as 400mm (default: the drawing's own)")
             ->type_name("LENGTH");
-    CLI::Option* edge_length =
-        verb->add_option("--edge-length", options->edge_length,
-                         "Wanted mean side of the tiles, such as 26mm (default: the setting's tile side)");
-    CLI::Option* angle = verb->add_option(
-        "--angle", options->angle,
-        "Angle of the rows of tiles to the x axis, such as 15deg (default: that of the most regular tiling)");
-    verb->add_option("--narrow", options->narrow,
-                     "Treatment of an outline narrower than a tile: refine makes smaller tiles, merge joins "
-                     "these to few long ones, refuse gives an error")
-        ->check(CLI::IsMember(kNarrow))
-        ->capture_default_str();
+    add_tiling_options(*verb, options->tiling, "the setting's tile side");
     verb->add_flag("--keep-mesh", options->keep_mesh,
                    "Take the faces of a flat OBJ, PLY or OFF as tiles, unchanged")
-        ->excludes(edge_length)
-        ->excludes(angle)
+        ->excludes("--edge-length")
+        ->excludes("--angle")
         ->excludes(width);
     add_painting_options(*verb, options->painting);
     add_clearance_option(*verb, options->clearance);
