@@ -152,6 +152,7 @@ void check_folder(const NamedFile& folder) {
     if (!is_there(folder.path)) return;
     if (!is_folder(folder.path))
         throw base::InputError(folder.path.string(), "", "is a file, where a folder is needed");
+    if (folder.kind.is_compared) return;
     std::error_code ignored;
     const bool is_ours = has_our_table(folder.path);
     for (const auto& entry : fs::directory_iterator(folder.path, ignored)) {

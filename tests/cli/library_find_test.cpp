@@ -48,5 +48,23 @@ TEST_F(LibraryFind, NamesTheOptionOfAnExpressionThatIsNone) {
     EXPECT_EQ(run("fretwork library find --where 1").exit_code, 2);
 }
 
+using LibraryExport = LibraryFind;
+
+TEST_F(LibraryExport, OfStiffnessIsRepeatedAndReplacesNoOther) {
+    const std::string command = "fretwork library export --library lib.db --stiffness s --patterns ";
+    ASSERT_EQ(run(command + "computed").exit_code, 0);
+    const auto file = [&](const char* name) { return base::read_text_file(folder_.path() / "s" / name); };
+    const std::string array = file("stiffness.npy");
+    EXPECT_EQ(file("patterns.txt"), "0-1+1-6\n1-3+3-6\n1-6+3-6\n") << "those with responses";
+    const Outcome again = run(command + "computed");
+    EXPECT_EQ(again.exit_code, 0) << again.err;
+    for (const char* patterns : {"0-1+1-6", "all"}) {
+        const Outcome other = run(command + patterns);
+        EXPECT_EQ(other.exit_code, 2) << patterns;
+        EXPECT_THAT(other.err, HasSubstr("is there with other content")) << patterns;
+    }
+    EXPECT_EQ(file("stiffness.npy"), array);
+}
+
 }  // namespace THIS_TEST
 }  // namespace fretwork::app

@@ -64,6 +64,54 @@ TEST(LibraryStiffness, NamesItsPatternsInOrder) {
     EXPECT_EQ(base::read_text_file(folder.path() / "stiffness" / "patterns.txt"), expected);
 }
 
+/// Exports, or gives why not.
+std::string refusal_of(const std::filesystem::path& folder, const library::Library& library,
+                       std::span<const pattern::NamedPattern> patterns) {
+    base::FolderBatch batch(folder);
+    add_stiffness(library, patterns, {}, batch);
+    try {
+        require_same_stiffness(folder, batch);
+    } catch (const base::InputError& error) {
+        return error.what();
+    }
+    batch.commit();
+    return "";
+}
+
+TEST(LibraryStiffness, IsRepeatedInItsFolderAndReplacesNoOther) {
+    const TemporaryFolder folder;
+    const auto library = library::test::make_library(folder.path() / "lib.db");
+    const auto patterns = library.patterns();
+    const std::filesystem::path place = folder.path() / "stiffness";
+    EXPECT_EQ(refusal_of(place, library, patterns), "");
+    const std::string before = base::read_text_file(place / "stiffness.npy");
+    EXPECT_EQ(refusal_of(place, library, patterns), "") << "the same once more";
+    EXPECT_THAT(refusal_of(place, library, std::span(patterns).first(2)), testing::HasSubstr("other"));
+    reduction::Setting wider = library.setting();
+    wider.section = mechanics::rectangle_section(0.003, 0.002);
+    auto of_wide_bars = library::Library::create(folder.path() / "wide.db", library.layout(), wider);
+    of_wide_bars.add_patterns(library::test::parse(library::test::sample_ids()));
+    EXPECT_THAT(refusal_of(place, of_wide_bars, patterns), testing::HasSubstr("stiffness.npy: is there"));
+    EXPECT_EQ(base::read_text_file(place / "stiffness.npy"), before);
+}
+
+/// One bit, one file alone, and a list that somebody has written.
+TEST(LibraryStiffness, ComparesEveryByte) {
+    const TemporaryFolder folder;
+    const auto library = library::test::make_library(folder.path() / "lib.db");
+    const std::filesystem::path place = folder.path() / "stiffness";
+    ASSERT_EQ(refusal_of(place, library, library.patterns()), "");
+    std::string bytes = base::read_text_file(place / "stiffness.npy");
+    bytes.back() = static_cast<char>(bytes.back() ^ 1);
+    base::write_file_atomically(place / "stiffness.npy", bytes);
+    EXPECT_THAT(refusal_of(place, library, library.patterns()), testing::HasSubstr("stiffness.npy"));
+    std::filesystem::remove(place / "stiffness.npy");
+    EXPECT_EQ(refusal_of(place, library, library.patterns()), "") << "what is lacking is made";
+    base::write_file_atomically(place / "patterns.txt", "flowers\n");
+    EXPECT_THAT(refusal_of(place, library, library.patterns()), testing::HasSubstr("patterns.txt"));
+    EXPECT_EQ(base::read_text_file(place / "patterns.txt"), "flowers\n");
+}
+
 TEST(LibraryStiffness, StopsWhenItIsAskedTo) {
     const TemporaryFolder folder;
     const auto library = library::test::make_library(folder.path() / "lib.db");

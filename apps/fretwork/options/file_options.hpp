@@ -15,6 +15,8 @@ struct FileKind {
     std::string_view
         contents;             ///< of the files that it may replace, as file_identity.hpp names them, likewise
     bool is_several = false;  ///< further files are made beside it
+    /// The verb itself refuses to replace what is in the folder by anything else.
+    bool is_compared = false;
 };
 
 /// Whether a text that begins like this is a drawing, a mesh or a deck of this program.
@@ -71,6 +73,11 @@ inline DeclaredFile update(const char* option, FileKind kind) {
 /// @param files  the endings or names of the files that are made, with spaces between
 inline DeclaredFile output_folder(const char* option, std::string_view files) {
     return {option, FileRole::OutputFolder, {"a folder", files, ""}};
+}
+
+/// The same if files that are there must be equal to those that are made. The verb compares them.
+inline DeclaredFile compared_folder(const char* option, std::string_view files) {
+    return {option, FileRole::OutputFolder, {"a folder", files, "", false, true}};
 }
 
 /// Say which options of a verb name files, all of them in one place: what is declared is checked before any

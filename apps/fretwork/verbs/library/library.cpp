@@ -217,9 +217,11 @@ void write_files(const LibraryOptions& options) {
             .kind = options.ply ? exports::MeshKind::Ply : exports::MeshKind::Obj, .control = control};
         exports::add_meshes(library, wanted, meshes, folders.emplace_back(options.meshes));
     }
-    if (!options.stiffness.empty())
-        exports::add_stiffness(library, wanted, {.control = control},
-                               folders.emplace_back(options.stiffness));
+    if (!options.stiffness.empty()) {
+        base::FolderBatch& batch = folders.emplace_back(options.stiffness);
+        exports::add_stiffness(library, wanted, {.control = control}, batch);
+        exports::require_same_stiffness(options.stiffness, batch, control);
+    }
     control.check();
     for (base::FolderBatch& folder : folders) folder.commit();
     drawings.commit();
@@ -284,7 +286,8 @@ void add_library(CLI::App& app, ExitCode&) {
                           "Folder for the edge mesh and the reduced model's geometry of each pattern");
     exporting->add_option("--stiffness", options->stiffness,
                           "Folder for stiffness.npy (patterns x 6n x 6n, SI, n interface nodes, for small "
-                          "displacements) and patterns.txt, the patterns in its order");
+                          "displacements) and patterns.txt, the patterns in its order; files that are there "
+                          "and differ are not replaced");
     exporting->add_option("--svg", options->svg, "Sheet of the patterns with their reduced models");
     exporting->add_option("--patterns", options->patterns,
                           "Patterns that --svg, --meshes and --stiffness write: all, computed (those with "
@@ -297,7 +300,7 @@ void add_library(CLI::App& app, ExitCode&) {
     declare_files(*showing, {output("--svg", kSvgFile), output("--scenarios", kSvgFile)});
     declare_files(*merging, {output("output", kLibraryFile), input("inputs")});
     declare_files(*exporting, {output_folder("--csv", kTables), output_folder("--meshes", ".obj .ply"),
-                               output_folder("--stiffness", "stiffness.npy patterns.txt"),
+                               compared_folder("--stiffness", "stiffness.npy patterns.txt"),
                                output("--svg", kSvgFile), output("--chart", kSvgFile)});
 }
 

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 
 namespace fretwork::exports {
 namespace {
@@ -33,6 +35,28 @@ Eigen::MatrixXd stiffness_of(const library::Library& library, const pattern::Nam
     const mechanics::Frame frame =
         reduction::pattern_frame(library.layout(), entry.pattern, library.setting());
     return base::located("pattern " + entry.id, "", [&] { return reduction::condensed_frame(frame, nodes); });
+}
+
+namespace fs = std::filesystem;
+
+/// `ours` can be read.
+bool has_content_of(const fs::path& theirs, const fs::path& ours, const base::Control& control) {
+    constexpr std::streamsize kPiece = 1 << 20;
+    std::error_code ignored;
+    if (!fs::is_regular_file(theirs, ignored)) return false;
+    if (fs::file_size(theirs, ignored) != fs::file_size(ours, ignored)) return false;
+    std::ifstream own(ours, std::ios::binary);
+    std::ifstream other(theirs, std::ios::binary);
+    std::string own_piece(kPiece, '\0');
+    std::string other_piece(kPiece, '\0');
+    while (own.read(own_piece.data(), kPiece) || own.gcount() > 0) {
+        control.check();
+        other.read(other_piece.data(), kPiece);
+        const auto size = static_cast<std::size_t>(own.gcount());
+        if (other.gcount() != own.gcount() || own_piece.compare(0, size, other_piece, 0, size) != 0)
+            return false;
+    }
+    return true;
 }
 
 }  // namespace
@@ -64,6 +88,19 @@ void add_stiffness(const library::Library& library, std::span<const pattern::Nam
     std::string ids;
     for (const pattern::NamedPattern& entry : patterns) ids += entry.id + "\n";
     batch.add("patterns.txt", ids);
+}
+
+void require_same_stiffness(const fs::path& folder, const base::FolderBatch& batch,
+                            const base::Control& control) {
+    for (const auto& entry : fs::directory_iterator(batch.path())) {
+        const fs::path there = folder / entry.path().filename();
+        std::error_code ignored;
+        if (fs::symlink_status(there, ignored).type() == fs::file_type::not_found) continue;
+        if (has_content_of(there, entry.path(), control)) continue;
+        throw base::InputError(there.string(), "",
+                               "is there with other content: of other patterns or another setting, or not "
+                               "of this export; name another folder, or remove it first");
+    }
 }
 
 }  // namespace fretwork::exports

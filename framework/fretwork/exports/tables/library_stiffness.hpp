@@ -5,6 +5,7 @@
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/library/library.hpp>
 
+#include <filesystem>
 #include <span>
 #include <string>
 
@@ -29,5 +30,11 @@ std::string stiffness_array(const library::Library& library, std::span<const pat
 /// which the caller commits. Throws as stiffness_array(), and IoError.
 void add_stiffness(const library::Library& library, std::span<const pattern::NamedPattern> patterns,
                    const StiffnessOptions& options, base::FolderBatch& batch);
+
+/// Check that no file of a batch would replace other content in a folder, byte by byte. So an export may be
+/// repeated, and none replaces the stiffness of another library, setting or choice of patterns, nor a file of
+/// somebody else. Throws InputError that names the file, and Stopped.
+void require_same_stiffness(const std::filesystem::path& folder, const base::FolderBatch& batch,
+                            const base::Control& control = {});
 
 }  // namespace fretwork::exports
