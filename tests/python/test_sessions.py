@@ -153,6 +153,50 @@ class Projects(unittest.TestCase):
             project.turn([10**6], 1)
 
 
+class Retiling(unittest.TestCase):
+    def loaded(self):
+        """Held by side, and at two nodes by number."""
+        project = fw.parse_project(fw.project_text(support.project()))
+        case = support.tip()
+        case.supports += (fw.LoadCase.Support(fw.NodesById([0, 1]), "all"),)
+        project.load_cases = [case]
+        return project
+
+    def test_keeps_what_has_a_place_and_counts_what_has_none(self):
+        before = self.loaded()
+        made = fw.retile(before, edge_length=0.015)
+        tiles = made.project.tessellation
+        self.assertGreater(len(tiles), 2 * len(before.tessellation))
+        self.assertEqual(made.report.tiles, len(tiles))
+        self.assertEqual({tile.pattern for tile in tiles.tiles}, {0})
+        self.assertEqual((made.dropped.supports, made.dropped.loads, made.dropped.prescribed), (1, 0, 0))
+        self.assertEqual(made.project.load_cases, (support.tip(),))
+        self.assertEqual(len(before.load_cases[0].supports), 2, "the project is not changed")
+        self.assertTrue(fw.simulate(fw.make_surface(made.project), support.tip(), model="condensed").converged)
+
+    def test_paints_as_projects_are_painted(self):
+        def ids(project):
+            return [project.tessellation.patterns[tile.pattern].id for tile in project.tessellation.tiles]
+
+        palette = [support.PATTERN, support.OTHER]
+        made = fw.retile(self.loaded(), "random:7", palette=palette, edge_length=0.02).project
+        painted = fw.retile(self.loaded(), edge_length=0.02).project
+        painted.paint("random:7", palette=palette)
+        self.assertEqual(ids(made), ids(painted))
+
+    def test_with_another_layout_tiles_are_bare(self):
+        made = fw.retile(support.project(), layout=fw.find_node_layout("paper8"))
+        self.assertEqual(made.project.layout.name, "paper8")
+        self.assertEqual({tile.pattern for tile in made.project.tessellation.tiles}, {-1})
+
+    def test_wrong_input_is_refused(self):
+        for wrong in ({"edge_length": -1.0}, {"edge_length": 0.015, "patterns": "0-99"}, {"edge_length": 0.015, "palette": [support.PATTERN]}):
+            with self.subTest(wrong), self.assertRaises(fw.InputError):
+                fw.retile(support.project(), **wrong)
+        with self.assertRaises(TypeError):
+            fw.retile(support.project(), side=0.01)
+
+
 class Libraries(unittest.TestCase):
     def test_hold_what_is_filled_in(self):
         layout = fw.paper_layout()

@@ -10,6 +10,7 @@
 #include <fretwork/simulation/project/painting_choice.hpp>
 #include <fretwork/simulation/project/project_file.hpp>
 #include <fretwork/simulation/project/project_library.hpp>
+#include <fretwork/simulation/project/retiling.hpp>
 #include <fretwork/simulation/surface.hpp>
 #include <fretwork/tiling/painting/painting.hpp>
 #include <fretwork/tiling/tessellation.hpp>
@@ -186,6 +187,55 @@ void bind_making(py::module_& m) {
         "Options: NewProjectOptions, palette, property, range, dither, progress\n");
 }
 
+void bind_retiling(py::module_& m) {
+    Record<RetilingOptions>(m, "RetilingOptions", "How a project gets other tiles.")
+        .field("edge_length", &RetilingOptions::edge_length,
+               "m, wanted mean side of the new tiles; None: that of the present tiles")
+        .field("angle", &RetilingOptions::angle, "rad, of the rows of tiles; None: the most regular tiling")
+        .field("narrow", &RetilingOptions::narrow, "what to do where the outline is narrower than a tile")
+        .field("layout", &RetilingOptions::layout, "a NodeLayout; None: the project's")
+        .done();
+    Record<DroppedEntries>(m, "DroppedEntries",
+                           "How many entries of load cases have no place on other tiles: those that select "
+                           "interface nodes by number.")
+        .constant("supports", &DroppedEntries::supports, "")
+        .constant("loads", &DroppedEntries::loads, "on nodes, and on tiles from which no new tile comes")
+        .constant("prescribed", &DroppedEntries::prescribed, "prescribed displacements")
+        .done(Made::ByFunctions);
+    Record<RetiledProject>(m, "RetiledProject", "A project on other tiles. Made by retile.")
+        .constant("project", &RetiledProject::project, "")
+        .constant("report", &RetiledProject::report, "measures of the new tiles")
+        .constant("dropped", &RetiledProject::dropped, "entries of load cases that were left out")
+        .done(Made::ByFunctions);
+    m.def(
+        "retile",
+        [](const Project& project, const PaintingGiven& patterns, const LibraryPointer& library,
+           const py::kwargs& named) {
+            py::dict others(named.attr("copy")());
+            const PaintingChoice choice = painting_choice(patterns, others);
+            auto keywords = Keywords<RetilingOptions>::rest(others);
+            keywords.options.painting = choice;
+            return keywords.run([&](const auto& options) {
+                return with_library(library, [&](const library::Library* opened) {
+                    return retile(project, options, opened);
+                });
+            });
+        },
+        "project"_a, "patterns"_a = py::none(), "library"_a = py::none(),
+        "Cover the outline of a project with other tiles. Without `patterns`, a tile takes pattern and tile "
+        "model of the old tile whose centroid is nearest; with them, it is painted as make_project does. "
+        "Supports and loads stay by side, box, places and rim; those on interface nodes by number are left "
+        "out, and counted. With another layout the tiles are bare without `patterns`, and the project leaves "
+        "its library.\n\n"
+        ">>> import fretwork as fw\n"
+        ">>> square = fw.make_outline([[0, 0], [0.2, 0], [0.2, 0.2], [0, 0.2]])\n"
+        ">>> project, _ = fw.make_project(square, patterns='0-1+1-6', edge_length=0.025)\n"
+        ">>> made = fw.retile(project, edge_length=0.015)\n"
+        ">>> len(made.project.tessellation) == made.report.tiles\n"
+        "True\n\n"
+        "Options: RetilingOptions, palette, property, range, dither, progress\n");
+}
+
 void bind_surface(py::module_& m) {
     Record<Surface> outer(
         m, "Surface",
@@ -259,6 +309,7 @@ void bind_projects(py::module_& m) {
     bind_painting_choices(m);
     bind_project(m);
     bind_making(m);
+    bind_retiling(m);
     bind_surface(m);
 }
 
