@@ -4,7 +4,7 @@
 import { signal } from '@preact/signals';
 import { shapeIndex } from '../../document/look';
 import { phase, stop } from '../../document/shown';
-import { shapes } from '../../document/store';
+import { shapes, type Shape } from '../../document/store';
 import { themeColour } from '../../manners/theme';
 import { frameImage } from './picture';
 import type { SceneView } from '../space/scene_view';
@@ -40,27 +40,29 @@ export async function record(view: SceneView): Promise<Blob | null> {
   const now = shapes.peek();
   if (!now || recorded.peek() !== null) return null;
   recorded.value = 0;
-  stop();
-  const source = view.stage.renderer.domElement;
-  const canvas = Object.assign(document.createElement('canvas'), { width: source.width & ~1, height: source.height & ~1 });
-  const context = canvas.getContext('2d') as CanvasRenderingContext2D;
-  const legend = await frameImage(canvas.width, view.stage.renderer.getPixelRatio());
-  const detach = view.stage.afterDraw(() => {
-    context.fillStyle = themeColour('--ground');
-    context.fillRect(0, 0, canvas.width, canvas.height);
-    context.drawImage(source, 0, 0);
-    context.drawImage(legend, 0, 0, legend.width, legend.height);
-  });
+  let detach = (): void => undefined;
   try {
-    return await play(view, canvas, framesOf(now.kind, now.shapes.length));
+    stop();
+    const source = view.stage.renderer.domElement;
+    const canvas = Object.assign(document.createElement('canvas'), { width: source.width & ~1, height: source.height & ~1 });
+    const context = canvas.getContext('2d') as CanvasRenderingContext2D;
+    const legend = await frameImage(canvas.width, view.stage.renderer.getPixelRatio());
+    detach = view.stage.afterDraw(() => {
+      context.fillStyle = themeColour('--ground');
+      context.fillRect(0, 0, canvas.width, canvas.height);
+      context.drawImage(source, 0, 0);
+      context.drawImage(legend, 0, 0, legend.width, legend.height);
+    });
+    return await play(view, canvas, now);
   } finally {
     detach();
     recorded.value = null;
+    view.stage.draw();
   }
 }
 
-async function play(view: SceneView, canvas: HTMLCanvasElement, frames: readonly number[]): Promise<Blob | null> {
-  const now = shapes.peek();
+async function play(view: SceneView, canvas: HTMLCanvasElement, now: Shape): Promise<Blob | null> {
+  const frames = framesOf(now.kind, now.shapes.length);
   const recorder = new MediaRecorder(canvas.captureStream(FRAMES_A_SECOND), {
     mimeType: videoType((type) => MediaRecorder.isTypeSupported(type)),
     videoBitsPerSecond: 12 * MEGABIT,
@@ -70,7 +72,7 @@ async function play(view: SceneView, canvas: HTMLCanvasElement, frames: readonly
   const ended = new Promise((done) => (recorder.onstop = done));
   recorder.start();
   for (let i = 0; i < frames.length && shapes.peek() === now; ++i) {
-    if (now?.kind === 'path') shapeIndex.value = frames[i];
+    if (now.kind === 'path') shapeIndex.value = frames[i];
     else phase.value = frames[i];
     view.stage.drawOnce();
     recorded.value = i / frames.length;

@@ -112,7 +112,10 @@ export class Stage {
     this.rest = window.setTimeout(() => this.refine(), REST_MS);
   }
 
+  /** At once, in the place of a picture that was asked for. */
   drawOnce(): void {
+    cancelAnimationFrame(this.asked);
+    this.asked = 0;
     this.prepare('quick');
     this.lights.quick(!drawsInSoftware);
     this.renderer.render(this.scene, this.camera);
