@@ -59,3 +59,31 @@ it('two fingers that move together move the view', () => {
   expect(now[0]).toBeCloseTo(below[0], 1);
   expect(now[1]).toBeCloseTo(below[1], 1);
 });
+
+it('a second finger takes no stroke over, and does not end it', () => {
+  const fingers = new Fingers();
+  const first = touch(1, 100, 100, 'pointerdown');
+  fingers.press(first);
+  expect(fingers.move(touch(1, 120, 100))).toBe(first);
+  fingers.press(touch(2, 300, 300, 'pointerdown'));
+  const zoom = viewport.value.zoom;
+  expect(fingers.move(touch(2, 340, 300))).toBe('view');
+  expect(viewport.value.zoom, 'nor does it zoom').toBe(zoom);
+  expect(fingers.move(touch(1, 140, 100)), 'the stroke goes on').toBeNull();
+  expect(fingers.release(touch(2, 340, 300, 'pointerup'))).toBe('view');
+  expect(fingers.move(touch(1, 150, 100))).toBeNull();
+  expect(fingers.release(touch(1, 150, 100, 'pointerup')), 'its own finger ends it').toBeNull();
+});
+
+it('after a stroke, a finger that still rests does not begin another', () => {
+  const fingers = new Fingers();
+  fingers.press(touch(1, 100, 100, 'pointerdown'));
+  fingers.move(touch(1, 120, 100));
+  fingers.press(touch(2, 300, 300, 'pointerdown'));
+  expect(fingers.release(touch(1, 120, 100, 'pointerup'))).toBeNull();
+  expect(fingers.move(touch(2, 340, 300))).toBe('view');
+  expect(fingers.release(touch(2, 340, 300, 'pointerup'))).toBe('view');
+  const next = touch(3, 50, 50, 'pointerdown');
+  fingers.press(next);
+  expect(fingers.release(touch(3, 50, 50, 'pointerup'))).toBe(next);
+});

@@ -17,18 +17,18 @@ export class Fingers {
   private readonly down = new Map<number, Finger>();
   /** Two fingers have moved the view: nothing is painted until all are gone. */
   private movesView = false;
-  /** The one finger has begun to work. */
-  private works = false;
+  /** The finger that works until all are gone; null: none has begun. */
+  private worker: number | null = null;
 
   /** Whether the press waits: for a move, a second finger, or the end of a tap. */
   press(event: PointerEvent): boolean {
-    if (this.down.size === 0) this.movesView = this.works = false;
+    if (this.down.size === 0) [this.movesView, this.worker] = [false, null];
     this.down.set(event.pointerId, { first: event, at: [event.offsetX, event.offsetY] });
-    if (this.down.size === 2 && !this.works) this.movesView = true;
+    if (this.down.size === 2 && this.worker === null) this.movesView = true;
     return true;
   }
 
-  /** 'view': the view was moved, or nothing happens yet. The first event of a gesture that begins; null: it goes on. */
+  /** 'view': the view was moved, or nothing happens by this finger. The first event of a gesture that begins; null: it goes on. */
   move(event: PointerEvent): 'view' | PointerEvent | null {
     const finger = this.down.get(event.pointerId);
     if (!finger) return null;
@@ -38,17 +38,18 @@ export class Fingers {
       finger.at = at;
       return 'view';
     }
-    if (this.works) return null;
+    if (this.worker !== null) return event.pointerId === this.worker ? null : 'view';
     if (Math.hypot(at[0] - finger.first.offsetX, at[1] - finger.first.offsetY) < TAP_PX) return 'view';
-    this.works = true;
+    this.worker = event.pointerId;
     return finger.first;
   }
 
-  /** The event of a tap; null where there was none. */
-  release(event: PointerEvent): PointerEvent | null {
+  /** The event of a tap; 'view': another finger works, and goes on; null: what this one did ends. */
+  release(event: PointerEvent): 'view' | PointerEvent | null {
     const finger = this.down.get(event.pointerId);
     this.down.delete(event.pointerId);
-    return finger && !this.movesView && !this.works && event.type === 'pointerup' ? finger.first : null;
+    if (this.worker !== null) return event.pointerId === this.worker ? null : 'view';
+    return finger && !this.movesView && event.type === 'pointerup' ? finger.first : null;
   }
 
   /** What lies between the fingers stays there. */

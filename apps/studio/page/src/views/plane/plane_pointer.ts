@@ -54,6 +54,7 @@ export function attachPlanePointer(canvas: HTMLCanvasElement): () => void {
   const release = (event: PointerEvent) => {
     if (event.pointerType === 'touch') {
       const tapped = fingers.release(event);
+      if (tapped === 'view') return;
       if (tapped) gesture = toolNow().press(read(canvas, tapped));
     }
     gesture?.end(read(canvas, event));
