@@ -3,8 +3,8 @@
 
 import { computed, effect, signal } from '@preact/signals';
 import type { Solution } from '../protocol/binary';
-import { playing, scale, shapeIndex } from './look';
-import { live, notTheAnswer, shapes } from './store';
+import { playing, scale, shapeIndex, showFull } from './look';
+import { beams, live, notTheAnswer, others, shapes } from './store';
 import { surface } from './surface';
 
 export interface Shown {
@@ -28,6 +28,21 @@ export const shown = computed<Shown | null>(() => {
   if (now.kind === 'path') return { solution, fields: now.fields, factor: scale.value };
   return { solution, fields: [], factor: swing(solution) };
 });
+
+/** The same, if it is of the bars that there are. */
+export const shownOfBars = computed<Shown | null>(() => {
+  const now = shown.value;
+  return now && now.solution.nodes === beams.value?.nodes ? now : null;
+});
+
+/** The full model's answer, laid under the live one; null: it is not wanted, not known, of other bars, or the live one itself. */
+export const fullUnderneath = computed<Solution | null>(() => {
+  const full = others.value.get('full')?.solution;
+  if (!showFull.value || shapes.value || live.value?.info.model === 'full') return null;
+  return full && full.nodes === beams.value?.nodes ? full : null;
+});
+/** Models laid under are a little thinner: where both are at one place, the live model is seen. */
+export const UNDERNEATH = 0.9;
 
 function swing(solution: Solution): number {
   const box = surface.value?.box;

@@ -3,7 +3,7 @@
 import { PerspectiveCamera, Vector3 } from 'three';
 import { expect, it } from 'vitest';
 import { framed, roundLength, type Frame } from '../../src/views/pictures/picture_frame';
-import { bentLine, vectorBars } from '../../src/views/pictures/vector_bars';
+import { bentLine, Projector, vectorBars } from '../../src/views/pictures/vector_bars';
 import type { Beams, Solution } from '../../src/protocol/binary';
 
 const FRAME: Frame = {
@@ -65,4 +65,23 @@ it('nearer bars are drawn after those behind them', () => {
   const text = vectorBars([layer], { camera, width: 100, height: 100 });
   expect(text.indexOf('#far')).toBeGreaterThan(0);
   expect(text.indexOf('#near')).toBeGreaterThan(text.indexOf('#far'));
+});
+
+it('bars behind the camera are not drawn, and those that pass it are cut there', () => {
+  const camera = new PerspectiveCamera(30, 1, 0.1, 100);
+  camera.up.set(0, 0, 1);
+  camera.position.set(1.5, 0, 0);
+  camera.lookAt(9, 0, 0);
+  camera.updateMatrixWorld();
+  const view = { camera, width: 100, height: 100 };
+  const project = new Projector(view);
+  expect(project.ahead(new Vector3(0, 0, 0), new Vector3(1, 0, 0))).toBeNull();
+  const [from, to] = project.ahead(new Vector3(1, 0, 0), new Vector3(2, 0, 0.5)) as [Vector3, Vector3];
+  expect(from.distanceTo(new Vector3(1.6, 0, 0.3)), 'on the near plane').toBeLessThan(1e-6);
+  expect(to.toArray()).toEqual([2, 0, 0.5]);
+  const layer = { beams: BEAMS, solution: null, factor: 0, section: { width: 0.02, height: 0.02 }, colour: (bar: number) => ['#behind', '#ahead'][bar], opacity: 1 };
+  const text = vectorBars([layer], view);
+  expect(text).not.toContain('#behind');
+  expect(text).toContain('#ahead');
+  expect(text).not.toContain('NaN');
 });

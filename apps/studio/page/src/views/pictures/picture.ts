@@ -2,10 +2,10 @@
 // The 3D view as a file: what is on the screen with its legend, cut to what there is to see.
 
 import { Vector3 } from 'three';
-import { heldNodes, HOLD_COLOURS, loadMarks } from '../../document/marks';
-import { scale, showFull, showMarks, showRest } from '../../document/look';
-import { shown } from '../../document/shown';
-import { barSection, beams, documentNow, loadCase, others, shapes } from '../../document/store';
+import { heldNodes, HOLD_COLOURS, loadMarks, prescribedMarks } from '../../document/marks';
+import { scale, showMarks, showRest } from '../../document/look';
+import { fullUnderneath, shown, shownOfBars, UNDERNEATH } from '../../document/shown';
+import { barSection, beams, documentNow, loadCase, shapes } from '../../document/store';
 import { surface } from '../../document/surface';
 import { digits, shown as inUnits } from '../../document/units';
 import { theme, themeColour } from '../../manners/theme';
@@ -140,35 +140,46 @@ function colours(values: Values | null, plain: string): VectorBars['colour'] {
 function layersNow(values: Values | null): VectorBars[] {
   const bars = beams.peek();
   if (!bars) return [];
-  const now = shown.peek();
-  const base = { beams: bars, section: barSection.peek() };
-  const full = shapes.peek() ? undefined : others.peek().get('full');
+  const now = shownOfBars.peek();
+  const section = barSection.peek();
+  const base = { beams: bars, section };
+  const full = fullUnderneath.peek();
+  const thinner = { width: UNDERNEATH * section.width, height: UNDERNEATH * section.height };
   const layers: VectorBars[] = [];
   if (showRest.peek()) layers.push({ ...base, solution: null, factor: 0, colour: () => GREY, opacity: 0.3 });
-  if (full && showFull.peek() && full.solution.nodes === bars.nodes) layers.push({ ...base, solution: full.solution, factor: scale.peek(), colour: () => GREY, opacity: 1 });
+  if (full) layers.push({ ...base, section: thinner, solution: full, factor: scale.peek(), colour: () => GREY, opacity: 1 });
   layers.push({ ...base, solution: now?.solution ?? null, factor: now?.factor ?? 0, colour: colours(values, now ? BLUE : GREY), opacity: 1 });
   return layers;
 }
 
-/** Supports as discs, forces and moments as arrows. */
+/** Supports as discs, given displacements as diamonds, forces and moments as arrows. */
 function marksDrawn(view: VectorView, scene: SceneView): string {
   if (!showMarks.peek()) return '';
   const project = new Projector(view);
-  const discs = heldNodes.peek().map(({ node, kind }) => {
-    const { x, y } = project.see(nodePlace(node));
-    return `<circle cx="${x.toFixed(1)}" cy="${y.toFixed(1)}" r="4" fill="${themeColour(HOLD_COLOURS[kind])}"/>`;
-  });
+  const discs = heldNodes.peek().map(({ node, kind }) => marked(project, nodePlace(node), ({ x, y }) => `<circle cx="${x.toFixed(1)}" cy="${y.toFixed(1)}" r="4" fill="${themeColour(HOLD_COLOURS[kind])}"/>`));
+  const diamonds = prescribedMarks.peek().flatMap(({ nodes }) => [
+    marked(project, middle(nodes), (at) => diamond(at, 9)),
+    ...nodes.map((node) => marked(project, nodePlace(node), (at) => diamond(at, 4))),
+  ]);
   const arrows = loadMarks.peek().flatMap((mark) =>
     (['force', 'moment'] as const).map((key) => {
       const along = new Vector3(...mark[key]).multiplyScalar(scene.arrows[key]);
       if (along.length() === 0) return '';
       const at = middle(mark.nodes);
       const from = pushes(mark[key]) ? at.clone().sub(along) : at;
-      return arrow(project.see(from), project.see(from.clone().add(along)), themeColour(`--${key}`));
+      const seen = project.ahead(from, from.clone().add(along));
+      return seen ? arrow(project.see(seen[0]), project.see(seen[1]), themeColour(`--${key}`)) : '';
     }),
   );
-  return `<g>${discs.join('')}${arrows.join('')}</g>`;
+  return `<g>${discs.join('')}${diamonds.join('')}${arrows.join('')}</g>`;
 }
+
+/** A mark at a place, if that lies before the camera. */
+const marked = (project: Projector, place: Vector3, draw: (at: Flat) => string): string => (project.ahead(place, place) ? draw(project.see(place)) : '');
+
+/** A displacement that is given. */
+const diamond = ({ x, y }: Flat, size: number): string =>
+  `<path d="M${[[x, y - size], [x + size, y], [x, y + size], [x - size, y]].map((corner) => corner.map((one) => one.toFixed(1)).join(' ')).join('L')}Z" fill="${themeColour('--move')}"/>`;
 
 interface Flat {
   x: number;

@@ -55,6 +55,18 @@ export class Projector {
       perMetre: this.stretch / seen.w,
     };
   }
+  /** The part of a line that lies before the camera; null: nothing of it does. */
+  ahead(from: Vector3, to: Vector3): [Vector3, Vector3] | null {
+    const [a, b] = [this.beyondNear(from), this.beyondNear(to)];
+    if (a < 0 && b < 0) return null;
+    const cut = from.clone().lerp(to, a < 0 || b < 0 ? a / (a - b) : 0);
+    return [a < 0 ? cut : from, b < 0 ? cut : to];
+  }
+  /** Not negative where the camera sees a place: it is linear in the place, and zero on the near plane. */
+  private beyondNear(place: Vector3): number {
+    const seen = new Vector4(place.x, place.y, place.z, 1).applyMatrix4(this.matrix);
+    return seen.z + seen.w;
+  }
   get facing(): Vector3 {
     return this.view.camera.getWorldDirection(new Vector3());
   }
@@ -100,10 +112,12 @@ function piecesOf(bars: VectorBars, project: Projector, sink: Piece[]): void {
   const faint = bars.opacity < 1 ? ` opacity="${bars.opacity}"` : '';
   for (let bar = 0; bar < bars.beams.beams; ++bar) {
     const width = apparentWidth(bars, bar, facing);
-    const seen = bentLine(bars, bar).map((place) => project.see(place));
-    for (let i = 0; i + 1 < seen.length; ++i) {
-      const [a, b] = [seen[i], seen[i + 1]];
-      const share = (i + 0.5) / (seen.length - 1);
+    const places = bentLine(bars, bar);
+    for (let i = 0; i + 1 < places.length; ++i) {
+      const ahead = project.ahead(places[i], places[i + 1]);
+      if (!ahead) continue;
+      const [a, b] = ahead.map((place) => project.see(place));
+      const share = (i + 0.5) / (places.length - 1);
       sink.push({
         depth: (a.depth + b.depth) / 2,
         text: `<path d="M${digits(a.x)} ${digits(a.y)}L${digits(b.x)} ${digits(b.y)}" stroke="${bars.colour(bar, share)}" stroke-width="${((a.perMetre + b.perMetre) * 0.5 * width).toFixed(2)}"${faint}/>`,

@@ -3,10 +3,10 @@
 
 import { effect } from '@preact/signals';
 import { Box3, Vector3 } from 'three';
-import { field, projection, ranges, scale, shadows, showFull, showMarks, showRest, type FieldName } from '../../document/look';
+import { field, projection, ranges, scale, shadows, showMarks, showRest, type FieldName } from '../../document/look';
 import { heldNodes, loadMarks, prescribedMarks } from '../../document/marks';
-import { shown } from '../../document/shown';
-import { barSection, beams, compared, live, others, shapes, strength } from '../../document/store';
+import { fullUnderneath, shown, shownOfBars, UNDERNEATH } from '../../document/shown';
+import { barSection, beams, compared, live, shapes, strength } from '../../document/store';
 import { surface } from '../../document/surface';
 import { liveTarget, target } from '../../document/target';
 import { activeEntry, mode, selectedNodes } from '../../document/ui';
@@ -30,8 +30,6 @@ const MOST_SHOWN = 0.35;
 const ALL_SHOWN = 3;
 const BLUE = '#4a8ee0';
 const GREY = '#9b9fa5';
-/** Models laid under are a little thinner: where both are at one place, the live model is seen. */
-const UNDERNEATH = 0.9;
 
 export class SceneView {
   readonly stage: Stage;
@@ -88,12 +86,12 @@ export class SceneView {
   }
 
   private showShape(): void {
-    const now = shown.value;
+    const now = shownOfBars.value;
     const bars = beams.value;
     const name = field.value;
     const dark = theme.value === 'dark';
     void colourChoice.value;
-    if (!now || !bars || now.solution.nodes !== bars.nodes) {
+    if (!now || !bars) {
       this.main.factor = 0;
       this.setColours(null, 'sizes');
       this.main.colour = dark ? '#c3c8cf' : '#b4b7bb';
@@ -147,15 +145,13 @@ export class SceneView {
   }
 
   private showOverlays(): void {
-    const full = others.value.get('full');
-    const bars = beams.value;
-    const overlay = showFull.value && full && bars && full.solution.nodes === bars.nodes && !shapes.value;
-    this.full.group.visible = Boolean(overlay && live.value?.info.model !== 'full');
-    if (overlay && full) {
-      this.full.setSolution(full.solution);
+    const full = fullUnderneath.value;
+    this.full.group.visible = full !== null;
+    if (full) {
+      this.full.setSolution(full);
       this.full.factor = scale.value;
     }
-    this.rest.group.visible = showRest.value && bars !== null;
+    this.rest.group.visible = showRest.value && beams.value !== null;
     this.stage.draw();
   }
 
