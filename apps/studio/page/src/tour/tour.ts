@@ -18,6 +18,8 @@ export interface Step {
   at: readonly string[];
   /** The step is done once this is another text than when the step began. */
   mark: () => string;
+  /** Whether it is done already, so that nothing need change. */
+  isDone?: () => boolean;
 }
 
 const textOf = (value: unknown): string => JSON.stringify(value) ?? '';
@@ -28,7 +30,7 @@ export const STEPS: readonly Step[] = [
   { ...W.tour.hold, mode: 'hold', at: ['[data-value=hold]', '#choose-right', '#hold-fixed:enabled'], mark: () => textOf(loadCase.value?.supports) },
   { ...W.tour.load, mode: 'load', at: ['[data-value=load]', '#load-factor'], mark: () => textOf(loadCase.value?.loads) },
   { ...W.tour.tiles, mode: 'paint', at: ['[data-value=paint]', '#retile', '#retile-slider', '#retile-apply:enabled'], mark: () => textOf(documentNow.value?.interface_nodes.length) },
-  { ...W.tour.check, mode: 'look', at: ['[data-value=look]', '#solve-full'], mark: () => textOf(others.value.has('full') || null) },
+  { ...W.tour.check, mode: 'look', at: ['[data-value=look]', '#solve-full'], mark: () => textOf(others.value.has('full')), isDone: () => others.value.has('full') },
   { ...W.tour.take, mode: 'look', at: ['#export'], mark: () => textOf(exportOpen.value) },
 ];
 
@@ -64,7 +66,7 @@ export function nextStep(): void {
 /** Once done, a step stays done. */
 effect(() => {
   const now = step.value;
-  if (now && documentNow.value && now.mark() !== markAtFirst) stepDone.value = true;
+  if (now && documentNow.value && (now.isDone?.() || now.mark() !== markAtFirst)) stepDone.value = true;
 });
 
 /** The selectors that are worth pointing at: in another mode the way there is shown first. */
