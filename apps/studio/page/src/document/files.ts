@@ -5,11 +5,12 @@ import { currentScene } from '../views/space/current';
 import { pngPicture, svgPicture } from '../views/pictures/picture';
 import { record } from '../views/pictures/record';
 import type { Discarding } from '../protocol/requests';
+import { stem } from './names';
 import { giveFile } from './own_files';
 import { ask, tryAsk } from './studio';
 import { makingQuery, type Made } from './making';
 import { shapeIndex } from './look';
-import { documentNow, hello, shapes } from './store';
+import { hello, shapes } from './store';
 import { tell } from './tell';
 import { W } from '../words';
 
@@ -20,8 +21,6 @@ export async function base64(file: Blob): Promise<string> {
   for (let at = 0; at < bytes.length; at += piece) text += String.fromCharCode(...bytes.subarray(at, at + piece));
   return btoa(text);
 }
-
-const stem = (): string => (documentNow.peek()?.name || 'surface').replace(/\.json$/, '');
 
 /** Says what went wrong. */
 async function give(name: string, make: () => Promise<Blob | null>): Promise<void> {

@@ -2,6 +2,7 @@
 // Before a file is replaced that somebody else has written, it is asked which of the two is kept.
 
 import { useEffect, useRef } from 'preact/hooks';
+import { nameOf } from '../document/names';
 import { conflictAsked } from '../document/save';
 import { Button } from '../widgets/widgets';
 import { W } from '../words';
@@ -14,7 +15,7 @@ export function ConflictSheet() {
   }, [asked]);
   if (!asked) return null;
   const { conflict, answer } = asked;
-  const name = conflict.path.split('/').pop();
+  const name = nameOf(conflict.path);
   const isOwn = conflict.reason === 'changed';
   const keys = (event: KeyboardEvent) => {
     if (event.key === 'Escape') answer('stay');

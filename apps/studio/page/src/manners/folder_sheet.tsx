@@ -4,12 +4,10 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { CornerLeftUp, FileText, Folder, House } from 'lucide-preact';
 import { folderAsked, folderNow, folderTrouble, goTo, pathOf } from '../document/folders';
-import { documentNow } from '../document/store';
+import { projectName } from '../document/names';
 import type { FolderEntry } from '../protocol/requests';
 import { Button } from '../widgets/widgets';
 import { W } from '../words';
-
-const nameOf = (path: string | null | undefined): string => path?.split('/').at(-1) ?? '';
 
 interface RowProps {
   entry: FolderEntry;
@@ -62,7 +60,7 @@ function OpenFolderSheet({ purpose, answer }: NonNullable<typeof folderAsked.val
   const field = useRef<HTMLInputElement>(null);
   const host = useRef<HTMLDivElement>(null);
   const saving = purpose === 'save';
-  const [name, setName] = useState(saving ? nameOf(documentNow.peek()?.path) || `${documentNow.peek()?.name || W.saveAs.name}.json` : '');
+  const [name, setName] = useState(saving ? projectName() : '');
   useEffect(() => (saving ? field.current?.select() : host.current?.querySelector('button')?.focus()), []);
   const now = folderNow.value;
   const give = (text = name) => {

@@ -2,10 +2,9 @@
 // Project files that were open before.
 
 import { FileText } from 'lucide-preact';
+import { nameOf } from '../document/names';
 import { recent } from '../document/recent';
 import { W } from '../words';
-
-const nameOf = (path: string): string => path.split(/[\\/]/).at(-1) ?? path;
 
 export function RecentList({ open, busy }: { open: (path: string) => void; busy: boolean }) {
   if (recent.value.length === 0) return null;
