@@ -71,16 +71,6 @@ export class Cameras {
     return this.now;
   }
 
-  /** Sees a target `factor` times as large. */
-  approach(target: Vector3, factor: number): void {
-    if (this.projection === 'parallel') {
-      this.parallel.zoom *= factor;
-      this.parallel.updateProjectionMatrix();
-    } else {
-      this.perspective.position.sub(target).divideScalar(factor).add(target);
-    }
-  }
-
   /** Where to look, and how far away (or how large) the picture must be, to see all of some places, as the camera is turned now. `usable`: the share of the height that nothing covers. */
   seeing(places: readonly Vector3[], usable: number): { center: Vector3; distance: number; halfHeight: number } {
     const turn = this.now.quaternion.clone().invert();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Camera and picture. Drawn when something changed, not all the time; and once it rests, finer and finer.
 
-import { BasicShadowMap, Box3, Color, NeutralToneMapping, PCFShadowMap, Scene, Spherical, Vector3, WebGLRenderer } from 'three';
+import { BasicShadowMap, Box3, Color, NeutralToneMapping, PCFShadowMap, Scene, Vector3, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 import { Accumulator } from './accumulator';
@@ -236,23 +236,14 @@ export class Stage {
   /** Turn around what is looked at, in radians: to the side, and up. */
   turn(sideward: number, upward: number): void {
     this.framing = null;
-    const arm = this.camera.position.clone().sub(this.controls.target);
-    const seen = new Spherical().setFromVector3(new Vector3(arm.x, arm.z, -arm.y));
-    seen.theta += sideward;
-    seen.phi -= upward;
-    seen.makeSafe();
-    const turned = new Vector3().setFromSpherical(seen);
-    this.camera.position.copy(this.controls.target).add(new Vector3(turned.x, -turned.z, turned.y));
-    this.controls.update();
-    this.draw();
+    this.controls.rotateLeft(-sideward);
+    this.controls.rotateUp(upward);
   }
 
   /** Nearer by this factor, or farther. */
   approach(factor: number): void {
     this.framing = null;
-    this.cameras.approach(this.controls.target, factor);
-    this.controls.update();
-    this.draw();
+    this.controls.dollyIn(1 / factor);
   }
 
   /** Whether nobody has turned the view since it was set. */
