@@ -94,13 +94,14 @@ async function cropped(picture: Blob): Promise<HTMLCanvasElement> {
   return part.canvas;
 }
 
-async function rasterized({ text, width, height }: FramedPicture, ratio: number): Promise<Blob> {
+/** `ratio`: pixels for one of the drawing. */
+async function rasterized({ text, width, height }: FramedPicture, ratio: number): Promise<HTMLCanvasElement> {
   const image = new Image();
   image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(text)}`;
   await image.decode();
   const { canvas, context } = canvasOf(Math.round(ratio * width), Math.round(ratio * height));
   context.drawImage(image, 0, 0, canvas.width, canvas.height);
-  return blobOf(canvas);
+  return canvas;
 }
 
 /** As a PNG on transparent ground, with fine light and shadows. */
@@ -109,19 +110,13 @@ export async function pngPicture(view: SceneView): Promise<Blob> {
   const part = await cropped(await view.stage.picture());
   const size = { width: part.width / ratio, height: part.height / ratio };
   const image = `<image href="${part.toDataURL('image/png')}" width="${size.width}" height="${size.height}"/>`;
-  return rasterized(framed(image, size, frameNow(view.metresPerPixel, size.width)), ratio);
+  return blobOf(await rasterized(framed(image, size, frameNow(view.metresPerPixel, size.width)), ratio));
 }
 
 /** Title and legend of the present view as a picture, to be laid over others. `ratio`: pixels of the picture for one of the page. */
-export async function frameImage(width: number, ratio: number): Promise<HTMLCanvasElement> {
+export function frameImage(width: number, ratio: number): Promise<HTMLCanvasElement> {
   const inner = { width: Math.max(0, width / ratio - 2 * PICTURE_PAD), height: 0 };
-  const { text, width: wide, height } = framed('', inner, frameNow(null, inner.width));
-  const image = new Image();
-  image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(text)}`;
-  await image.decode();
-  const { canvas, context } = canvasOf(Math.round(ratio * wide), Math.round(ratio * height));
-  context.drawImage(image, 0, 0, canvas.width, canvas.height);
-  return canvas;
+  return rasterized(framed('', inner, frameNow(null, inner.width)), ratio);
 }
 
 /** The colour of each bar, from the values that are shown. */
