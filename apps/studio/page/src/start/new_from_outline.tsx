@@ -5,10 +5,10 @@ import { signal } from '@preact/signals';
 import { FileUp } from 'lucide-preact';
 import { inShownUnits, shown } from '../document/units';
 import { Button, Check, Choice } from '../widgets/widgets';
+import { Loops } from '../widgets/loops';
 import { NumberField } from '../widgets/number';
 import { setReadable, sizeAdvice, unreadable } from './tile_size';
 import type { Point } from '../protocol/messages';
-import type { Measured } from '../protocol/requests';
 import { ALL, choosePart, height, isMesh, keepsFaces, LARGEST, measured, outline, outlineTrouble, part, setWidth, tilesAbout, tileSize, width } from './outline';
 import { W } from '../words';
 
@@ -40,7 +40,7 @@ export function NewFromOutline({ busy, choose, take, make }: Props) {
         if (dropped) take(dropped);
       }}>
       <button type="button" class="drop-target" id="choose-outline" onClick={choose}>
-        {file && measured.value ? <Preview of={measured.value} /> : <FileUp aria-hidden />}
+        {file && measured.value ? <Loops class="outline-preview" loops={measured.value.loops} room={PREVIEW} /> : <FileUp aria-hidden />}
         {file ? <MeasuredOutline name={file.name} /> : <span><b>{W.newFromOutline.dropAnOutlineHere}</b><br />{W.newFromOutline.svgDxfObjPly}</span>}
       </button>
       <div class="drop-options">
@@ -97,15 +97,3 @@ function MeasuredOutline({ name }: { name: string }) {
   );
 }
 
-function Preview({ of: { loops, size } }: { of: Measured }) {
-  const xs = loops.flat().map(([x]) => x);
-  const ys = loops.flat().map(([, y]) => y);
-  const [left, top] = [Math.min(...xs), Math.max(...ys)];
-  const zoom = Math.min(PREVIEW.width / size[0], PREVIEW.height / size[1]);
-  const path = loops.map((loop) => `M${loop.map(([x, y]) => `${(zoom * (x - left)).toFixed(1)} ${(zoom * (top - y)).toFixed(1)}`).join('L')}Z`).join('');
-  return (
-    <svg class="outline-preview" width={zoom * size[0] + 4} height={zoom * size[1] + 4} viewBox={`-2 -2 ${zoom * size[0] + 4} ${zoom * size[1] + 4}`} aria-hidden="true">
-      <path d={path} />
-    </svg>
-  );
-}

@@ -6,7 +6,7 @@ import { base64 } from '../document/files';
 import { hello } from '../document/store';
 import { ask } from '../document/studio';
 import type { Measured, SentOutline, TilesWanted } from '../protocol/requests';
-import { DEFAULT_SIDE, fittingSide, HEXAGON } from './fitting_side';
+import { DEFAULT_SIDE, fittingSide, HEXAGON } from '../document/fitting_side';
 
 export const LARGEST = 'largest';
 export const ALL = 'all';

@@ -3,7 +3,7 @@
 
 import { computed, signal } from '@preact/signals';
 import { digits, shown } from '../document/units';
-import { HEXAGON } from './fitting_side';
+import { HEXAGON } from '../document/fitting_side';
 import { measured, tilesAbout, tileSize, width } from './outline';
 import { W } from '../words';
 

@@ -2,6 +2,7 @@
 // Other tiles for the surface: what is wanted, what would come, and what it would cost.
 
 import { computed, effect, signal } from '@preact/signals';
+import { DEFAULT_SIDE, HEXAGON } from '../document/fitting_side';
 import { Latest } from '../protocol/latest';
 import type { Retiled, RetileRequest } from '../protocol/requests';
 import { documentNow } from '../document/store';
@@ -10,8 +11,6 @@ import { areaOf, surface } from '../document/surface';
 import { brushOrFirst } from '../document/ui';
 import { W } from '../words';
 
-/** Area of a hexagon with sides of 1. */
-const HEXAGON = 1.5 * Math.sqrt(3);
 const [FEWEST, MOST] = [12, 2400];
 
 export type Patterns = 'keep' | 'brush' | 'made:one';
@@ -32,7 +31,7 @@ export const retileTrouble = signal<string | null>(null);
 export const retiling = signal(false);
 
 const area = computed(() => (surface.value?.polygons ?? []).reduce((sum, polygon) => sum + areaOf(polygon), 0));
-export const side = computed(() => wantedSide.value ?? Number((surface.value?.side ?? 0.026).toPrecision(3)));
+export const side = computed(() => wantedSide.value ?? Number((surface.value?.side ?? DEFAULT_SIDE).toPrecision(3)));
 /** By the tiles that there are: those at the edge are smaller than hexagons. */
 export const tilesAbout = computed(() => {
   const now = surface.value;
@@ -72,8 +71,7 @@ export function lookAhead(): void {
   previews.push(request.peek());
 }
 
-/** Resolves to whether the surface has the tiles. */
-export async function applyTiles(): Promise<boolean> {
+export async function applyTiles(): Promise<void> {
   retiling.value = true;
   try {
     await ask('retile', request.peek());
@@ -82,7 +80,6 @@ export async function applyTiles(): Promise<boolean> {
     retileTrouble.value = (error as Error).message;
   }
   retiling.value = false;
-  return retileTrouble.value === null;
 }
 
 function begin(): void {

@@ -7,10 +7,12 @@ import {
   wantedLayout, wantedPatterns, wantedSide, type Patterns,
 } from './retile';
 import { documentNow, hello } from '../document/store';
-import { boxOf, surface } from '../document/surface';
+import { surface } from '../document/surface';
 import { brushOrFirst } from '../document/ui';
 import { digits, inShownUnits, shown } from '../document/units';
+import type { Point } from '../protocol/messages';
 import type { Retiled } from '../protocol/requests';
+import { Loops } from '../widgets/loops';
 import { NumberField } from '../widgets/number';
 import { Button, Choice } from '../widgets/widgets';
 import { W } from '../words';
@@ -18,6 +20,7 @@ import './retile.css';
 
 const LEAST_SIDE = 1e-4;
 const STEPS = 400;
+const ROOM = { width: 264, height: 164 };
 
 export function RetilePanel() {
   const now = surface.value;
@@ -83,12 +86,14 @@ function OtherFields() {
   );
 }
 
+const polygonsOf = ({ vertices = [], polygons = [] }: Retiled): Point[][] => polygons.map((polygon) => polygon.map((vertex) => vertices[vertex]));
+
 function Coming({ tiles }: { tiles: Retiled }) {
   const { side: sides } = tiles;
   const gone = droppedWords(tiles.dropped);
   return (
     <>
-      <Picture of={tiles} />
+      <Loops class="retile-picture" label={W.retile.picture} loops={polygonsOf(tiles)} room={ROOM} />
       <dl class="facts">
         <dt>{W.retile.tiles}</dt><dd id="retile-tiles">{tiles.tiles}</dd>
         <dt>{W.retile.mean}</dt><dd>{shown(sides.mean, 'length')}</dd>
@@ -101,20 +106,5 @@ function Coming({ tiles }: { tiles: Retiled }) {
       {tiles.remarks.map((remark) => <p key={remark} class="warning">{inShownUnits(remark)}</p>)}
       {gone ? <p class="warning" id="retile-dropped">{gone}</p> : <p class="hint" id="retile-keeps">{W.retile.keepsAll}</p>}
     </>
-  );
-}
-
-const [WIDTH, HEIGHT] = [268, 168];
-
-/** The outlines of the new tiles. */
-function Picture({ of: { vertices = [], polygons = [] } }: { of: Retiled }) {
-  if (polygons.length === 0) return null;
-  const { min, max } = boxOf(vertices);
-  const zoom = Math.min(WIDTH / (max[0] - min[0]), HEIGHT / (max[1] - min[1]));
-  const at = (vertex: number): string => `${(zoom * (vertices[vertex][0] - min[0])).toFixed(1)} ${(zoom * (max[1] - vertices[vertex][1])).toFixed(1)}`;
-  const path = polygons.map((polygon) => `M${polygon.map(at).join('L')}Z`).join('');
-  const [width, height] = [zoom * (max[0] - min[0]), zoom * (max[1] - min[1])];
-  return (
-    <svg class="retile-picture" role="img" aria-label={W.retile.picture} viewBox={`-1 -1 ${width + 2} ${height + 2}`} width={width} height={height}><path d={path} /></svg>
   );
 }

@@ -3,7 +3,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Point } from '../../src/protocol/messages';
 import { areaOf } from '../../src/document/surface';
-import { fittingSide } from '../../src/start/fitting_side';
+import { fittingSide } from '../../src/document/fitting_side';
 
 const square = (side: number): Point[] => [[0, 0], [side, 0], [side, side], [0, side]];
 
