@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { newGesture } from '../document/edits';
-import { markInput } from '../document/latency';
 import { beginFactor, loadFactor, MOST_FACTOR, setFactor, slideFactor } from '../document/load_factor';
 import { isLoaded } from '../document/marks';
 import { NumberField } from '../widgets/number';
+import { DragSlider } from './drag_slider';
 import { W } from '../words';
 
 const STEP = 0.01;
-let gesture = newGesture('factor');
-
-function begin(): void {
-  gesture = newGesture('factor');
-  beginFactor();
-}
 
 /** Slides all loads at once, and the surface follows. */
 export function LoadFactor() {
@@ -23,12 +16,7 @@ export function LoadFactor() {
     <>
       <h2>{W.loadFactor.title}</h2>
       <div class="slider" data-tip={W.loadFactor.tip}>
-        <input id="load-factor" type="range" aria-label={W.loadFactor.slide} min={0} max={Math.max(MOST_FACTOR, factor)} step={STEP} value={factor}
-          onPointerDown={begin} onKeyDown={(event) => !event.repeat && begin()}
-          onInput={(event) => {
-            markInput(event.timeStamp);
-            slideFactor(Number(event.currentTarget.value), gesture);
-          }} />
+        <DragSlider id="load-factor" label={W.loadFactor.slide} least={0} most={Math.max(MOST_FACTOR, factor)} step={STEP} value={factor} onBegin={beginFactor} onSlide={slideFactor} />
         <NumberField narrow id="load-factor-number" label={W.loadFactor.title} value={factor} quantity="factor" onChange={setFactor} />
       </div>
     </>

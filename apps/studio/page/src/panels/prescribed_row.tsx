@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { MoveVertical, Trash2 } from 'lucide-preact';
-import { dragPrescribed, newGesture, removePrescribed, replacePrescribed } from '../document/edits';
-import { markInput } from '../document/latency';
+import { dragPrescribed, removePrescribed, replacePrescribed } from '../document/edits';
 import type { PrescribedMark } from '../document/marks';
+import { DragSlider } from './drag_slider';
 import { selectionWords } from './selection_words';
 import { surface } from '../document/surface';
 import { activeEntry } from '../document/ui';
@@ -12,8 +12,6 @@ import { DOFS, type Dof, type Prescribed } from '../protocol/messages';
 import { Button, Choice } from '../widgets/widgets';
 import { NumberField } from '../widgets/number';
 import { W } from '../words';
-
-let gesture = newGesture('slide');
 
 /** A displacement or turn that is given: slide it, type it, or drag its diamond in space. */
 export function PrescribedRow({ mark }: { mark: PrescribedMark }) {
@@ -37,12 +35,8 @@ export function PrescribedRow({ mark }: { mark: PrescribedMark }) {
       <Button kind="bare" title={W.prescribedRow.remove} icon={Trash2} onPress={() => { activeEntry.value = null; removePrescribed(index); }} />
       {open && (
         <div class="entry-body">
-          <input type="range" aria-label={W.prescribedRow.prescribed(dof)} min={-reach} max={reach} step={reach / 500} value={value}
-            onPointerDown={() => (gesture = newGesture('slide'))}
-            onInput={(event) => {
-              markInput(event.timeStamp);
-              dragPrescribed(index, { ...where(), [dof]: Number(event.currentTarget.value) }, gesture);
-            }} />
+          <DragSlider label={W.prescribedRow.prescribed(dof)} least={-reach} most={reach} step={reach / 500} value={value}
+            onSlide={(next, slide) => dragPrescribed(index, { ...where(), [dof]: next }, slide)} />
           <div class="field">
             <Choice label={W.prescribedRow.direction} value={dof} options={DOFS.map((one) => ({ value: one, title: one }))}
               onPick={(one: Dof) => replacePrescribed(index, { ...where(), [one]: turns === (one[0] === 'r') ? value : 0 })} />
