@@ -3,6 +3,7 @@
 
 import { computed, signal } from '@preact/signals';
 import type { PatternRow } from '../protocol/messages';
+import { gradientOf, onScale } from './colour_scale';
 import type { Quantity } from './units';
 import { tilePatterns } from './patterns_now';
 import { documentNow, patternTable } from './store';
@@ -30,14 +31,8 @@ export function patternColour(index: number): string {
 
 /** Light enough for dark bars to be seen: from yellow, the softest, to blue. */
 const SOFT_TO_STIFF = ['#fdf3b0', '#c8e29b', '#86cbb0', '#5aa7c9', '#5f80c0'];
-export function propertyColour(share: number): string {
-  const at = Math.min(Math.max(share, 0), 1) * (SOFT_TO_STIFF.length - 1);
-  const low = Math.min(Math.floor(at), SOFT_TO_STIFF.length - 2);
-  const channel = (hex: string, c: number): number => parseInt(hex.slice(1 + 2 * c, 3 + 2 * c), 16);
-  const mixed = [0, 1, 2].map((c) => Math.round(channel(SOFT_TO_STIFF[low], c) * (1 - at + low) + channel(SOFT_TO_STIFF[low + 1], c) * (at - low)));
-  return `rgb(${mixed.join(', ')})`;
-}
-export const propertyGradient = `linear-gradient(to right, ${SOFT_TO_STIFF.join(', ')})`;
+export const propertyColour = (share: number): string => `rgb(${onScale(SOFT_TO_STIFF, share).join(', ')})`;
+export const propertyGradient = gradientOf(SOFT_TO_STIFF);
 
 const rowsById = computed(() => new Map((patternTable.value?.patterns ?? []).map((row) => [row.id, row])));
 

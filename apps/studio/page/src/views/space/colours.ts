@@ -2,6 +2,7 @@
 // The scales of drawings, as the server has sent them: one for sizes, one for values of both signs.
 
 import { signal } from '@preact/signals';
+import { gradientOf, onScale, type Rgb } from '../../document/colour_scale';
 import { hello } from '../../document/store';
 
 export type ColourMap = 'sizes' | 'signed';
@@ -30,16 +31,8 @@ function stops(map: ColourMap): string[] {
   return hello.value?.colours[map] ?? ['#888888', '#888888'];
 }
 
-const channel = (hex: string, at: number): number => parseInt(hex.slice(1 + 2 * at, 3 + 2 * at), 16);
-
 /** Colour at 0 to 1, as red, green and blue from 0 to 255. */
-export function colourAt(map: ColourMap, share: number): [number, number, number] {
-  const colours = stops(map);
-  const at = Math.min(Math.max(share, 0), 1) * (colours.length - 1);
-  const low = Math.min(Math.floor(at), colours.length - 2);
-  const blend = at - low;
-  return [0, 1, 2].map((c) => Math.round((1 - blend) * channel(colours[low], c) + blend * channel(colours[low + 1], c))) as [number, number, number];
-}
+export const colourAt = (map: ColourMap, share: number): Rgb => onScale(stops(map), share);
 
 export const TABLE_SIZE = 256;
 
@@ -49,4 +42,4 @@ export function colourTable(map: ColourMap): Uint8Array {
   return table;
 }
 
-export const gradientCss = (map: ColourMap): string => `linear-gradient(to right, ${stops(map).join(', ')})`;
+export const gradientCss = (map: ColourMap): string => gradientOf(stops(map));

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Colours at equal distances, straight between each other.
+
+export type Rgb = [number, number, number];
+
+const channel = (hex: string, at: number): number => parseInt(hex.slice(1 + 2 * at, 3 + 2 * at), 16);
+
+/** The colour at 0 to 1 of a scale of at least two, as red, green and blue from 0 to 255. */
+export function onScale(colours: readonly string[], share: number): Rgb {
+  const at = Math.min(Math.max(share, 0), 1) * (colours.length - 1);
+  const low = Math.min(Math.floor(at), colours.length - 2);
+  const blend = at - low;
+  return [0, 1, 2].map((c) => Math.round((1 - blend) * channel(colours[low], c) + blend * channel(colours[low + 1], c))) as Rgb;
+}
+
+export const gradientOf = (colours: readonly string[]): string => `linear-gradient(to right, ${colours.join(', ')})`;
