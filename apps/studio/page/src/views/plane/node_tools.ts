@@ -14,12 +14,8 @@ const nodeUnder = (pointer: PlanePointer): number => nearestNode(surface.peek()?
 function rimNodeUnder(pointer: PlanePointer): number {
   const now = surface.peek();
   if (!now) return -1;
-  let [best, distance] = [-1, Infinity];
-  for (const node of now.onRim) {
-    const away = Math.hypot(now.nodes[node][0] - pointer.at[0], now.nodes[node][1] - pointer.at[1]);
-    if (away < distance) [best, distance] = [node, away];
-  }
-  return best;
+  const rim = [...now.onRim];
+  return rim[nearestNode(rim.map((node) => now.nodes[node]), pointer.at)] ?? -1;
 }
 
 function rimGesture(start: PlanePointer) {

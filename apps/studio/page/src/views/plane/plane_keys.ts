@@ -2,7 +2,7 @@
 // The plane by keys: arrows go from tile to tile, or from node to node; Enter does there what a click does.
 
 import { signal } from '@preact/signals';
-import { surface } from '../../document/surface';
+import { nearestNode, surface } from '../../document/surface';
 import { choosesTiles, mode } from '../../document/ui';
 import type { Point } from '../../protocol/messages';
 import type { PlanePointer, Tool } from './gesture';
@@ -28,14 +28,7 @@ export function nextPlace(places: readonly Point[], from: Point, [dx, dy]: Point
   return best;
 }
 
-function nearest(places: readonly Point[], to: Point): Point | null {
-  let [best, least]: [Point | null, number] = [null, Infinity];
-  for (const place of places) {
-    const away = Math.hypot(place[0] - to[0], place[1] - to[1]);
-    if (away < least) [best, least] = [place, away];
-  }
-  return best;
-}
+const nearest = (places: readonly Point[], to: Point): Point | null => places[nearestNode(places, to)] ?? null;
 
 const pointerAt = (place: Point, event: KeyboardEvent): PlanePointer => ({ at: place, reach: REACH_PX / viewport.peek().zoom, more: event.shiftKey, alt: false, when: event.timeStamp });
 
