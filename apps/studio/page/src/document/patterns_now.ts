@@ -16,8 +16,3 @@ export const tilePatterns = computed<string[]>(() => {
 
 /** The tiles that have none. */
 export const patternless = computed<number[]>(() => tilePatterns.value.flatMap((pattern, tile) => (pattern === '' ? [tile] : [])));
-
-export const usedPatterns = computed<string[]>(() => {
-  const used = new Set(tilePatterns.value);
-  return palette.value.filter((pattern) => used.has(pattern));
-});
