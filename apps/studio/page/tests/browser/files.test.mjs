@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { drop, makeProject, openPage, picture, pictures, read, solved, startStudio } from './studio.mjs';
+import { drop, exported, makeProject, openPage, picture, pictures, read, solved, startStudio } from './studio.mjs';
 
 const WIDTH = 10;
 const HEIGHT = 6;
@@ -124,18 +124,6 @@ test('an icon of four millimetres is shown, and becomes a surface of a useful si
 
 /** The first bytes of each kind of file. */
 const BEGINNINGS = { json: /^\{/, html: /^<!doctype html/i, svg: /<svg/, 'picture-svg': /<svg/, glb: /^glTF/, dxf: /SECTION/, stl: /^[^]{84}/, '3mf': /^PK/, obj: /^(#|v )/m, ply: /^ply/, vtu: /<VTKFile/, txt: /^Facts/, csv: /,/ };
-
-async function exported(page, ending, place) {
-  const coming = page.waitForEvent('download', { timeout: 30_000 });
-  await page.click('#export');
-  await page.click(`[data-export="${ending}"]`);
-  const download = await coming.catch(async () => {
-    throw new Error(`no ${ending} came; the page says: ${await page.textContent('.notes')}`);
-  });
-  const file = join(place, download.suggestedFilename());
-  await download.saveAs(file);
-  return file;
-}
 
 test('every kind of file is exported', async (t) => {
   const { address, place } = await startStudio(t, makeProject('40mm'));

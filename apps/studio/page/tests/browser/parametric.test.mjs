@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { drag, edit, fretwork, makeProject, openPage, picture, read, repository, solved, startStudio } from './studio.mjs';
+import { drag, edit, fretwork, largest, makeProject, openPage, picture, read, repository, solved, startStudio } from './studio.mjs';
 
 /** The load case of a file on tiles of another size, solved by the command line: its displacements. */
 function onOtherTiles(place, loadCase) {
@@ -76,9 +76,8 @@ test('a bar height that slides bends the surface less or more, and is one step o
   const { address } = await startStudio(t, makeProject('40mm'));
   const page = await openPage(t, address);
   await solved(page);
-  const largest = () => page.evaluate(() => window.fretwork.store.live.value.info.largest_displacement);
   const section = async () => (await read(page, 'setting')).section;
-  const [atFirst, sectionAtFirst] = [await largest(), await section()];
+  const [atFirst, sectionAtFirst] = [await largest(page), await section()];
   await page.click('[data-value=look]');
   const slider = page.locator('#bar-height');
   await slider.scrollIntoViewIfNeeded();

@@ -3,22 +3,9 @@
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
-import { join } from 'node:path';
 import { test } from 'node:test';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
-import { makeProject, openPage, picture, pictures, solved, startStudio } from './studio.mjs';
-
-async function saved(page, action, name) {
-  const coming = page.waitForEvent('download');
-  await action();
-  const file = join(pictures, name);
-  await (await coming).saveAs(file);
-  return file;
-}
-const exportMenu = (page, ending) => async () => {
-  await page.click('#export');
-  await page.click(`[data-export=${ending}]`);
-};
+import { exported, largest, makeProject, openPage, picture, pictures, saved, solved, startStudio } from './studio.mjs';
 
 for (const theme of ['light', 'dark']) {
   test(`a picture has title, legend and scale, and no empty ground, ${theme}`, async (t) => {
@@ -26,11 +13,11 @@ for (const theme of ['light', 'dark']) {
     const page = await openPage(t, address, { theme });
     await solved(page);
     await page.click('#parallel');
-    const svg = readFileSync(await saved(page, exportMenu(page, 'picture-svg'), `60-picture-${theme}.svg`), 'utf8');
+    const svg = readFileSync(await exported(page, 'picture-svg', pictures, `60-picture-${theme}.svg`), 'utf8');
     const info = await page.evaluate(() => ({ name: window.fretwork.store.documentNow.value.name, bars: window.fretwork.store.beams.value.beams }));
     for (const words of [info.name, 'Displacement', 'linearGradient', '\u202fmm<']) assert.ok(svg.includes(words), words);
     assert.ok(svg.split('<path').length > 4 * info.bars, 'every bar is there');
-    const png = await saved(page, exportMenu(page, 'png'), `61-picture-${theme}.png`);
+    const png = await exported(page, 'png', pictures, `61-picture-${theme}.png`);
     const seen = await page.evaluate(async (base64) => {
       const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${base64}`)).blob());
       const canvas = Object.assign(document.createElement('canvas'), { width: image.width, height: image.height });
@@ -72,7 +59,7 @@ test('a parallel view keeps what is looked at, and turns back', async (t) => {
 });
 
 /** What three.js, which did not write it, reads from a moving file: its last state is the solution. */
-async function checkMotion(glb, largest) {
+async function checkMotion(glb, wanted) {
   globalThis.self ??= globalThis;
   const loaded = await new GLTFLoader().parseAsync(glb.buffer.slice(glb.byteOffset, glb.byteOffset + glb.byteLength), '');
   assert.equal(loaded.animations[0].tracks[0].times.length, 31);
@@ -82,7 +69,7 @@ async function checkMotion(glb, largest) {
   let most = 0;
   for (let i = 0; i < last.count; ++i) most = Math.max(most, Math.hypot(last.getX(i), last.getY(i), last.getZ(i)));
   const corner = 2e-3; // m: corners lie half a bar away from nodes, and turn with them
-  assert.ok(Math.abs(most - largest) < corner, `${most} ${largest}`);
+  assert.ok(Math.abs(most - wanted) < corner, `${most} ${wanted}`);
 }
 
 test('a load path is saved as a moving file and as a video', async (t) => {
@@ -92,13 +79,13 @@ test('a load path is saved as a moving file and as a video', async (t) => {
   await page.evaluate(() => window.fretwork.ask('set_model', { model: 'corotational' }));
   await page.evaluate(() => window.fretwork.ask('path', { steps: 5 }));
   await page.waitForFunction(() => window.fretwork.store.shapes.value?.shapes.length === 5);
-  const glb = readFileSync(await saved(page, exportMenu(page, 'glb'), '63-moving.glb'));
+  const glb = readFileSync(await exported(page, 'glb', pictures, '63-moving.glb'));
   assert.equal(glb.toString('latin1', 0, 4), 'glTF');
   const json = JSON.parse(glb.toString('utf8', 20, 20 + glb.readUInt32LE(12)));
   assert.equal(json.meshes[0].primitives[0].targets.length, 30);
-  await checkMotion(glb, await page.evaluate(() => window.fretwork.store.live.value.info.largest_displacement));
+  await checkMotion(glb, await largest(page));
   await page.waitForSelector('#record:not([disabled])');
-  const video = readFileSync(await saved(page, () => page.click('#record'), '64-path.webm'));
+  const video = readFileSync(await saved(page, () => page.click('#record'), pictures, '64-path.webm'));
   assert.equal(video.readUInt32BE(0), 0x1a45dfa3, 'the first bytes of Matroska');
   assert.ok(video.length > 20_000, `${video.length} bytes`);
   assert.ok(await page.isVisible('.play-bar'));

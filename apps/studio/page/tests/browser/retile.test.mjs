@@ -3,9 +3,8 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { drag, edit, makeProject, openPage, picture, read, solved, startStudio } from './studio.mjs';
+import { drag, edit, largest, makeProject, openPage, picture, read, solved, startStudio } from './studio.mjs';
 
-const largest = (page) => page.evaluate(() => window.fretwork.store.live.value.info.largest_displacement);
 /** Types a side, and waits for the tiles that would come. */
 async function wantSide(page, millimetres) {
   await page.fill('#retile-side', millimetres);

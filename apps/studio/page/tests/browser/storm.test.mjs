@@ -137,7 +137,7 @@ const ACTIONS = {
 };
 
 /** A CSV export: its largest displacement, or why there is none. */
-async function exported(address) {
+async function exportedTable(address) {
   const { origin, searchParams } = new URL(address);
   const answer = await fetch(`${origin}/export?token=${searchParams.get('token')}&to=storm.csv`);
   const text = await answer.text();
@@ -183,7 +183,7 @@ async function bothShow(pages, file) {
 }
 
 async function isOneState(pages, storm) {
-  const file = await exported(storm.address);
+  const file = await exportedTable(storm.address);
   const one = await bothShow(pages, file);
   const project = projectOf(await download(pages[0]));
   assert.deepEqual(one.patterns, patternsIn(project), 'the painting that is shown is the one in the project');

@@ -81,6 +81,27 @@ export async function picture(page, name, samples = SAMPLES) {
   if (samples > 0) await page.evaluate((count) => window.fretwork.drawFine(count), samples);
   await page.screenshot({ path: join(pictures, `${name}.png`), timeout: PATIENCE_MS });
 }
+
+/** The file that the browser stores after an action. It gets the name that the page suggests, or another one. */
+export async function saved(page, action, place, name) {
+  const coming = page.waitForEvent('download', { timeout: 60_000 });
+  await action();
+  const download = await coming.catch(async () => {
+    throw new Error(`no file came; the page says: ${await page.textContent('.notes')}`);
+  });
+  const file = join(place, name ?? download.suggestedFilename());
+  await download.saveAs(file);
+  return file;
+}
+
+/** Exports by the menu. */
+export const exported = (page, ending, place, name) => saved(page, async () => {
+  await page.click('#export');
+  await page.click(`[data-export="${ending}"]`);
+}, place, name);
+
+/** The largest displacement of the live model, in metres. */
+export const largest = (page) => page.evaluate(() => window.fretwork.store.live.value.info.largest_displacement);
 export const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
 
 /** A surface of the repository's own outline and load case. */

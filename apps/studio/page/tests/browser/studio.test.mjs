@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { fretwork, makeProject, median, openPage, picture, solved, startStudio, tilePlace } from './studio.mjs';
+import { exported, fretwork, makeProject, median, openPage, picture, solved, startStudio, tilePlace } from './studio.mjs';
 
 test('what is edited on the page is saved, and the command line computes the same', async (t) => {
   const project = makeProject('26mm');
@@ -54,11 +54,7 @@ test('what is edited on the page is saved, and the command line computes the sam
   assert.equal(await held(), 2);
   assert.ok(await page.isEnabled('#redo'), 'what was undone before a reload can be redone after it');
 
-  const download = page.waitForEvent('download');
-  await page.click('#export');
-  await page.click('[data-export=svg]');
-  const file = join(place, 'drawing.svg');
-  await (await download).saveAs(file);
+  const file = await exported(page, 'svg', place);
   assert.match(readFileSync(file, 'utf8'), /<svg/);
   assert.deepEqual(page.troubles, []);
 });
