@@ -16,11 +16,9 @@ void Studio::Impl::retile(const Request& request) {
         if (!document_ || document_->now()->ground != before->ground)
             throw base::InputError("the surface got other tiles meanwhile: try again");
         const StatePtr now = document_->now();
-        Retiling as_wanted = *made;
-        as_wanted.wanted = wanted;
-        Retiled result = retiled(*now, as_wanted);
+        Retiled result = retiled(*now, *made, wanted.preview);
         pages_.answer(request, std::move(result.answer));
-        if (wanted.is_preview) return;
+        if (wanted.preview == Preview::Yes) return;
         document_->add(std::move(result.edit));
         follow_change(*now);
     };

@@ -7,6 +7,7 @@
 #include <fretwork/tiling/tessellation.hpp>
 #include <studio/document/edits.hpp>
 #include <studio/document/history.hpp>
+#include <studio/document/painting_request.hpp>
 #include <studio/server/background.hpp>
 #include <studio/server/outgoing.hpp>
 
@@ -77,6 +78,33 @@ TEST(StudioHistory, MemoryStaysBoundedUnderRandomEdits) {
         ASSERT_LE(history.bytes(), limits.bytes);
     }
     EXPECT_GT(history.steps(), 50U);
+}
+
+TEST(StudioHistory, CountsTheFilesOfPaintings) {
+    constexpr std::size_t kFile = 300'000;
+    const auto painted_by = [](const State& state, const std::shared_ptr<const PaintingRecipe>& recipe) {
+        Painting painting = *state.painting;
+        painting.recipes.assign(painting.recipes.size(), recipe);
+        State next = state;
+        next.painting = std::make_shared<const Painting>(std::move(painting));
+        return next;
+    };
+    const auto recipe = [] {
+        return std::make_shared<const PaintingRecipe>(
+            PaintingRecipe{{}, SentFile{"a.png", std::string(kFile, 'x')}});
+    };
+    const State first = first_state();
+    const auto one = recipe();
+    const State by_one = painted_by(first, one);
+    EXPECT_GE(size_of_difference(by_one, first), kFile) << "once, however many tiles have it";
+    EXPECT_LT(size_of_difference(by_one, first), 2 * kFile);
+    EXPECT_LT(size_of_difference(painted_by(by_one, one), by_one), kFile) << "both states share the file";
+
+    const History::Limits limits{.steps = 400, .bytes = 1'000'000};
+    History history(first, limits);
+    for (int i = 0; i < 20; ++i) history.add({painted_by(*history.now(), recipe()), "paint"});
+    EXPECT_LE(history.bytes(), limits.bytes);
+    EXPECT_LE(history.steps(), 4U);
 }
 
 TEST(StudioHistory, AnUndoneStepIsForgottenByAnotherEdit) {

@@ -6,31 +6,19 @@
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
 #include <fretwork/tiling/tessellation.hpp>
 #include <studio/document/document_json.hpp>
+#include <studio/document/json_lists.hpp>
 
 namespace fretwork::studio {
 namespace {
 
 using base::Json;
 
-template <class Index>
-Json numbers(const std::vector<Index>& indices) {
-    Json list = Json::array();
-    for (const Index index : indices) list.push_back(index.value);
-    return list;
-}
-
-Json points(const std::vector<geometry::Point2>& places) {
-    Json list = Json::array();
-    for (const geometry::Point2& place : places) list.push_back({place.x, place.y});
-    return list;
-}
-
 /// The nodes along each side of the box, as a selection by side picks them.
 Json sides_json(const tiling::Tessellation& tessellation) {
     Json sides;
     for (std::size_t s = 0; s < simulation::kSideNames.size(); ++s) {
         const simulation::NodesAtSide side{static_cast<simulation::Side>(s)};
-        sides[simulation::kSideNames[s]] = numbers(simulation::select_nodes(side, tessellation));
+        sides[simulation::kSideNames[s]] = numbers_json(simulation::select_nodes(side, tessellation));
     }
     return sides;
 }
@@ -39,14 +27,14 @@ void add_ground(const State& state, Json& event) {
     const tiling::Tessellation& tessellation = state.ground->tessellation;
     event["layout"] = state.ground->layout.name();
     event["layout_nodes"] = layout_nodes_json(state.ground->layout);
-    event["vertices"] = points(tessellation.vertices);
+    event["vertices"] = points_json(tessellation.vertices);
     event["tiles"] = Json::array();
     for (const tiling::Tile& tile : tessellation.tiles)
         event["tiles"].push_back(
-            {{"vertices", numbers(tile.vertices)}, {"interface", numbers(tile.interface_nodes)}});
-    event["interface_nodes"] = points(tessellation.interface_nodes);
+            {{"vertices", numbers_json(tile.vertices)}, {"interface", numbers_json(tile.interface_nodes)}});
+    event["interface_nodes"] = points_json(tessellation.interface_nodes);
     event["rim"] = Json::array();
-    for (const auto& loop : tiling::rim_loops(tessellation)) event["rim"].push_back(numbers(loop));
+    for (const auto& loop : tiling::rim_loops(tessellation)) event["rim"].push_back(numbers_json(loop));
     event["sides"] = sides_json(tessellation);
 }
 
@@ -59,7 +47,7 @@ void add_painting(const State& state, Json& event) {
 template <class Index>
 Json lists_of_numbers(const std::vector<std::vector<Index>>& lists) {
     Json all = Json::array();
-    for (const auto& list : lists) all.push_back(numbers(list));
+    for (const auto& list : lists) all.push_back(numbers_json(list));
     return all;
 }
 
@@ -71,7 +59,7 @@ Json vector_json(const Eigen::Vector3d& vector) {
 Json marks_json(const simulation::EntryMarks& marks) {
     Json loads = Json::array();
     for (const simulation::EntryMarks::Load& load : marks.loads)
-        loads.push_back({{"nodes", numbers(load.nodes)},
+        loads.push_back({{"nodes", numbers_json(load.nodes)},
                          {"shares", load.shares},
                          {"force", vector_json(load.force)},
                          {"moment", vector_json(load.moment)},

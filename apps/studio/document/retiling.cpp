@@ -2,6 +2,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/tiling/painting/painting.hpp>
+#include <studio/document/json_lists.hpp>
 #include <studio/document/painting_request.hpp>
 #include <studio/document/retiling.hpp>
 #include <studio/server/sent_file.hpp>
@@ -98,15 +99,10 @@ Json sides_json(const simulation::NewTiles& tiles) {
 
 /// The polygons, for a picture of the tiles before they are taken.
 void add_picture(const tiling::Tessellation& tessellation, Json& answer) {
-    answer["vertices"] = Json::array();
-    for (const geometry::Point2& vertex : tessellation.vertices)
-        answer["vertices"].push_back({vertex.x, vertex.y});
+    answer["vertices"] = points_json(tessellation.vertices);
     answer["polygons"] = Json::array();
-    for (const tiling::Tile& tile : tessellation.tiles) {
-        Json polygon = Json::array();
-        for (const tiling::VertexIndex vertex : tile.vertices) polygon.push_back(vertex.value);
-        answer["polygons"].push_back(std::move(polygon));
-    }
+    for (const tiling::Tile& tile : tessellation.tiles)
+        answer["polygons"].push_back(numbers_json(tile.vertices));
 }
 
 Json answer_json(const State& next, const Retiling& made, const simulation::CarriedOver& carried) {
@@ -125,7 +121,6 @@ Json answer_json(const State& next, const Retiling& made, const simulation::Carr
                    {"painted_again", painted_again_json(*next.painting)},
                    {"unpainted", unpainted},
                    {"remarks", made.remark.empty() ? Json::array() : Json{made.remark}}};
-    if (made.wanted.is_preview) add_picture(made.tiles.tessellation, answer);
     return answer;
 }
 
@@ -138,7 +133,8 @@ RetileRequest read_retile(const JsonReader& json, const State& state) {
     if (const auto angle = json.find("angle")) wanted.options.angle = angle->number();
     wanted.options.layout = read_other_layout(json, state);
     if (const auto patterns = json.find("patterns")) wanted.patterns = read_plain_text(*patterns);
-    if (const auto preview = json.find("preview")) wanted.is_preview = preview->boolean();
+    if (const auto preview = json.find("preview"))
+        wanted.preview = preview->boolean() ? Preview::Yes : Preview::No;
     if (wanted.options.layout && wanted.patterns == kKeep)
         throw base::InputError("patterns of the layout " + state.ground->layout.name() +
                                " cannot be kept with " + wanted.options.layout->name() +
@@ -166,7 +162,7 @@ bool gives_the_same(const Retiling& known, const State& state, const RetileReque
            known.wanted.patterns == wanted.patterns;
 }
 
-Retiled retiled(const State& state, const Retiling& made) {
+Retiled retiled(const State& state, const Retiling& made, Preview preview) {
     const simulation::CarriedOver carried = simulation::carry_over(make_project(state, "/"), made.tiles);
     State next = make_state(carried.project, "/");
     next.setting = state.setting;
@@ -176,6 +172,7 @@ Retiled retiled(const State& state, const Retiling& made) {
     next = made.wanted.patterns == kKeep ? painted_by_place(state, std::move(next), carried)
                                          : painted_with(std::move(next), made.pattern);
     Json answer = answer_json(next, made, carried);
+    if (preview == Preview::Yes) add_picture(made.tiles.tessellation, answer);
     const std::string side = base::format_number(1e3 * made.wanted.options.edge_length.value(), 3);
     return {{std::move(next), "tiles of " + side + " mm"}, std::move(answer)};
 }

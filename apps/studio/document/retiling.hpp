@@ -12,12 +12,15 @@
 
 namespace fretwork::studio {
 
+/// True if tiles are only looked at, and nothing is changed.
+enum class Preview { No, Yes };
+
 /// The request `retile`: other tiles for the outline of a document.
 struct RetileRequest {
     simulation::RetilingOptions options;
     /// "keep": by place; "made:one": one pattern that can be made; else the id of the pattern of all tiles.
     std::string patterns = "keep";
-    bool is_preview = false;  ///< nothing is changed
+    Preview preview = Preview::No;
 };
 /// Throws InputError if the request is malformed, or asks to keep patterns of another layout.
 RetileRequest read_retile(const base::JsonReader& json, const State& state);
@@ -44,6 +47,7 @@ struct Retiled {
 /// Put the tiles into a document whose ground is the one they were made for. Paintings by place are made
 /// again on the new tiles. Throws InputError if a load case finds no node, or a painting cannot be made
 /// again.
-Retiled retiled(const State& state, const Retiling& made);
+/// @param preview  the answer to one has a picture of the tiles
+Retiled retiled(const State& state, const Retiling& made, Preview preview);
 
 }  // namespace fretwork::studio

@@ -2,7 +2,10 @@
 #include <fretwork/reduction/models/tile_model.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
 #include <fretwork/simulation/project/project_library.hpp>
+#include <studio/document/painting_request.hpp>
 #include <studio/document/state.hpp>
+
+#include <set>
 
 namespace fretwork::studio {
 namespace {
@@ -20,9 +23,20 @@ std::vector<std::string> tile_models_of(const Project& project) {
     return models;
 }
 
-std::size_t size_of(const Painting& painting) {
+/// The files of recipes that another painting does not have.
+std::size_t size_of_files(const Painting& painting, const Painting& other) {
+    std::set<std::shared_ptr<const PaintingRecipe>> known(other.recipes.begin(), other.recipes.end());
+    std::size_t size = 0;
+    for (const auto& recipe : painting.recipes) {
+        if (known.insert(recipe).second && recipe && recipe->file) size += recipe->file->content.size();
+    }
+    return size;
+}
+
+std::size_t size_of_difference(const Painting& painting, const Painting& other) {
     return (painting.patterns.size() + painting.turns.size()) * sizeof(int) +
-           painting.recipes.size() * sizeof(painting.recipes.front()) + 64 * painting.palette.size();
+           painting.recipes.size() * sizeof(painting.recipes.front()) + 64 * painting.palette.size() +
+           size_of_files(painting, other);
 }
 
 std::size_t size_of(const std::vector<simulation::LoadCase>& load_cases) {
@@ -93,7 +107,7 @@ std::string first_model() {
 std::size_t size_of_difference(const State& state, const State& other) {
     std::size_t size = sizeof(State);
     if (state.ground != other.ground) size += 400 * state.tile_count();
-    if (state.painting != other.painting) size += size_of(*state.painting);
+    if (state.painting != other.painting) size += size_of_difference(*state.painting, *other.painting);
     if (state.tile_models != other.tile_models) size += sizeof(std::string) * state.tile_models->size();
     if (state.load_cases != other.load_cases) size += size_of(*state.load_cases);
     if (state.setting != other.setting) size += sizeof(reduction::Setting);

@@ -63,16 +63,18 @@ const exports::WriterRow& find_target_writer(const Target& target) {
     return exports::find_writer(target.value("to"), wanted);
 }
 
-/// For files that move: the load path of a nonlinear model, in this number of steps. The path of a linear one
-/// is straight, and its end is enough.
-void add_load_path(const Target& target, const State& state, exports::Scene& scene) {
+/// The kind of files that move.
+constexpr std::string_view kMoves = ".glb";
+
+/// The load path of a nonlinear model, in the number of steps that is asked for. The path of a linear one is
+/// straight, and its end is enough.
+void add_load_path(const Target& target, simulation::SimulationOptions options, exports::Scene& scene) {
     constexpr long long kMostSteps = 200;
     const std::string text = target.value("steps");
     if (text.empty() || scene.results.empty()) return;
     const auto steps = base::read_number<long long>(text);
     if (!steps || *steps < 2 || *steps > kMostSteps)
         throw base::InputError("steps", "", base::shortened(text, 40) + " is not a number from 2 to 200");
-    simulation::SimulationOptions options{.model = *state.model, .analysis = state.analysis, .threads = 1};
     if (!simulation::is_nonlinear(scene.surface, options)) return;
     options.load_steps = static_cast<int>(*steps);
     scene.results.front().result.load_steps =
@@ -87,17 +89,19 @@ HttpAnswer exported(const Target& target, const Situation& situation, const Solv
     exports::Scene scene{open_surface(state).surface};
     scene.control = control;
     read_drawing(target, scene);
+    const simulation::SimulationOptions options{
+        .model = *state.model, .analysis = state.analysis, .threads = 1};
     if (!state.load_cases->empty()) {
         const simulation::LoadCase load_case = load_case_of(situation);
         scene.conditions = simulation::resolve(load_case, scene.surface);
         scene.load_case = load_case;
         if (solved) {
             scene.results.push_back({solved->model, solved->result});
-            scene.results.front().result.subject = simulation::result_subject(
-                scene.surface, load_case, {.model = *state.model, .analysis = state.analysis});
+            scene.results.front().result.subject =
+                simulation::result_subject(scene.surface, load_case, options);
         }
     }
-    add_load_path(target, state, scene);
+    if (writer.ending == kMoves) add_load_path(target, options, scene);
     if (writer.is_made()) scene.making = read_making(target, scene.conditions);
     exports::Written written = writer.write(scene);
     if (writer.is_made()) {

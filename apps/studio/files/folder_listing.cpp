@@ -57,8 +57,9 @@ std::vector<ListedEntry> entries_of(const fs::path& folder, const std::vector<st
             endings.empty() || std::ranges::find(endings, at->path().extension().string()) != endings.end();
         if (is_folder || (fits && at->is_regular_file(unknown)))
             entries.push_back({name, is_folder, time_of(*at)});
-        if (error) throw base::InputError(folder.string(), "", "cannot be read: " + error.message());
     }
+    // An increment that fails goes to the end.
+    if (error) throw base::InputError(folder.string(), "", "cannot be read: " + error.message());
     std::ranges::sort(entries, {}, &ListedEntry::name);
     return entries;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/geometry/polygon.hpp>
+#include <studio/document/json_lists.hpp>
 #include <studio/server/sent_outline.hpp>
 
 #include <algorithm>
@@ -22,12 +23,6 @@ std::array<double, 2> size_of(std::span<const outlines::Outline> parts) {
         }
     }
     return {high[0] - low[0], high[1] - low[1]};
-}
-
-Json points_json(const geometry::Polygon& loop) {
-    Json points = Json::array();
-    for (const geometry::Point2& point : loop) points.push_back({point.x, point.y});
-    return points;
 }
 
 }  // namespace
