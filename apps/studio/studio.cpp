@@ -53,6 +53,10 @@ std::span<const Studio::Impl::RequestRow> Studio::Impl::requests() {
         {"design", &Impl::begin_design},
         {"stop_design", &Impl::stop_design},
         {"retile", &Impl::retile},
+        {"open_layout", &Impl::open_layout},
+        {"draw_layout", &Impl::draw_layout},
+        {"count_layout", &Impl::count_layout},
+        {"save_layout", &Impl::save_layout},
     };
     return kRequests;
 }
@@ -78,6 +82,7 @@ Studio::Impl::Impl(const StudioOptions& options)
       errors_(server_, pages_, [this] { return document_->solver_input().situation; }),
       designs_(server_, pages_, [this](const DesignFound& found) { take_design(found); }),
       solver_(listener()) {
+    if (options.layout && !options.layout->empty()) (void)pattern::find_node_layout(*options.layout);
     if (options.project)
         show(read_document(*options.project));
     else
@@ -89,13 +94,16 @@ Studio::Impl::~Impl() = default;
 std::string Studio::Impl::address() const {
     const bool is_version_6 = options_.address.find(':') != std::string::npos;
     const std::string host = is_version_6 ? "[" + options_.address + "]" : options_.address;
-    return "http://" + host + ":" + std::to_string(server_.port()) + "/?token=" + token_;
+    const std::string page = "http://" + host + ":" + std::to_string(server_.port()) + "/?token=" + token_;
+    if (!options_.layout) return page;
+    return page + "&page=layout" + (options_.layout->empty() ? "" : "&layout=" + escaped(*options_.layout));
 }
 
 void Studio::Impl::connected(ClientId) {}  // it says hello first
 
 void Studio::Impl::disconnected(ClientId client) {
     pages_.remove(client);
+    counts_.erase(client);
 }
 
 void Studio::Impl::received(ClientId client, std::string_view message) {

@@ -10,6 +10,9 @@ namespace fretwork::studio {
 
 struct StudioOptions {
     std::optional<std::filesystem::path> project{};  ///< to begin with; none: the start screen
+    /// To draw node layouts, beginning with this one: the name of a layout or the path of a file; "": the
+    /// paper's. None: the studio of surfaces.
+    std::optional<std::string> layout{};
     std::string address = "127.0.0.1";
     std::optional<int> port{};           ///< none: 8080, or the next one that is free
     std::filesystem::path page;          ///< the page's HTML file
@@ -19,8 +22,8 @@ struct StudioOptions {
 /// The studio's server: one document, shown by any number of pages. The protocol is protocol.md.
 class Studio {
   public:
-    /// It listens when this returns. Throws InputError if the project cannot be read, IoError if the port is
-    /// taken.
+    /// It listens when this returns. Throws InputError if project or layout cannot be read, IoError if the
+    /// port is taken.
     explicit Studio(const StudioOptions& options);
     Studio(const Studio&) = delete;
     Studio& operator=(const Studio&) = delete;

@@ -10,7 +10,6 @@
 #include <studio/document/pattern_list.hpp>
 #include <studio/files/folder_listing.hpp>
 #include <studio/files/new_document.hpp>
-#include <studio/files/saving.hpp>
 #include <studio/server/sent_file.hpp>
 #include <studio/server/words.hpp>
 #include <studio/studio_impl.hpp>
@@ -22,22 +21,6 @@ namespace fretwork::studio {
 namespace fs = std::filesystem;
 using base::Json;
 using simulation::Project;
-
-namespace {
-
-/// Why a file is not replaced without a question.
-std::string conflict_text(const fs::path& path, bool is_own) {
-    return path.filename().string() + (is_own ? " was changed by another program since it was read here"
-                                              : " is there already, and is another project");
-}
-
-/// @param hash  of the file that is there
-Json conflict_json(const fs::path& path, bool is_own, const std::string& hash) {
-    return {
-        {"conflict", {{"path", path.string()}, {"hash", hash}, {"reason", is_own ? "changed" : "exists"}}}};
-}
-
-}  // namespace
 
 void Studio::Impl::make_new(const Request& request) {
     pages_.in_background(
@@ -107,13 +90,17 @@ void Studio::Impl::save(const Request& request) {
     if (!wanted && !shown.path()) throw base::InputError("the document has no file yet: name one");
     const auto path = wanted ? read_path(*wanted) : *shown.path();
     const bool is_own = shown.path() == path;
-    if (!is_own) require_project_file(path);
+    if (!is_own) require_file_of_kind(path, "project");
     const base::FileLock lock = lock_for_writing(path);
     if (const auto present = hash_of_file(path)) {
         const auto replaces = request.json.find("replaces");
         const bool is_known = is_own && shown.file_hash() == present;
         if (!is_known && (!replaces || replaces->string() != *present))
-            return pages_.refuse(request, conflict_text(path, is_own), conflict_json(path, is_own, *present));
+            return refuse_to_replace(request,
+                                     {.path = path,
+                                      .reason = is_own ? Conflict::Reason::Changed : Conflict::Reason::Exists,
+                                      .hash = *present,
+                                      .kind = "project"});
     }
     const std::string text = simulation::project_text(make_project(*shown.now(), folder_of(path)));
     base::write_file_atomically(path, text);
@@ -122,6 +109,10 @@ void Studio::Impl::save(const Request& request) {
     shown.saved_as(path, base::sha256(text));
     pages_.answer(request, {{"path", path.string()}});
     pages_.broadcast(changed_event(*shown.now(), *shown.now(), shown.status()));
+}
+
+void Studio::Impl::refuse_to_replace(const Request& request, const Conflict& conflict) {
+    pages_.refuse(request, conflict.text(), conflict.json());
 }
 
 /// Folders of other machines may answer late.

@@ -5,6 +5,7 @@
 #include <studio/document/kept_work.hpp>
 #include <studio/document/retiling.hpp>
 #include <studio/files/exported_file.hpp>
+#include <studio/files/saving.hpp>
 #include <studio/server/pages.hpp>
 #include <studio/solving/error_watch.hpp>
 #include <studio/solving/live_view.hpp>
@@ -12,6 +13,7 @@
 #include <studio/solving/making_watch.hpp>
 #include <studio/studio.hpp>
 
+#include <map>
 #include <span>
 
 namespace fretwork::studio {
@@ -81,6 +83,12 @@ class Studio::Impl final : public Service {
     // studio_retile.cpp: other tiles for the outline
     void retile(const Request& request);
 
+    // studio_layouts.cpp: node layouts that are drawn, which the page keeps
+    void open_layout(const Request& request);
+    void draw_layout(const Request& request);
+    void count_layout(const Request& request);
+    void save_layout(const Request& request);
+
     // studio_files.cpp: documents from files, and files from documents
     void make_new(const Request& request);
     void measure(const Request& request);
@@ -88,6 +96,7 @@ class Studio::Impl final : public Service {
     void upload(const Request& request);
     void download(const Request& request);
     void save(const Request& request);
+    void refuse_to_replace(const Request& request, const Conflict& conflict);
     void folder(const Request& request);
     void patterns(const Request& request);
     void recover(const Request& request);
@@ -118,6 +127,8 @@ class Studio::Impl final : public Service {
     std::vector<ExportRequest> waiting_exports_;
     RetilingPtr last_retiling_;  ///< null: none; a preview is followed by the same tiles
     Background files_;           ///< work of a second or two
+    /// The counts of patterns, by the page that wants them. A new count ends the one before.
+    std::map<ClientId, Background> counts_;
     LongJobs jobs_;
     MakingWatch making_;
     ErrorWatch errors_;

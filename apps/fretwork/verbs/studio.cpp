@@ -7,8 +7,10 @@
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>
+#include <fretwork/pattern/node_layout.hpp>
 #include <studio/studio.hpp>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -32,6 +34,8 @@ std::filesystem::path usual_page_path() {
 struct StudioOptions {
     std::string project;
     std::string page;
+    std::string layout;
+    bool draws_layout = false;
     bool no_browser = false;
     studio::StudioOptions studio;
 };
@@ -67,11 +71,24 @@ void open_browser(std::string address) {
     ::posix_spawn_file_actions_destroy(&quiet);
 }
 
+/// A layout by its name, or the absolute path of its file, which the page asks for; "": the paper's.
+std::string layout_to_draw(const std::string& text) {
+    const std::vector<std::string> shipped = pattern::layout_names();
+    if (text.empty() || std::ranges::find(shipped, text) != shipped.end()) return text;
+    return std::filesystem::absolute(text).lexically_normal().string();
+}
+
 void run(StudioOptions options) {
     if (!options.project.empty()) {
         if (content_of(options.project) == kLibraryContent)
             throw base::InputError(options.project, "", "is a pattern library, where a project is needed");
         options.studio.project = std::filesystem::absolute(options.project);
+    }
+    if (options.draws_layout) {
+        if (!options.project.empty())
+            throw base::InputError("'" + options.project +
+                                   "' is a project, and --layout draws a node layout: give one of them");
+        options.studio.layout = layout_to_draw(options.layout);
     }
     if (!options.page.empty() && !std::filesystem::exists(options.page))
         throw base::InputError(options.page, "",
@@ -95,18 +112,27 @@ void add_studio(CLI::App& app, ExitCode&) {
         "studio", "Paint, support and load a surface in the browser, and see it bend. Ctrl-C ends it");
     const auto options = std::make_shared<StudioOptions>();
     verb->add_option("project", options->project, "Project file (default: a screen to choose one from)");
+    verb->add_option("--layout", options->layout,
+                     "Draw a node layout instead: a layout's name or file (without: the paper's)")
+        ->expected(0, 1)
+        ->type_name("[LAYOUT]");
     verb->add_option("--address", options->studio.address, "Address to listen at")->capture_default_str();
     verb->add_option("--port", options->studio.port, "Port (default: 8080, or the next one that is free)")
         ->check(CLI::Range(1, 65535));
     verb->add_flag("--no-browser", options->no_browser, "Print the address, and open no browser");
     verb->add_option("--page", options->page,
                      "Page to serve (default: the one that was built with the program)");
-    declare_files(*verb, {input("project"), input("--page")});
+    declare_files(*verb, {input("project"), input("--page"), input("--layout")});
     verb->footer(
-        "Example: fretwork studio project.json\n"
+        "Examples:\n"
+        "  fretwork studio project.json\n"
+        "  fretwork studio --layout mine.json\n"
         "On another machine: ssh -L 8080:localhost:8080 MACHINE fretwork studio --no-browser --port 8080 "
         "project.json");
-    verb->callback([options] { run(*options); });
+    verb->callback([options, verb] {
+        options->draws_layout = verb->count("--layout") > 0;
+        run(*options);
+    });
 }
 
 }  // namespace fretwork::app

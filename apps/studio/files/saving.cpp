@@ -7,12 +7,25 @@
 
 namespace fretwork::studio {
 
-void require_project_file(const std::filesystem::path& path) {
+void require_file_of_kind(const std::filesystem::path& path, const std::string& kind) {
     if (path.extension() != ".json")
-        throw base::InputError(path.string(), "", "is not a name for a project, which ends with .json");
+        throw base::InputError(path.string(), "", "is not a name for a " + kind + ", which ends with .json");
     if (!std::filesystem::exists(path)) return;
     const auto json = base::JsonReader::from_file(path);
-    json.expect_format("project", 1000);
+    json.expect_format(kind, 1000);
+}
+
+std::string Conflict::text() const {
+    return path.filename().string() + (reason == Reason::Changed
+                                           ? " was changed by another program since it was read here"
+                                           : " is there already, and is another " + kind);
+}
+
+base::Json Conflict::json() const {
+    return {{"conflict",
+             {{"path", path.string()},
+              {"hash", hash},
+              {"reason", reason == Reason::Changed ? "changed" : "exists"}}}};
 }
 
 base::FileLock lock_for_writing(const std::filesystem::path& path) {

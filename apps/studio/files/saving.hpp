@@ -2,14 +2,32 @@
 #pragma once
 
 #include <fretwork/base/files/file_lock.hpp>
+#include <fretwork/base/internal/json_text.hpp>
 
 #include <filesystem>
+#include <string>
 
 namespace fretwork::studio {
 
-/// Throws InputError unless a project may be saved there: under a name that ends with .json, where nothing is
-/// yet, or a project. Other files are not to be lost.
-void require_project_file(const std::filesystem::path& path);
+/// Throws InputError unless a file of a kind, such as "project", may be saved there: under a name that ends
+/// with .json, where nothing is yet, or a file of that kind. Other files are not to be lost.
+void require_file_of_kind(const std::filesystem::path& path, const std::string& kind);
+
+/// A file that is not replaced without a question.
+struct Conflict {
+    enum class Reason {
+        Changed,  ///< another program has written it since it was read
+        Exists    ///< it is another one
+    };
+    std::filesystem::path path;
+    Reason reason;
+    std::string hash;  ///< of the file that is there
+    std::string kind;  ///< "project"
+    /// Why it is not replaced, in one line.
+    [[nodiscard]] std::string text() const;
+    /// The key `conflict` of the refusal.
+    [[nodiscard]] base::Json json() const;
+};
 
 /// The lock that the commands take, too: a program that changes a file locks it, and one that makes it locks
 /// its folder. Throws InputError if another program has it.

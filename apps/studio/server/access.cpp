@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <sys/random.h>
 
@@ -96,6 +97,24 @@ std::optional<Target> parse_target(std::string_view text) {
         if (!name || !value || !target.values.emplace(*name, *value).second) return std::nullopt;
     }
     return target;
+}
+
+std::string escaped(std::string_view text) {
+    std::string result;
+    for (const char character : text) {
+        const auto byte = static_cast<unsigned char>(character);
+        const bool is_plain =
+            byte < 0x80 &&
+            (std::isalnum(byte) != 0 || std::string_view("-._~/").find(character) != std::string_view::npos);
+        if (is_plain) {
+            result += character;
+        } else {
+            result += '%';
+            result += kDigits[byte >> 4U];
+            result += kDigits[byte & 0xfU];
+        }
+    }
+    return result;
 }
 
 bool is_token(std::string_view given, std::string_view token) {

@@ -28,6 +28,9 @@ struct Target {
 /// Nothing if it is malformed.
 std::optional<Target> parse_target(std::string_view text);
 
+/// A text as a value in an address: every letter but the plainest as %41.
+std::string escaped(std::string_view text);
+
 /// Compares in a time that does not depend on how much of the token is right.
 bool is_token(std::string_view given, std::string_view token);
 
