@@ -8,6 +8,12 @@ import * as store from './document/store';
 import { ask, cut, start } from './document/studio';
 import { surface } from './document/surface';
 import { target } from './document/target';
+import { drawsLayouts } from './layout/address';
+import { counted, isCounting } from './layout/count';
+import { draft } from './layout/draft';
+import { watchLayoutKeys } from './layout/keys';
+import { LayoutPage } from './layout/layout_page';
+import { watchLayoutClosing } from './layout/save';
 import { watchKeys } from './manners/shortcuts';
 import { watchClosing } from './manners/unsaved';
 import type { Point } from './protocol/messages';
@@ -18,10 +24,17 @@ import { watchTips } from './widgets/tooltip';
 import './styles/tokens.css';
 import './styles/widgets.css';
 
-render(<App />, document.getElementById('studio') as HTMLElement);
-watchKeys();
+const host = document.getElementById('studio') as HTMLElement;
+if (drawsLayouts()) {
+  render(<LayoutPage />, host);
+  watchLayoutKeys();
+  watchLayoutClosing();
+} else {
+  render(<App />, host);
+  watchKeys();
+  watchClosing();
+}
 watchTips();
-watchClosing();
 start();
 
 /** The interface of the browser tests. */
@@ -30,6 +43,7 @@ const forTests = {
   store,
   design: { designed, designing },
   target,
+  layout: { draft, counted, isCounting },
   scene: currentScene,
   cut,
   ask,

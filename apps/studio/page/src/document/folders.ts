@@ -5,10 +5,20 @@ import { signal } from '@preact/signals';
 import type { FolderListing } from '../protocol/requests';
 import { ask } from './studio';
 
-/** What is chosen: a project to open, or a name to save to. */
-export type FolderPurpose = 'open' | 'save';
+export const PROJECT = 'project';
+
+/** What is chosen: a file to open, or a name to save to. */
+export interface FolderQuestion {
+  purpose: 'open' | 'save';
+  /** Of the file, for people: "project". */
+  kind: string;
+  /** The name that is suggested. */
+  name?: string;
+  /** The folder that is shown first; left out: the document's. */
+  folder?: string;
+}
 /** The panel that is open, and what takes the path; null: none. */
-export const folderAsked = signal<{ purpose: FolderPurpose; answer: (path: string | null) => void } | null>(null);
+export const folderAsked = signal<(FolderQuestion & { answer: (path: string | null) => void }) | null>(null);
 /** What the panel shows; null while it loads. */
 export const folderNow = signal<FolderListing | null>(null);
 export const folderTrouble = signal<string | null>(null);
@@ -28,15 +38,15 @@ export async function goTo(path?: string): Promise<void> {
   }
 }
 
-export async function askForPath(purpose: FolderPurpose): Promise<string | null> {
+export async function askForPath(question: FolderQuestion): Promise<string | null> {
   folderNow.value = null;
-  void goTo();
-  const path = await new Promise<string | null>((answer) => (folderAsked.value = { purpose, answer }));
+  void goTo(question.folder);
+  const path = await new Promise<string | null>((answer) => (folderAsked.value = { ...question, answer }));
   folderAsked.value = null;
   return path;
 }
 
-/** A name as typed, in a folder: a whole path stays one, and a project ends with .json. */
+/** A name as typed, in a folder: a whole path stays one, and the file ends with .json. */
 export function pathOf(typed: string, folder: string | undefined): string | null {
   const name = typed.trim();
   if (!name) return null;

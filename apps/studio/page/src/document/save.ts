@@ -4,7 +4,8 @@
 import { signal } from '@preact/signals';
 import { Refusal } from '../protocol/connection';
 import type { SaveConflict } from '../protocol/messages';
-import { askForPath } from './folders';
+import { askForPath, PROJECT } from './folders';
+import { projectName } from './names';
 import { ask, tryAsk } from './studio';
 import { documentNow } from './store';
 import { tell } from './tell';
@@ -12,7 +13,14 @@ import { W } from '../words';
 
 export type ConflictChoice = 'theirs' | 'mine' | 'elsewhere' | 'stay';
 /** The question that is open, and what takes its answer. */
-export const conflictAsked = signal<{ conflict: SaveConflict; answer: (choice: ConflictChoice) => void } | null>(null);
+export const conflictAsked = signal<{ conflict: SaveConflict; kind: string; answer: (choice: ConflictChoice) => void } | null>(null);
+
+/** @param kind  of the file: "project" */
+export async function askAboutConflict(conflict: SaveConflict, kind: string): Promise<ConflictChoice> {
+  const choice = await new Promise<ConflictChoice>((answer) => (conflictAsked.value = { conflict, kind, answer }));
+  conflictAsked.value = null;
+  return choice;
+}
 
 /** To its file; a document that has none asks for one. Resolves to whether it lies there now. */
 export async function save(): Promise<boolean> {
@@ -22,7 +30,7 @@ export async function save(): Promise<boolean> {
 
 /** To another file, which is the document's from then on. */
 export async function saveElsewhere(): Promise<boolean> {
-  const path = await askForPath('save');
+  const path = await askForPath({ purpose: 'save', kind: PROJECT, name: projectName() });
   return path ? write({ path }) : false;
 }
 
@@ -39,8 +47,7 @@ async function write(where: { path?: string; replaces?: string }): Promise<boole
 }
 
 async function settle(conflict: SaveConflict): Promise<boolean> {
-  const choice = await new Promise<ConflictChoice>((answer) => (conflictAsked.value = { conflict, answer }));
-  conflictAsked.value = null;
+  const choice = await askAboutConflict(conflict, PROJECT);
   if (choice === 'mine') return write({ path: conflict.path, replaces: conflict.hash });
   if (choice === 'elsewhere') return saveElsewhere();
   if (choice === 'theirs') return (await tryAsk('open', { path: conflict.path, discard: true })) !== null;

@@ -14,7 +14,7 @@ export function ConflictSheet() {
     if (asked) host.current?.querySelector('button')?.focus();
   }, [asked]);
   if (!asked) return null;
-  const { conflict, answer } = asked;
+  const { conflict, kind, answer } = asked;
   const name = nameOf(conflict.path);
   const isOwn = conflict.reason === 'changed';
   const keys = (event: KeyboardEvent) => {
@@ -24,11 +24,11 @@ export function ConflictSheet() {
   return (
     <div class="veil ask" onKeyDown={keys}>
       <div class="sheet question" role="alertdialog" aria-modal="true" aria-labelledby="conflict-title" aria-describedby="conflict-words" ref={host}>
-        <h1 id="conflict-title">{isOwn ? W.conflict.wasChangedElsewhere(name ?? '') : W.conflict.replace(name ?? '')}</h1>
+        <h1 id="conflict-title">{isOwn ? W.conflict.wasChangedElsewhere(name) : W.conflict.replace(name)}</h1>
         <p id="conflict-words">
           {isOwn
             ? W.conflict.anotherProgramChangedThis
-            : W.conflict.thisFileContainsAnother}
+            : W.conflict.thisFileContainsAnother(kind)}
         </p>
         <div class="row">
           <Button id="conflict-elsewhere" kind="main" title={W.conflict.keepThatFileAnd} label={W.conflict.saveToAnotherFile} onPress={() => answer('elsewhere')} />

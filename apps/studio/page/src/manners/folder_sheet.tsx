@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Folders of the machine where the studio runs: a project to open, or a name to save to.
+// Folders of the machine where the studio runs: a file to open, or a name to save to.
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { CornerLeftUp, FileText, Folder, House } from 'lucide-preact';
 import { folderAsked, folderNow, folderTrouble, goTo, pathOf } from '../document/folders';
-import { projectName } from '../document/names';
 import type { FolderEntry } from '../protocol/requests';
 import { Button } from '../widgets/widgets';
 import { W } from '../words';
@@ -53,14 +52,14 @@ function listKeys(event: KeyboardEvent): void {
 
 export function FolderSheet() {
   const asked = folderAsked.value;
-  return asked && <OpenFolderSheet key={asked.purpose} purpose={asked.purpose} answer={asked.answer} />;
+  return asked && <OpenFolderSheet key={asked.purpose} {...asked} />;
 }
 
-function OpenFolderSheet({ purpose, answer }: NonNullable<typeof folderAsked.value>) {
+function OpenFolderSheet({ purpose, kind, name: suggested = '', answer }: NonNullable<typeof folderAsked.value>) {
   const field = useRef<HTMLInputElement>(null);
   const host = useRef<HTMLDivElement>(null);
   const saving = purpose === 'save';
-  const [name, setName] = useState(saving ? projectName() : '');
+  const [name, setName] = useState(suggested);
   useEffect(() => (saving ? field.current?.select() : host.current?.querySelector('button')?.focus()), []);
   const now = folderNow.value;
   const give = (text = name) => {
@@ -80,15 +79,15 @@ function OpenFolderSheet({ purpose, answer }: NonNullable<typeof folderAsked.val
   return (
     <div class="veil ask" onKeyDown={keys}>
       <div class="sheet question folder-sheet" role="dialog" aria-modal="true" aria-labelledby="folder-title" ref={host}>
-        <h1 id="folder-title">{saving ? W.saveAs.title : W.folder.openTitle}</h1>
-        <p>{saving ? W.saveAs.words : W.folder.openWords}</p>
+        <h1 id="folder-title">{saving ? W.saveAs.title : W.folder.openTitle(kind)}</h1>
+        <p>{saving ? W.saveAs.words : W.folder.openWords(kind)}</p>
         <Places />
         {folderTrouble.value && <p class="trouble" role="alert" id="folder-trouble">{folderTrouble.value}</p>}
         <ul class="folder-list" aria-label={W.folder.places} onKeyDown={listKeys}>
           {now?.folders.map((entry) => <Row key={entry.path} entry={entry} kind="folder" isPicked={false} onPick={(one, at) => pick(one, true, at)} />)}
           {now?.files.map((entry) => <Row key={entry.path} entry={entry} kind="file" isPicked={entry.name === name} onPick={(one, at) => pick(one, false, at)} />)}
         </ul>
-        {now && now.folders.length + now.files.length === 0 && <p class="hint">{W.folder.empty}</p>}
+        {now && now.folders.length + now.files.length === 0 && <p class="hint">{W.folder.empty(kind)}</p>}
         {now && now.left_out > 0 && <p class="hint">{W.folder.leftOut(now.left_out)}</p>}
         <label class="folder-name"><span>{W.folder.name}</span>
           <input class="text-input" id="save-as-path" ref={field} value={name} spellcheck={false} autocomplete="off" onInput={(event) => setName(event.currentTarget.value)} />
@@ -96,7 +95,7 @@ function OpenFolderSheet({ purpose, answer }: NonNullable<typeof folderAsked.val
         <div class="row">
           {saving
             ? <Button id="save-as" kind="main" title={W.saveAs.saveTip} label={W.saveAs.save} disabled={!name.trim()} onPress={() => give()} />
-            : <Button id="open-path" kind="main" title={W.folder.openTip} label={W.folder.open} disabled={!name.trim()} onPress={() => give()} />}
+            : <Button id="open-path" kind="main" title={W.folder.openTip(kind)} label={W.folder.open} disabled={!name.trim()} onPress={() => give()} />}
           <Button id="save-as-cancel" title={W.saveAs.cancelTip} label={W.saveAs.cancel} onPress={() => answer(null)} />
         </div>
       </div>

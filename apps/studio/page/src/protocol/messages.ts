@@ -276,7 +276,16 @@ export type ServerEvent =
   | ({ event: 'designing'; revision: number } & Designing)
   | ({ event: 'designed'; revision: number } & Designed)
   | ({ event: 'model_error'; revision: number; model: string } & EstimatedError)
-  | { event: 'warning'; revision: number; text: string };
+  | { event: 'warning'; revision: number; text: string }
+  | LayoutFound;
+
+/** How many patterns a count of a layout has found by now. */
+export interface LayoutFound {
+  event: 'layout_count';
+  /** That of the request. */
+  key: number;
+  patterns: number;
+}
 
 /** A file that `save` would replace, and that nobody here has seen. */
 export interface SaveConflict {

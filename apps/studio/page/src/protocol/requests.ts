@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The requests of the page and their answers, as in apps/studio/protocol.md.
 
-import type { Hello, LoadCase, PatternTable, Point, Recoverable, Setting, TargetGoals } from './messages';
+import type { Hello, LoadCase, PatternTable, Point, Recoverable, Setting, TargetGoals, Vector } from './messages';
 
 /** A file of the browser's machine. */
 export interface SentFile {
@@ -122,6 +122,49 @@ export interface Retiled {
   polygons?: number[][];
 }
 
+/** A layout as in its file: coordinates are exact numbers in quotes. */
+export interface LayoutFile {
+  format: string;
+  name: string;
+  center: boolean;
+  corners: boolean;
+  radial: string[];
+  face: [string, string, string][];
+  interface: string[];
+}
+export type NodeKind = 'center' | 'radial' | 'face' | 'interface';
+export interface LayoutNode {
+  kind: NodeKind;
+  /** Barycentric, for v0, v1 and v2. */
+  place: Vector;
+  exact: [string, string, string];
+  /** The nodes that move with it, or would. */
+  twins: number[];
+}
+/** A layout with its nodes and candidate edges. */
+export interface LayoutLook {
+  layout: LayoutFile;
+  nodes: LayoutNode[];
+  edges: [number, number][];
+}
+export type LayoutChange = { move: number; to: Vector } | { add: NodeKind; to?: Vector } | { remove: number };
+export interface DrawLayout {
+  layout: LayoutFile;
+  change?: LayoutChange;
+  /** Nodes go to multiples of 1 / grid. */
+  grid?: number;
+  /** Whether face nodes take their mirror images along. */
+  mirror?: boolean;
+}
+/** The valid patterns of a layout. */
+export interface LayoutCount {
+  patterns: number;
+  /** false: there are more. */
+  complete: boolean;
+  /** Ids of some of those that were found. */
+  samples: string[];
+}
+
 type Nothing = Record<never, never>;
 
 /** Each request with what it says, and with its answer. */
@@ -152,6 +195,11 @@ export interface Requests {
   retile: { says: RetileRequest; answer: Retiled };
   undo: { says: Nothing; answer: Nothing };
   redo: { says: Nothing; answer: Nothing };
+
+  open_layout: { says: { from: string }; answer: LayoutLook & { path: string | null; hash: string | null } };
+  draw_layout: { says: DrawLayout; answer: LayoutLook & { node: number | null } };
+  count_layout: { says: { layout: LayoutFile; key: number }; answer: LayoutCount };
+  save_layout: { says: { layout: LayoutFile; path: string; replaces?: string }; answer: { path: string; hash: string } };
 
   design: { says: DesignRequest; answer: Nothing };
   stop_design: { says: Nothing; answer: Nothing };

@@ -2,7 +2,7 @@
 // Where work begins: an example, an outline of one's own, or a project that is there.
 
 import { signal } from '@preact/signals';
-import { Compass, FolderOpen, HardDrive, X } from 'lucide-preact';
+import { Compass, FolderOpen, HardDrive, Triangle, X } from 'lucide-preact';
 import { openUpload } from '../document/files';
 import { documentNow, hello, line } from '../document/store';
 import { ask } from '../document/studio';
@@ -16,10 +16,11 @@ import { Mark } from '../panels/top_bar';
 import { ExamplePicture } from './example_picture';
 import { NewFromOutline, painting } from './new_from_outline';
 import { outline, outlineRequest, takeOutline, tilesRequest } from './outline';
-import { askForPath } from '../document/folders';
+import { askForPath, PROJECT } from '../document/folders';
 import { forgetRecent } from '../document/recent';
 import { RecentList } from './recent_list';
 import { RecoverList } from './recover_list';
+import { pageAddress } from '../layout/address';
 import { startTourAfter, TOUR_EXAMPLE } from '../tour/tour';
 import { W } from '../words';
 import './start.css';
@@ -65,7 +66,7 @@ async function openRecent(path: string): Promise<void> {
 }
 
 async function browse(): Promise<void> {
-  const path = await askForPath('open');
+  const path = await askForPath({ purpose: 'open', kind: PROJECT });
   if (path) await begin(W.start.opening, (left) => ask('open', { path, ...left }));
 }
 
@@ -128,6 +129,7 @@ export function Start() {
         <div class="start-foot">
           <Button kind="bare" title={W.start.aProjectFileOn} icon={FolderOpen} label={W.start.openAProject} onPress={() => choose('.json', (file) => void takeFile(file))} />
           <Button kind="bare" id="browse" title={W.folder.browseTip} icon={HardDrive} label={W.folder.browse} onPress={() => void browse()} />
+          <Button kind="bare" id="draw-layout" title={W.layouts.drawTip} icon={Triangle} label={W.layouts.draw} onPress={() => location.assign(pageAddress('layout'))} />
           {busy.value && <span class="busy" role="status"><i class="pulse" />{busy.value}</span>}
         </div>
       </div>
