@@ -22,7 +22,7 @@ function Numbers() {
   return (
     <dl class="facts layout-facts">
       <dt>{W.layouts.edges}</dt><dd id="layout-edges">{draft.value?.edges.length ?? ''}</dd>
-      <dt>{W.layouts.patterns}</dt><dd id="layout-patterns" role="status" data-counting={isCounting.value}>{patternsNow()}{isCounting.value && <i class="pulse" />}</dd>
+      <dt>{W.layouts.patterns}</dt><dd><span id="layout-patterns" role="status" data-counting={isCounting.value}>{patternsNow()}</span>{isCounting.value && <i class="pulse" />}</dd>
     </dl>
   );
 }
@@ -37,7 +37,7 @@ function Fans() {
     <>
       <p class="hint">{words}{!complete && ` ${W.layouts.bounded}`}</p>
       <ul class="layout-fans" aria-label={words}>
-        {samples.map((id) => <li key={id} data-tip={id} role="img" aria-label={id}><Thumbnail id={id} size={FAN_PX} bar={0.06} of={places} /></li>)}
+        {samples.map((id) => <li key={id} data-tip={id}><span role="img" aria-label={id}><Thumbnail id={id} size={FAN_PX} bar={0.06} of={places} /></span></li>)}
       </ul>
     </>
   );

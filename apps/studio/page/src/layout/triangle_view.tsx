@@ -12,7 +12,7 @@ const MARGIN = 9;
 const RADIUS = 2.4;
 /** Finer grids are not drawn. */
 const FINEST_DRAWN = 24;
-const LABELS: readonly Point[] = [[SIDE / 2, -4], [-4, HEIGHT + 4.5], [SIDE + 4, HEIGHT + 4.5]];
+const LABELS: readonly Point[] = [[SIDE / 2, -4.2], [-3.5, HEIGHT + 3.5], [SIDE + 3.5, HEIGHT + 3.5]];
 
 const line = (points: readonly Point[]): string => points.map(([x, y]) => `${x.toFixed(2)} ${y.toFixed(2)}`).join('L');
 
@@ -62,7 +62,7 @@ function NodeMark({ index, node, onDrag }: NodeProps) {
     <g class={`layout-node ${node.kind}${isSelected ? ' selected' : ''}${isTwin ? ' twin' : ''}`} data-node={index} tabIndex={0} role="button" aria-pressed={isSelected}
       aria-label={W.layouts.node(index, W.layouts.kinds[node.kind], node.exact.join(', '))} transform={`translate(${x.toFixed(3)} ${y.toFixed(3)})`}
       onPointerDown={(event) => onDrag(index, event)} onFocus={() => (selectedNode.value = index)} onKeyDown={keys}>
-      <circle class="layout-reach" r={3 * RADIUS} />
+      <circle class="layout-reach" r={2 * RADIUS} />
       <circle r={RADIUS} />
       <text y={0.9}>{index}</text>
     </g>

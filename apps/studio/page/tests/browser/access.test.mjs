@@ -87,4 +87,17 @@ for (const theme of ['light', 'dark']) {
     await page.waitForSelector('.example');
     assert.deepEqual(await findings(page), []);
   });
+
+  test(`nothing is found against the page of layouts, ${theme}`, async (t) => {
+    const { address } = await startStudio(t, '--layout', 'paper8');
+    const page = await openPage(t, address, { theme });
+    await page.waitForSelector('.layout-fans li');
+    await page.focus('[data-node="5"]');
+    assert.deepEqual(await findings(page), []);
+    await page.focus('#layout-name');
+    await page.fill('#layout-name', 'no name');
+    await page.keyboard.press('Enter');
+    await page.waitForSelector('#layout-trouble');
+    assert.deepEqual(await findings(page), []);
+  });
 }
