@@ -831,7 +831,7 @@ export const W = {
     all: 'All of them',
     some: (count: number) => `${counted(count, 'pattern')} drawn at random`,
     someOf: (count: number) => `${counted(count, 'pattern')} drawn from those found`,
-    none: 'No pattern is valid: every interface node needs a bar, all bars one piece, and angles of at least 15°.',
+    none: 'No pattern is valid. The command fretwork enumerate says which rules they break.',
     nodes: 'Nodes',
     exact: 'Barycentric: v0, v1, v2',
     unsaved: 'Replace it, and lose the changes?',

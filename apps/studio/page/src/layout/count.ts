@@ -2,7 +2,7 @@
 // How many valid patterns the drawn layout has. The program counts; a change of the layout ends the count before.
 
 import { batch, computed, effect, signal } from '@preact/signals';
-import { layoutFound } from '../document/store';
+import { hello, layoutFound } from '../document/store';
 import { ask } from '../document/studio';
 import type { Vector } from '../protocol/messages';
 import type { LayoutCount, LayoutFile } from '../protocol/requests';
@@ -30,9 +30,9 @@ async function count(layout: LayoutFile, places: readonly Vector[]): Promise<voi
   }
 }
 
-/** A name or a file changes no pattern. */
+/** A name or a file changes no pattern. When the line was cut, the count is begun again. */
 const shape = computed(() => draft.value && textOf({ ...draft.value.layout, name: '' }));
 effect(() => {
-  const now = shape.value && draft.peek();
+  const now = hello.value && shape.value && draft.peek();
   if (now) void count(now.layout, now.nodes.map(({ place }) => place));
 });

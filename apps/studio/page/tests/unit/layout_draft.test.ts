@@ -29,7 +29,7 @@ const served = {
 vi.mock('../../src/document/studio', () => ({ ask: (what: string, says: never) => served.ask(what, says), tryAsk: () => Promise.resolve(null) }));
 const store = await import('../../src/document/store');
 const { canRedo, canUndo, draft, isUnsaved, moveNode, openLayout, redo, removeNode, rename, selectedNode, trouble, undo } = await import('../../src/layout/draft');
-const { counted, foundNow, isCounting } = await import('../../src/layout/count');
+const { counted, countTrouble, foundNow, isCounting } = await import('../../src/layout/count');
 const { saveLayout } = await import('../../src/layout/save');
 
 const settled = (): Promise<void> => new Promise((done) => setTimeout(done, 0));
@@ -38,6 +38,8 @@ const moved = async (share: number, stroke: string): Promise<void> => {
   moveNode(1, [1 - share, share, 0], stroke);
   await settled();
 };
+
+store.hello.value = {} as NonNullable<typeof store.hello.value>;
 
 beforeEach(async () => {
   served.refuses = '';
@@ -106,6 +108,18 @@ it('the newest count is shown, whatever comes late', async () => {
   newest.done(1824);
   await settled();
   expect([isCounting.value, counted.value?.patterns]).toEqual([false, 1824]);
+});
+
+it('is counted again after the line was cut', async () => {
+  await moved(0.6, 'a');
+  counts.at(-1)?.fail('the line was cut');
+  await settled();
+  expect([isCounting.value, countTrouble.value]).toEqual([false, 'the line was cut']);
+  store.hello.value = { ...(store.hello.value as NonNullable<typeof store.hello.value>) };
+  expect(isCounting.value).toBe(true);
+  counts.at(-1)?.done(7);
+  await settled();
+  expect([countTrouble.value, counted.value?.patterns]).toEqual([null, 7]);
 });
 
 it('another name is counted as little as nothing', async () => {
