@@ -10,6 +10,7 @@
 #include <studio/document/pattern_list.hpp>
 #include <studio/files/folder_listing.hpp>
 #include <studio/files/new_document.hpp>
+#include <studio/files/saving.hpp>
 #include <studio/server/sent_file.hpp>
 #include <studio/server/words.hpp>
 #include <studio/studio_impl.hpp>

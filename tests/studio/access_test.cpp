@@ -45,6 +45,17 @@ TEST_F(StudioAccess, NothingIsThereWithoutTheToken) {
     }
 }
 
+TEST(StudioTarget, ATextComesBackFromAnAddress) {
+    std::string all;
+    for (int byte = 1; byte < 256; ++byte) all += static_cast<char>(byte);
+    for (const std::string& text : {all, std::string("/a b/\xc3\xa4&=?#+%.json"), std::string()}) {
+        const auto target = parse_target("/?layout=" + escaped(text) + "&page=layout");
+        ASSERT_TRUE(target);
+        EXPECT_EQ(target->value("layout"), text);
+        EXPECT_EQ(target->value("page"), "layout");
+    }
+}
+
 TEST_F(StudioAccess, HostsAndOriginsAreThisMachineWithAnyPort) {
     for (const char* host :
          {"127.0.0.1", "localhost", "[::1]", "localhost:1", "127.0.0.1:65535", "[::1]:80"}) {

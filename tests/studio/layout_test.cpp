@@ -156,6 +156,14 @@ TEST(LayoutByHand, AddedNodesLieWhereTheyAreWantedWithTheirTwins) {
     EXPECT_THAT(radial.layout.description().radial, testing::Contains(Rational(9, 10)));
 }
 
+TEST(LayoutByHand, AMirrorImageThatIsThereIsNotAddedAgain) {
+    const NodeLayout paper = find_node_layout("paper7");
+    const auto both = changed(paper, add(Region::Face, LayoutChange::Place{0.3, 0.25, 0.45}), {.steps = 20});
+    EXPECT_EQ(both.layout.description().face, find_node_layout("paper8").description().face);
+    const auto axis = changed(paper, add(Region::Face, LayoutChange::Place{0.2, 0.4, 0.4}), {.steps = 20});
+    EXPECT_EQ(axis.layout.description().face.size(), 2U) << "its own image";
+}
+
 TEST(LayoutByHand, WhatIsNoLayoutIsRefusedWithTheRule) {
     const NodeLayout paper = find_node_layout("paper7");
     const auto why = [&](const LayoutChange& change) -> std::string {

@@ -237,7 +237,7 @@ ChangedLayout with_face(const NodeLayout& before, const LayoutChange& change, co
     const ExactPlace place = change.to ? face_on_grid(*change.to, hand.steps) : most_room(before, hand);
     const std::size_t number = next.face.size();
     next.face.push_back(place);
-    if (hand.keeps_mirror && place != mirrored(place)) next.face.push_back(mirrored(place));
+    if (hand.keeps_mirror && !face_at(next, mirrored(place))) next.face.push_back(mirrored(place));
     NodeLayout layout(std::move(next));
     const LayoutNodeIndex node = node_of(layout, Region::Face, number);
     return {std::move(layout), node};
