@@ -73,6 +73,7 @@ void open_browser(std::string address) {
 
 /// A layout by its name, or the absolute path of its file, which the page asks for; "": the paper's.
 std::string layout_to_draw(const std::string& text) {
+    if (!text.empty()) (void)pattern::find_node_layout(text);  // the reason names it as it was typed
     const std::vector<std::string> shipped = pattern::layout_names();
     if (text.empty() || std::ranges::find(shipped, text) != shipped.end()) return text;
     return std::filesystem::absolute(text).lexically_normal().string();
