@@ -5,7 +5,7 @@ import { useRef } from 'preact/hooks';
 import type { LayoutNode } from '../protocol/requests';
 import type { Point } from '../protocol/messages';
 import { W } from '../words';
-import { addNode, draft, grid, moveNode, newStroke, selectedNode } from './draft';
+import { addNode, draft, grid, keepsMirror, moveNode, newStroke, selectedNode } from './draft';
 import { CORNERS, HEIGHT, kindAt, placeByKey, SIDE, toPlace, toPlane } from './triangle';
 
 const MARGIN = 9;
@@ -48,15 +48,23 @@ interface NodeProps {
   node: LayoutNode;
   onDrag: (index: number, event: PointerEvent) => void;
 }
+/** Whether a node goes where the selected one goes. */
+function goesAlong(index: number, { kind }: LayoutNode): boolean {
+  const selected = selectedNode.value === null ? null : draft.value?.nodes[selectedNode.value];
+  return (selected?.twins.includes(index) ?? false) && (kind !== 'face' || keepsMirror.value);
+}
+
 function NodeMark({ index, node, onDrag }: NodeProps) {
+  const stroke = useRef('');
   const [x, y] = toPlane(node.place);
   const isSelected = selectedNode.value === index;
-  const isTwin = selectedNode.value !== null && (draft.value?.nodes[selectedNode.value]?.twins.includes(index) ?? false);
+  const isTwin = goesAlong(index, node);
   const keys = (event: KeyboardEvent) => {
-    const to = placeByKey(node, event.key, grid.peek());
     if (!event.key.startsWith('Arrow')) return;
     event.preventDefault();
-    if (to) moveNode(index, to, newStroke());
+    if (!event.repeat) stroke.current = newStroke();
+    const to = placeByKey(node, event.key, grid.peek());
+    if (to) moveNode(index, to, stroke.current);
   };
   return (
     <g class={`layout-node ${node.kind}${isSelected ? ' selected' : ''}${isTwin ? ' twin' : ''}`} data-node={index} tabIndex={0} role="button" aria-pressed={isSelected}
