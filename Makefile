@@ -38,7 +38,7 @@ coverage:   ## the share of lines in framework/ that the tests run
 	@scripts/install-dependencies.sh check
 	@scripts/coverage.sh
 
-soak:       ## a night: pages against their commands, an hour of storm, the attack, fuzzing, packages built twice
+soak:       ## a night: pages against their commands, an hour of storm, the attack, fuzzing, random calls, packages built twice
 	@scripts/install-dependencies.sh check
 	@scripts/soak.sh
 

@@ -15,6 +15,13 @@ grep -q "project(fretwork VERSION $version " CMakeLists.txt || refuse "CMakeList
 grep -qx "version: $version" CITATION.cff || refuse "CITATION.cff names another version than $version"
 head -n 1 debian/changelog | grep -q "($version)" || refuse "debian/changelog begins with another version than $version"
 grep -q "^## \[$version\]" CHANGELOG.md || refuse "CHANGELOG.md has no section for $version"
+for page in README.md docs/start/install.md; do
+  grep -q "fretwork_${version}_amd64.deb" "$page" || refuse "$page names packages of another version than $version"
+done
+soname=${version%%.*} # from 1.0 on; before it MAJOR.MINOR: docs/reference/versions.md
+[[ $soname -gt 0 ]] || soname=${version%.*}
+grep -qx "Package: libfretwork$soname" debian/control || refuse "debian/control names the library's package for another version than $version"
+[[ -e debian/libfretwork$soname.install ]] || refuse "debian/libfretwork$soname.install is missing"
 
 scripts/install-dependencies.sh check
 reuse lint --quiet || refuse "there are files whose licence is not known: reuse lint names them"
