@@ -59,7 +59,7 @@ exports::Making read_making(const MakingChoice& choice, const simulation::Condit
     if (!choice.fit.empty()) {
         if (!making.bed)
             throw base::InputError(name("fit"), "",
-                                   "is for the joints of " + name("bed") + ", which is not given");
+                                   "is for the connectors of " + name("bed") + ", which is not given");
         making.bed->fit = read_length(name("fit"), choice.fit);
     }
     if (choice.bolts.empty()) {

@@ -183,6 +183,46 @@ def messages():
         put("studio-address", name, text)
 
 
+def frame(opcode, payload, mask=b"\1\2\3\4", last=True):
+    """One frame of a WebSocket, as a client sends it."""
+    size = len(payload)
+    head = bytes([opcode | (0x80 if last else 0), 0x80 | (size if size < 126 else 126)]) + (struct.pack(">H", size) if size >= 126 else b"")
+    return head + mask + bytes(byte ^ mask[i % 4] for i, byte in enumerate(payload))
+
+
+def wire():
+    """What a browser sends: requests, and a WebSocket's frames after its handshake. The token is that of the reader."""
+    get = "GET {} HTTP/1.1\r\nHost: 127.0.0.1:8080\r\n"
+    upgrade = get.format("/socket?token=token") + ("Origin: http://127.0.0.1:8080\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+                                                   "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n")
+    put("studio-wire", "page", get.format("/?token=token") + "\r\n")
+    put("studio-wire", "export", get.format("/export?token=token&to=a%20b.svg&scale=2") + "Accept: */*\r\n\r\n")
+    put("studio-wire", "with_body", get.format("/?token=token").replace("GET", "POST") + "Transfer-Encoding: chunked\r\n\r\n3\r\nabc\r\n0\r\n\r\n")
+    hello = json.dumps({"id": 1, "do": "hello", "protocol": 1}).encode()
+    put("studio-wire", "messages", (upgrade + "\r\n").encode() + frame(1, hello) + frame(9, b"ping") + frame(1, hello * 4) + frame(8, struct.pack(">H", 1000) + b"bye"))
+    put("studio-wire", "fragments", (upgrade + "Sec-WebSocket-Extensions: permessage-deflate\r\n\r\n").encode()
+        + frame(1, hello[:9], last=False) + frame(10, b"") + frame(0, hello[9:], mask=b"\0\0\0\0") + frame(1, "\u00e4".encode()) + frame(2, b"\0\xff"))
+
+
+def conversations():
+    """Messages of a page to a studio, a line for each. FOLDER is where its project lies; it has six tiles and one load case."""
+    load_case = {**LOAD_CASES["cantilever"], "loads": [{"side": "right", "force": [0, 0, -0.001]}]}
+    target = {"goals": [{"select": {"side": "right"}, "displacement": [None, None, "0.01"]}]}
+    talks = {
+        "edits": [{"do": "undo"}, {"do": "hello", "protocol": 1, "fields": ["stress", "N"]}, {"do": "paint", "tiles": [0, 3], "pattern": "0-6"}, {"do": "turn", "tiles": [1], "by": 2},
+                  {"do": "undo"}, {"do": "redo"}, {"do": "set_load_case", "index": 1, "load_case": load_case}, {"do": "select_load_case", "index": 0}, {"do": "remove_load_case", "index": 1},
+                  {"do": "set_model", "model": "condensed"}, {"do": "show", "fields": []}, {"do": "download"}],
+        "files": [{"do": "hello", "protocol": 1}, {"do": "paint", "tiles": [2], "pattern": "0-5+5-6"}, {"do": "save", "path": "FOLDER/other.json"}, {"do": "save"}, {"do": "folder", "endings": [".json"]},
+                  {"do": "open", "path": "FOLDER/project.json", "discard": True}, {"do": "save", "path": "FOLDER/other.json", "replaces": "0"}, {"do": "recoverable"}, {"do": "recover", "key": "0"},
+                  {"do": "forget", "key": "0"}, {"do": "upload", "name": "p.json", "text_base64": base64.b64encode(b'{"format": "fretwork/project/2"}').decode()}],
+        "jobs": [{"do": "hello", "protocol": 1}, {"do": "solve", "model": "full"}, {"do": "path", "steps": 2}, {"do": "modes", "count": 2}, {"do": "buckling", "count": 1},
+                 {"do": "compare", "model": "full"}, {"do": "cancel"}, {"do": "design", "target": target, "palette": "0-6,0-1+1-6", "solutions": 8, "seconds": 1}, {"do": "stop_design"}],
+        "tiles": [{"do": "hello", "protocol": 1}, {"do": "paint", "patterns": "field:(x-0.02)*20", "palette": "0-6,0-1+1-6", "dither": True}, {"do": "retile", "tile_size": 0.03, "angle": 0.2, "preview": True},
+                  {"do": "retile", "tile_size": 0.03, "angle": 0.2, "patterns": "0-6"}, {"do": "set_tile_model", "tiles": [0], "model": "full"}, {"do": "undo"}]}
+    for name, talk in talks.items():
+        put("studio-talk", name, "\n".join(json.dumps({"id": number, **message}) for number, message in enumerate(talk)))
+
+
 if __name__ == "__main__":
     PROGRAM = str(pathlib.Path(sys.argv[1]).resolve())
     for old in CORPORA.glob("*/*"):
@@ -193,5 +233,7 @@ if __name__ == "__main__":
     images()
     typed()
     messages()
+    wire()
+    conversations()
     with tempfile.TemporaryDirectory() as name:
         made_by_the_program(pathlib.Path(name))

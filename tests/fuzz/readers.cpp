@@ -36,7 +36,9 @@ constexpr Reader kReaders[] = {{"svg", read_svg},
                                {"studio-edit", read_edit},
                                {"studio-design", read_design_request},
                                {"studio-new", read_new_request},
-                               {"studio-address", read_web_target}};
+                               {"studio-address", read_web_target},
+                               {"studio-wire", read_wire},
+                               {"studio-talk", read_conversation}};
 
 }  // namespace
 

@@ -62,4 +62,8 @@ void read_design_request(std::string_view bytes);
 void read_new_request(std::string_view bytes);
 void read_web_target(std::string_view bytes);
 
+// server_readers.cpp: servers that run
+void read_wire(std::string_view bytes);
+void read_conversation(std::string_view bytes);
+
 }  // namespace fretwork::fuzz

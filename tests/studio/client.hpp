@@ -4,8 +4,6 @@
 
 #include <fretwork/base/internal/json_text.hpp>
 
-#include <gtest/gtest.h>
-
 #include <arpa/inet.h>
 #include <cstring>
 #include <netinet/in.h>
@@ -56,6 +54,8 @@ class Wire {
         if (socket_ >= 0) ::close(socket_);
         socket_ = -1;
     }
+    /// Nothing more is sent; what the server sends still comes.
+    void end() const { ::shutdown(socket_, SHUT_WR); }
     /// False if the server has closed the connection.
     bool send(std::string_view bytes) const {
         while (!bytes.empty()) {
@@ -190,7 +190,10 @@ class Client {
     }
     /// Messages that came unasked.
     void forget() { kept_.clear(); }
-    void hello() { ASSERT_TRUE(ask("hello", {{"protocol", 1}})["ok"].get<bool>()); }
+    void hello() {
+        const Json answer = ask("hello", {{"protocol", 1}});
+        if (!answer["ok"].get<bool>()) throw std::runtime_error("no hello: " + answer.dump());
+    }
 
   private:
     Message next() {

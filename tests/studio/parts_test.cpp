@@ -65,6 +65,20 @@ Edited random_edit(const State& state, std::mt19937& random) {
     return *edited(state, "paint", json);
 }
 
+TEST(StudioMessage, BytesThatAreNoTextDoNotKeepItFromBeingSent) {
+    const Part part = json_part({{"event", "failed"}, {"error", "'\xb0' is no pattern"}});
+    EXPECT_EQ(base::Json::parse(*part.bytes)["error"], "'\xef\xbf\xbd' is no pattern");
+}
+
+TEST(StudioBackground, AFailureIsOneLineWhateverItQuotes) {
+    Background thread;
+    std::promise<std::string> failure;
+    thread.add(
+        {.work = [](const base::Control&) { throw base::InputError("lib.db", "", "'\xb0\n' is no pattern"); },
+         .failed = [&failure](const std::string& error) { failure.set_value(error); }});
+    EXPECT_EQ(failure.get_future().get(), "lib.db: '\\xb0\\x0a' is no pattern");
+}
+
 TEST(StudioHistory, MemoryStaysBoundedUnderRandomEdits) {
     const History::Limits limits{.steps = 400, .bytes = 1'000'000};
     History history(first_state(), limits);

@@ -70,7 +70,7 @@ Designs::Designs(HttpServer& server, Pages& pages, std::function<void(const Desi
     : server_(server), pages_(pages), take_(std::move(take)) {}
 
 void Designs::show(const Json& event) {
-    last_ = {{text_part(event.dump())}};
+    last_ = {{json_part(event)}};
     pages_.broadcast(last_);
 }
 

@@ -64,9 +64,9 @@ void Background::work(const Job& job, const std::stop_token& stop) {
     } catch (const base::Stopped&) {
         job.failed(kCancelled);
     } catch (const base::Error& error) {
-        job.failed(in_words(error));
+        job.failed(one_line(in_words(error)));
     } catch (const std::filesystem::filesystem_error& error) {
-        job.failed(in_words(error));
+        job.failed(one_line(in_words(error)));
     } catch (const std::bad_alloc&) {
         job.failed("out of memory");
     }

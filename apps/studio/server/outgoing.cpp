@@ -16,6 +16,10 @@ Part text_part(std::string text) {
     return {Part::Kind::Text, std::make_shared<const std::string>(std::move(text))};
 }
 
+Part json_part(const base::Json& json) {
+    return text_part(json.dump(-1, ' ', false, base::Json::error_handler_t::replace));
+}
+
 Part binary_part(std::string bytes) {
     return {Part::Kind::Binary, std::make_shared<const std::string>(std::move(bytes))};
 }

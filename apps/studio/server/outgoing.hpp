@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/internal/json_text.hpp>
+
 #include <deque>
 #include <memory>
 #include <string>
@@ -16,6 +18,9 @@ struct Part {
     std::shared_ptr<const std::string> bytes;
 };
 Part text_part(std::string text);
+/// An event or an answer. Bytes that are not UTF-8, as an error may quote them from a file, are replaced: no
+/// text of a stranger can keep a message from being sent.
+Part json_part(const base::Json& json);
 Part binary_part(std::string bytes);
 
 /// Parts that are sent together and in this order.

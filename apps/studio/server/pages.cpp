@@ -12,12 +12,8 @@ using base::Json;
 
 namespace {
 
-std::string compact_text(const Json& json) {
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 Outgoing message_of(const Json& json) {
-    return {{text_part(compact_text(json))}};
+    return {{json_part(json)}};
 }
 
 }  // namespace

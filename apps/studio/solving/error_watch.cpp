@@ -68,7 +68,7 @@ void ErrorWatch::look_at(const SolvedPtr& solved) {
 
 void ErrorWatch::report(const Situation& of, const Json& event) {
     if (!(looked_at_ == of) || !(of == now_())) return;
-    report_ = {{text_part(event.dump())}};
+    report_ = {{json_part(event)}};
     pages_.broadcast(report_);
 }
 

@@ -127,7 +127,7 @@ void LiveSolver::answer(const Attempt& attempt) {
     } catch (const base::Stopped&) {
         return;  // newer input is there
     } catch (const base::Error& error) {
-        listener_.failed(attempt.input, in_words(error));
+        listener_.failed(attempt.input, one_line(in_words(error)));
     } catch (const std::bad_alloc&) {
         listener_.failed(attempt.input, "out of memory");
     }

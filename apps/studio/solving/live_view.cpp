@@ -55,7 +55,7 @@ Outgoing solved_message(const SolvedSurface& solved, const BeamFields& fields, c
     std::string positions = solution_message(solved.state, {solved.revision, solved.beams_revision}, fields);
     if (solved.stage == Stage::FirstIterate) event["provisional"] = true;
     if (!more.is_null()) event.update(more);
-    return {{text_part(event.dump()), binary_part(std::move(positions))}, more.is_null() ? "solution" : ""};
+    return {{json_part(event), binary_part(std::move(positions))}, more.is_null() ? "solution" : ""};
 }
 
 void LiveView::begin(std::int64_t first_revision) {
@@ -88,7 +88,7 @@ void LiveView::take_failure(const SolverInput& input, const std::string& error) 
                         {"revision", input.revision},
                         {"model", *input.situation.state->model},
                         {"error", error}};
-    failure_message_ = {{text_part(event.dump())}, "solution"};
+    failure_message_ = {{json_part(event)}, "solution"};
     pages_.broadcast(failure_message_);
     last_failure_ = {input.situation, error};
 }

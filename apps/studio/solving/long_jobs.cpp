@@ -99,7 +99,7 @@ LongWork modes_work(simulation::ModeKind kind, int count) {
                             {"revision", job.input.revision},
                             {"kind", kind == simulation::ModeKind::Buckling ? "buckling" : "vibration"},
                             {"values", values}};
-        Outgoing message{{text_part(event.dump())}};
+        Outgoing message{{json_part(event)}};
         for (const mechanics::Mode& mode : modes)
             message.parts.push_back(
                 binary_part(motion_message(mode.shape, {job.input.revision, job.beams.revision})));
@@ -125,7 +125,7 @@ LongWork compare_work(SolvedPtr live) {
         const Eigen::MatrixXf error =
             (state.nodes - live->state.nodes).leftCols<3>().rowwise().norm().cast<float>();
         std::string positions = motion_message(state.nodes, {job.input.revision, job.beams.revision}, error);
-        return {{{text_part(event.dump()), binary_part(std::move(positions))}}};
+        return {{{json_part(event), binary_part(std::move(positions))}}};
     };
 }
 

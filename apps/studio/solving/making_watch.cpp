@@ -41,7 +41,7 @@ void MakingWatch::look_at(const Document& document) {
 
 void MakingWatch::report(const StatePtr& state, const base::Json& event) {
     if (looked_at_ != state || !is_made_alike(*state, *now_())) return;
-    report_ = {{text_part(event.dump())}};
+    report_ = {{json_part(event)}};
     pages_.broadcast(report_);
 }
 
