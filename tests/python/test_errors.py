@@ -59,6 +59,30 @@ class Errors(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "threads takes int, and not 'many'"):
             fw.enumerate_patterns(fw.paper_layout(), threads="many")
 
+    def test_a_keyword_of_another_type_is_a_type_error(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with self.assertRaisesRegex(TypeError, "another type than the docstring says"):
+                fw.export(support.surface(), pathlib.Path(folder) / "x.svg", labels=3)
+
+    def test_what_a_passed_function_answers_has_a_type(self):
+        fickle = fw.Filter("fickle", lambda pattern: "perhaps")
+        with self.assertRaisesRegex(TypeError, "another type than the docstring says"):
+            fw.judge(fw.paper_layout(), [fickle], fw.Pattern([0]))
+
+    def test_bytes_that_are_no_text_are_shown_by_their_numbers(self):
+        with tempfile.TemporaryDirectory() as folder:
+            strange = pathlib.Path(folder) / "strange\n.json"
+            strange.write_bytes(b'{"format": "fretwork/frame/1", "\xb0": 1}')
+            with self.assertRaises(fw.InputError) as caught:
+                fw.read_frame(strange)
+        for text in (str(caught.exception), caught.exception.source):
+            self.assertNotIn("\n", text)
+            self.assertIn("strange\\x0a.json", text)
+
+    def test_no_outlines_have_no_size(self):
+        with self.assertRaisesRegex(fw.InputError, "no outline"):
+            fw.size_text([])
+
     def test_a_pattern_of_another_layout_is_refused(self):
         other = fw.find_node_layout("fifths12")
         beyond = fw.Pattern([len(other.candidate_edges) - 1])

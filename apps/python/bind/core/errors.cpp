@@ -3,6 +3,7 @@
 
 #include <fretwork/base/control.hpp>
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
 
 namespace fretwork::python {
 namespace {
@@ -30,10 +31,21 @@ PyObject* make_class(py::module_& module, const char* name, const py::tuple& bas
     return made;
 }
 
+/// A text that may quote a stranger's file, whose bytes need not be UTF-8, as one line.
+py::str line(const std::string& text) {
+    return base::printable(text);
+}
+
 py::tuple places_of(const base::ErrorData& data) {
     py::list places;
-    for (const auto& [source, place] : data.where) places.append(py::make_tuple(source, place));
+    for (const auto& [source, place] : data.where) places.append(py::make_tuple(line(source), line(place)));
     return py::tuple(places);
+}
+
+py::tuple facts_of(const base::ErrorData& data) {
+    py::list facts;
+    for (const std::string& fact : data.about) facts.append(line(fact));
+    return py::tuple(facts);
 }
 
 /// The innermost source and place that are not empty.
@@ -47,14 +59,14 @@ std::pair<std::string, std::string> innermost(const base::ErrorData& data) {
 }
 
 void raise(PyObject* type, const base::Error& error) {
-    const py::object raised = py::handle(type)(error.what());
+    const py::object raised = py::handle(type)(line(error.what()));
     const auto [source, place] = innermost(error.data());
-    raised.attr("problem") = error.data().problem;
+    raised.attr("problem") = line(error.data().problem);
     raised.attr("kind") = error.data().kind;
-    raised.attr("source") = source;
-    raised.attr("place") = place;
+    raised.attr("source") = line(source);
+    raised.attr("place") = line(place);
     raised.attr("where") = places_of(error.data());
-    raised.attr("about") = py::tuple(py::cast(error.data().about));
+    raised.attr("about") = facts_of(error.data());
     PyErr_SetObject(type, raised.ptr());
 }
 
@@ -73,6 +85,11 @@ void translate(std::exception_ptr thrown) {
         raise(exceptions().stopped, error);
     } catch (const base::Error& error) {
         raise(exceptions().error, error);
+    } catch (const py::cast_error&) {
+        // What pybind11 says of it is for who writes bindings.
+        PyErr_SetString(PyExc_TypeError,
+                        "a keyword, or the answer of a function that was passed, has another type than the "
+                        "docstring says");
     }
 }
 

@@ -37,8 +37,12 @@ void bind_outline_files(py::module_& m) {
     m.def("take_parts", &take_parts, "file"_a, "which"_a, "'largest', 'all', or a number from 1.");
     m.def("scaled_to_width", &scaled_to_width, "file"_a, "width"_a, "All parts by one factor; m.");
     m.def(
-        "size_text", [](const std::vector<Outline>& parts) { return size_text(parts); }, "parts"_a,
-        "Width and height of some outlines together, for people.");
+        "size_text",
+        [](const std::vector<Outline>& parts) {
+            if (parts.empty()) throw base::InputError("parts has no outline, and so no size");
+            return size_text(parts);
+        },
+        "parts"_a, "Width and height of some outlines together, for people.");
     Record<MeshFile>(m, "MeshFile", "The content of a mesh file.")
         .constant("points", &MeshFile::points, "n x 3 floats")
         .constant("faces", &MeshFile::faces, "lists of at least three indices into points")
