@@ -1,8 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tables of the page, from the rows. Usage: analyse.py ROWS.csv   (exit code 1 if a result that is far off is silent)"""
-import csv
+import pathlib
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
+from csv_tables import print_table, read_rows  # noqa: E402
 
 FAR = 0.05  # of the largest displacement, at the worst node
 GROUPS = {"corotational": ["corotational"], "mixed:0.05": ["mixed:0.05"], "mixed:0.1": ["mixed:0.1"], "condensed": ["condensed"],
@@ -11,13 +14,6 @@ GROUPS = {"corotational": ["corotational"], "mixed:0.05": ["mixed:0.05"], "mixed
 
 def number(row, name):
     return float(row[name]) if row[name] else None
-
-
-def table(header, lines):
-    print("| " + " | ".join(header) + " |\n|" + "---|" * len(header))
-    for line in lines:
-        print("| " + " | ".join(str(cell) for cell in line) + " |")
-    print()
 
 
 def is_far(row):
@@ -33,7 +29,7 @@ def print_warnings(rows):
         told = [r for r in near if r["warned"] == "1"]
         lines.append([name, len(known), len(far), sum(r["warned"] == "1" for r in far), sum(r["warned"] == "0" for r in far), len(near),
                       len(told), f"{100 * min((float(r['largest']) for r in told), default=0):.2g} %"])
-    table(["model", "compared", "more than 5 % off", "of these warned", "silent", "within 5 %", "of these warned", "the least error of these"], lines)
+    print_table(["model", "compared", "more than 5 % off", "of these warned", "silent", "within 5 %", "of these warned", "the least error of these"], lines)
 
 
 def print_unknown(rows):
@@ -44,7 +40,7 @@ def print_unknown(rows):
         stuck = [r for r in of if r["full"] == "converged" and r["reached"] != "converged"]
         alone = [r for r in of if r["full"] != "converged" and r["reached"] == "converged"]
         lines.append([name, len(stuck), len(alone), sum(r["warned"] == "1" for r in alone)])
-    table(["model", "the reduced one ends before, and says so", "the full one ends before", "of these warned"], lines)
+    print_table(["model", "the reduced one ends before, and says so", "the full one ends before", "of these warned"], lines)
 
 
 ESTIMATED = ("corotational", "mixed:0.05", "mixed:0.1", "corotational in stages")
@@ -61,7 +57,7 @@ def print_estimates(rows):
             if ratios:
                 lines.append([model, len(ratios), f"{ratios[len(ratios) // 2]:.2f}", f"{ratios[0]:.2f} to {ratios[-1]:.2f}",
                               sum(ratio < 0.7 for ratio in ratios), sum(ratio > 1.3 for ratio in ratios)])
-        table(["model", "estimates", "median", "all", "below 0.7", "above 1.3"], lines)
+        print_table(["model", "estimates", "median", "all", "below 0.7", "above 1.3"], lines)
 
 
 AIMS = {"mean": 0.015, "largest": 0.035}
@@ -81,7 +77,7 @@ def print_aims(rows):
         beyond = [r for r in own if any(float(r[key]) > aim for key, aim in AIMS.items())]
         lines.append([kind, len(own), *(f"{100 * max((float(r[key]) for r in own), default=0):.2g} %" for key in AIMS), len(beyond),
                       sum(is_named(r) for r in beyond)])
-    table(["kind", "compared", "largest mean error", "largest error of a node", "beyond", "of these named"], lines)
+    print_table(["kind", "compared", "largest mean error", "largest error of a node", "beyond", "of these named"], lines)
 
 
 def is_within_span(row):
@@ -99,7 +95,7 @@ def print_doubts(rows):
             inside = [r for r in rows if r["model"] == model and r["largest"] and low < float(r["largest"]) <= high]
             cells.append(f"{sum(r['doubtful'] == 'True' for r in inside)} of {len(inside)}")
         lines.append(cells)
-    table(["model", "to 0.1 %", "0.1 to 1 %", "1 to 3 %", "3 to 5 %", "above 5 %"], lines)
+    print_table(["model", "to 0.1 %", "0.1 to 1 %", "1 to 3 %", "3 to 5 %", "above 5 %"], lines)
     far = [r for r in rows if r["model"] == "corotational" and is_far(r)]
     print(f"Least turn in a tile where corotational tiles are more than 5 % off: {min(float(r['tile_rotation']) for r in far):.3f} rad\n")
 
@@ -111,11 +107,11 @@ def print_cost(rows):
         ratios = sorted(float(r["command_seconds"]) / float(r["seconds"]) for r in rows if r["model"] == model and r["estimate"])
         if ratios:
             lines.append([model, len(ratios), f"{ratios[len(ratios) // 2]:.1f}", f"{ratios[int(0.9 * len(ratios))]:.1f}"])
-    table(["model", "estimates", "median", "nine of ten below"], lines)
+    print_table(["model", "estimates", "median", "nine of ten below"], lines)
 
 
 def main():
-    rows = list(csv.DictReader(open(sys.argv[1])))
+    rows = read_rows(sys.argv[1])
     print_warnings(rows)
     print_unknown(rows)
     print_estimates(rows)

@@ -13,15 +13,9 @@ import scipy.stats
 import figure
 import loads
 import study
+from csv_tables import print_table
 
 NAMES = {"centreline": "centrelines", "sheared": "with shear", "stiff": "stiff joints", "stiff_sheared": "both"}
-
-
-def table(header, lines):
-    print("| " + " | ".join(header) + " |\n|" + "---|" * len(header))
-    for line in lines:
-        print("| " + " | ".join(line) + " |")
-    print()
 
 
 def spread(values):
@@ -47,7 +41,7 @@ def print_stiffer(widths):
         for width, rows in widths.items():
             found = ratios(rows, model)
             lines.append([NAMES[model], f"{width:g}", str(len(rows)), *(spread(column) for column in found.T)])
-    table(["beams", "bars, mm", "patterns", *loads.LOADS], lines)
+    print_table(["beams", "bars, mm", "patterns", *loads.LOADS], lines)
 
 
 def print_errors(widths):
@@ -58,7 +52,7 @@ def print_errors(widths):
             held_out = [row for row in rows if row["pattern"] in loads.halves(rows)[1]]
             found = np.abs(np.log(ratios(held_out, model))).mean(axis=0)
             lines.append([NAMES[model], f"{width:g}", *(f"{100 * value:.1f} %" for value in found)])
-    table(["beams", "bars, mm", *loads.LOADS], lines)
+    print_table(["beams", "bars, mm", *loads.LOADS], lines)
 
 
 def predictors(row):
@@ -89,7 +83,7 @@ def print_correlations(widths):
             known = [predictors(row)[name] for row in rows]
             cells += [f"{scipy.stats.spearmanr(known, column).statistic:+.2f}" for column in found.T]
         lines.append(cells)
-    table(["of the pattern", *(f"{load}, 2 mm" for load in loads.LOADS), *(f"{load}, all" for load in loads.LOADS)], lines)
+    print_table(["of the pattern", *(f"{load}, 2 mm" for load in loads.LOADS), *(f"{load}, all" for load in loads.LOADS)], lines)
 
 
 def print_regression(widths):
@@ -108,7 +102,7 @@ def print_regression(widths):
         share = 1 - np.var(left[~chosen, i]) / np.var(wanted[~chosen, i])
         lines.append([load, *(f"{value:+.2f}" for value in coefficients[:, i]), f"{share:.2f}",
                       f"{100 * np.abs(left[~chosen, i]).mean():.1f} %"])
-    table(["load", "a", "b", "c", "d", "explained, held out", "mean error left, held out"], lines)
+    print_table(["load", "a", "b", "c", "d", "explained, held out", "mean error left, held out"], lines)
 
 
 def print_extremes(rows):
@@ -118,7 +112,7 @@ def print_extremes(rows):
     for i, load in enumerate(loads.LOADS):
         for place in (np.argmax(found[:, i]), np.argmin(found[:, i])):
             lines.append([load, f"`{rows[place]['pattern']}`", f"{found[place, i]:.2f}"])
-    table(["load", "pattern", "solid / centrelines"], lines)
+    print_table(["load", "pattern", "solid / centrelines"], lines)
 
 
 def other_meshes(rows):
@@ -141,7 +135,7 @@ def print_meshes(rows):
                           for row, twin in pairs])
         cells = [f"{np.median(c):.4f} ({c.min():.4f} to {c.max():.4f})" for c in found.T]
         lines.append([f"{mesh:g} w", f"{mesh * corner:g} w", f"{layers:g}", f"{fillet:g}", str(len(pairs)), *cells])
-    table(["triangles", "in corners", "layers", "fillet, mm", "rows", *loads.LOADS], lines)
+    print_table(["triangles", "in corners", "layers", "fillet, mm", "rows", *loads.LOADS], lines)
 
 
 def main():

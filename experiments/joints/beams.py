@@ -22,7 +22,7 @@ def main():
             found = study.properties(out / library)
             for row in of_width:
                 row |= {f"{model}_{name}": found[row["pattern"]][name] for name in study.TENSORS}
-    study.write_rows(out / "rows.csv", rows)
+    study.write_rows(out / "rows.csv", rows, 7)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What both sides of the comparison share: patterns, bars, and how the program is asked."""
-import csv
 import json
 import math
 import pathlib
@@ -8,6 +7,7 @@ import sqlite3
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
+from csv_tables import read_rows, write_rows  # noqa: E402, F401
 from program import Fretwork  # noqa: E402, F401
 
 LAYOUT = "paper8"
@@ -57,15 +57,3 @@ def properties(path):
         for pattern, name, value in database.execute("select pattern_id, name, value from property"):
             found.setdefault(pattern, {})[name] = value
     return found
-
-
-def read_rows(path):
-    with open(path, newline="") as file:
-        return list(csv.DictReader(file))
-
-
-def write_rows(path, rows):
-    with open(path, "w", newline="") as file:
-        writer = csv.DictWriter(file, rows[0], lineterminator="\n")
-        writer.writeheader()
-        writer.writerows({key: f"{value:.7g}" if isinstance(value, float) else value for key, value in row.items()} for row in rows)

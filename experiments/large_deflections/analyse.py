@@ -4,13 +4,13 @@
 
 Usage: analyse.py ROWS.csv FIGURE.svg
 """
-import csv
 import math
 import statistics
 import sys
 
-import figure
+import figure  # also finds the folder common
 import surfaces
+from csv_tables import percent, print_table, read_rows, with_numbers
 
 MODELS = ("condensed", "corotational", "mixed:0.05", "mixed:0.1", "mixed:0.3")
 TELLING = 1e-3  # errors of the mean below a tenth of a percent are of no interest to an estimate
@@ -19,26 +19,6 @@ TELLING = 1e-3  # errors of the mean below a tenth of a percent are of no intere
 def quantile(values, share):
     ordered = sorted(values)
     return ordered[min(len(ordered) - 1, math.ceil(share * len(ordered)) - 1)] if ordered else math.nan
-
-
-def read(path):
-    rows = []
-    for row in csv.DictReader(open(path)):
-        numbers = {key: float(value) for key, value in row.items() if key not in ("kind", "shape", "note") and value}
-        rows.append({**row, **numbers})
-    return rows
-
-
-def table(header, lines):
-    print("| " + " | ".join(header) + " |")
-    print("|" + "---|" * len(header))
-    for line in lines:
-        print("| " + " | ".join(line) + " |")
-    print()
-
-
-def percent(value):
-    return f"{100 * value:.2g}" if value < 0.1 else f"{100 * value:.0f}"
 
 
 def group_table(rows):
@@ -56,7 +36,7 @@ def group_table(rows):
             cells.append(f"{percent(statistics.median(means))}; {percent(quantile(means, 0.9))}; {percent(max(means))} / "
                          f"{percent(max(largest))}")
         lines.append(cells)
-    table(["load (surfaces)", "deflection, % of the span", *MODELS], lines)
+    print_table(["load (surfaces)", "deflection, % of the span", *MODELS], lines)
 
 
 def time_table(rows):
@@ -66,7 +46,7 @@ def time_table(rows):
         lines.append([model.replace("_", ", "), f"{1e3 * statistics.median(row[f'{model}_s'] for row in rows):.0f}",
                       f"{statistics.median(ratios):.1f}", f"{quantile(ratios, 0.9):.1f}", f"{max(ratios):.0f}"])
     ratios = [row["full_s"] / row["full_linear_s"] for row in rows]
-    table(["model", "median ms", "times condensed: median", "90 % below", "most"], lines)
+    print_table(["model", "median ms", "times condensed: median", "90 % below", "most"], lines)
     print(f"`full` takes {statistics.median(ratios):.1f} times its own linear solution in the median; 90 % below {quantile(ratios, 0.9):.1f}; "
           f"most {max(ratios):.0f}.\n")
 
@@ -89,11 +69,11 @@ def estimate_table(rows):
                       f"{100 * sum(0.7 <= r <= 1.3 for r in ratios) / len(ratios):.0f} %",
                       f"{100 * len(small) / len(ratios):.0f} %",
                       f"{max(row[truth] - row[key] for row in own) * 100:.2g} %"])
-    table(["estimate / truth (surfaces)", "median", "all", "0.7 to 1.3", "below 0.7", "most that is missing"], lines)
+    print_table(["estimate / truth (surfaces)", "median", "all", "0.7 to 1.3", "below 0.7", "most that is missing"], lines)
 
 
 def main():
-    rows = read(sys.argv[1])
+    rows = with_numbers(read_rows(sys.argv[1]), "kind", "shape", "note")
     failed = [row for row in rows if row["note"]]
     rows = [row for row in rows if not row["note"]]
     print(f"{len(rows)} surfaces of {rows and int(min(r['tiles'] for r in rows))} to {int(max(r['tiles'] for r in rows))} tiles; "

@@ -4,7 +4,6 @@
 
 Usage: analyse.py ROWS.csv FIGURE.svg
 """
-import csv
 import pathlib
 import random
 import statistics
@@ -12,17 +11,11 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
 from chart import Axis, grid, percent, text  # noqa: E402
+from csv_tables import read_rows, with_numbers  # noqa: E402
 
 LOADS = ("tension", "shear", "bending", "twist", "bent")
 WIDTH, HEIGHT, LEFT, TOP, BOTTOM = 620, 400, 90, 20, 60
 COLOURS = {"bending": "#0072b2", "shear": "#d55e00"}
-
-
-def read(path):
-    rows = []
-    for row in csv.DictReader(open(path)):
-        rows.append({key: float(value) if key not in ("pattern", "variant") else value for key, value in row.items()})
-    return rows
 
 
 def ranks(values):
@@ -106,7 +99,7 @@ def figure(rows):
 
 
 def main():
-    rows = read(sys.argv[1])
+    rows = with_numbers(read_rows(sys.argv[1]), "pattern", "variant")
     print(f"{len({row['pattern'] for row in rows})} patterns.\n")
     correlation_table(rows)
     variant_table(rows)

@@ -1,17 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The tables of README.md from the rows. Usage: tables.py ROWS.csv"""
-import csv
+import pathlib
 import statistics
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
+from csv_tables import percent, print_table, read_rows  # noqa: E402
 
 WAYS = ("linear", "large_beams", "held_tiles", "loaded_tiles", "sprung_softly", "sprung", "sprung_stiffly")
 FAR = 0.1  # rad: the limits between the groups, of the largest turn in a tile
 FARTHER = 0.3
-
-
-def percent(value):
-    return f"{100 * value:.2g}" if value < 0.1 else f"{100 * value:.0f}"
 
 
 def summary(rows, way):
@@ -26,17 +25,14 @@ def summary(rows, way):
 
 
 def main():
-    rows = list(csv.DictReader(open(sys.argv[1])))
+    rows = read_rows(sys.argv[1])
     groups = [(f"to {FAR} rad", [r for r in rows if float(r["tile_rotation"]) <= FAR]),
               (f"{FAR} to {FARTHER} rad", [r for r in rows if FAR < float(r["tile_rotation"]) <= FARTHER]),
               (f"beyond {FARTHER} rad", [r for r in rows if float(r["tile_rotation"]) > FARTHER])]
     for name, own in groups:
         print(f"Largest turn in a tile {name}: {len(own)} surfaces\n")
-        print("| way | largest stress: median; most, % | better than linear | all beams: median; most, % | better than linear | failed |")
-        print("|---|---|---|---|---|---|")
-        for way in WAYS:
-            print("| " + " | ".join(map(str, summary(own, way))) + " |")
-        print()
+        print_table(["way", "largest stress: median; most, %", "better than linear", "all beams: median; most, %", "better than linear", "failed"],
+                    [summary(own, way) for way in WAYS])
     differ = [row for row in rows if row["built_in_rms"] != row["linear_rms"]]
     print(f"`fretwork beams` differs from linear on {len(differ)} surfaces.")
     held = max(float(row["held_from_full_rms"]) for row in rows)

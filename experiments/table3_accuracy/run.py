@@ -14,12 +14,14 @@ import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
+from csv_tables import write_rows  # noqa: E402
 from program import Fretwork  # noqa: E402
 
 CASES = {"A": "bridge", "B": "example_b", "C": "example_c"}
 PAINTINGS = (1, 2, 3)
 MOST_TRIALS = 12
-NOT_CONVERGED = 1  # the exit code; what was found is told all the same
+NOT_CONVERGED = 1  # the exit code; results are printed all the same
+DIGITS = 6  # of the numbers in the tables
 MODELS = ("paper6", "condensed", "corotational", "mixed:0.05", "full linear")
 HERE = pathlib.Path(__file__).resolve().parent
 
@@ -94,13 +96,6 @@ def relaxation_seconds(fretwork, example):
             "iterations": told["iterations"], "converged": told["converged"]}
 
 
-def write(path, rows):
-    with path.open("w", newline="") as file:
-        writer = csv.DictWriter(file, rows[0], lineterminator="\n")
-        writer.writeheader()
-        writer.writerows({k: f"{v:.6g}" if isinstance(v, float) else v for k, v in row.items()} for row in rows)
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program", type=pathlib.Path)
@@ -110,10 +105,10 @@ def main():
     options.out.mkdir(parents=True, exist_ok=True)
     fretwork = Fretwork(options.program.resolve(), options.out)
     fill_library(fretwork)
-    write(options.out / "table3.csv", [row for example in CASES for painting in PAINTINGS
-                                       for row in rows_of(fretwork, example, painting)])
+    rows = [row for example in CASES for painting in PAINTINGS for row in rows_of(fretwork, example, painting)]
+    write_rows(options.out / "table3.csv", rows, DIGITS)
     if options.relaxation:
-        write(options.out / "relaxation.csv", [relaxation_seconds(fretwork, example) for example in CASES])
+        write_rows(options.out / "relaxation.csv", [relaxation_seconds(fretwork, example) for example in CASES], DIGITS)
 
 
 if __name__ == "__main__":

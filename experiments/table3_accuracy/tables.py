@@ -4,11 +4,13 @@
 
 Usage: tables.py TABLE3.csv [--page]
 """
-import csv
 import pathlib
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "common"))
+from csv_tables import read_rows  # noqa: E402
+
 MODELS = ("paper6", "condensed", "full linear", "corotational", "mixed:0.05")
 SECONDS = ("full_model_seconds", "full_model_minutes", "reduced_model_seconds", "reduced_model_milliseconds")
 PAPERS_MODEL = "paper6"
@@ -19,10 +21,7 @@ NUMBERS = {*SECONDS, *(column for columns in QUANTITIES.values() for column in c
 
 
 def read(path):
-    rows = []
-    for row in csv.DictReader(open(path)):
-        rows.append({key: float(value) if key in NUMBERS else value for key, value in row.items()})
-    return rows
+    return [{key: float(value) if key in NUMBERS else value for key, value in row.items()} for row in read_rows(path)]
 
 
 def share(row, quantity):

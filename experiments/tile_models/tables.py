@@ -1,22 +1,19 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The table of README.md from the CSV files of tile_models. Usage: tables.py FOLDER"""
-import csv
 import pathlib
 import statistics
 import sys
 from collections import defaultdict
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
+from csv_tables import read_rows  # noqa: E402
 
 # Columns of surfaces: heading, kinds of load, wanted deflection as a share of the span.
 WEIGHT, COMPRESSION, IN_PLANE = ("cantilever", "bridge"), ("compression",), ("shear", "tension")
 COLUMNS = [(f"weight, {name} %", WEIGHT, share) for name, share in ((5, 0.05), (15, 0.15), (40, 0.4), (60, 0.6))]
 COLUMNS += [(f"compression, {name} %", COMPRESSION, share) for name, share in ((5, 0.05), (15, 0.15), (40, 0.4), (60, 0.6))]
 COLUMNS += [(f"in plane, {name} %", IN_PLANE, share) for name, share in ((1, 0.01), (3, 0.03))]
-
-
-def read(path):
-    with path.open() as file:
-        return list(csv.DictReader(file))
 
 
 def percent(values):
@@ -39,9 +36,9 @@ def fit_cells(rows):
 def main():
     folder = pathlib.Path(sys.argv[1])
     fits, errors, ratios, seconds = (defaultdict(list) for _ in range(4))
-    for row in read(folder / "scenarios.csv"):
+    for row in read_rows(folder / "scenarios.csv"):
         fits[row["model"]].append(row)
-    surfaces = read(folder / "surfaces.csv")
+    surfaces = read_rows(folder / "surfaces.csv")
     case = lambda row: (row["surface"], row["wanted"])
     condensed = {case(row): float(row["seconds"]) for row in surfaces if row["model"] == "condensed"}
     without = defaultdict(int)
