@@ -8,7 +8,7 @@
 namespace fretwork::geometry {
 namespace {
 
-/// Below this angle (squared) the closed forms lose digits and the series are exact to rounding.
+/// The square of the angle below which the closed forms lose digits and the series are exact to rounding.
 constexpr double kSmallSquare = 0.04;
 
 /// The coefficients of T = I + first [v] + second [v]^2 at |v|^2 = x, and their derivatives by x.
@@ -99,7 +99,7 @@ LogarithmWithMap logarithm_with_map(const Eigen::Quaterniond& rotation) {
     const Eigen::Vector3d v = logarithm(rotation);
     const double x = v.squaredNorm();
     if (x < kSmallSquare) return {v, inverse_map_of(v, series_of_second(x))};
-    // The half angle's tangent is that of the quaternion's parts.
+    // The vector part of the quaternion over its scalar part is the tangent of the half angle.
     const double ratio = rotation.vec().dot(v) / rotation.vec().squaredNorm();
     return {v, inverse_map_of(v, (1.0 - 0.5 * ratio * rotation.w()) / x)};
 }

@@ -76,7 +76,8 @@ class Filling {
   private:
     static constexpr auto kProgressPause = std::chrono::milliseconds(100);
 
-    /// Once storing has failed, further results are dropped.
+    /// A guard that makes the threads drop further results when the calling thread leaves, such as after
+    /// storing has failed.
     struct Abandonment {
         std::atomic<bool>& flag;
         ~Abandonment() { flag = true; }
@@ -93,7 +94,7 @@ class Filling {
         more_.notify_one();
     }
 
-    /// Returns how many patterns have been finished so far.
+    /// Wait for further results. Returns the number of patterns finished so far.
     std::size_t wait_for_more() {
         std::unique_lock lock(finished_mutex_);
         more_.wait_for(lock, kProgressPause);
@@ -123,7 +124,7 @@ class Filling {
         last_store_ = Clock::now();
     }
 
-    /// Empty if the work was stopped meanwhile.
+    /// The outcome of a task; empty if the work was stopped meanwhile.
     [[nodiscard]] std::optional<Outcome> compute(const Task& task) {
         Outcome outcome{{task.entry.id, {}, {}, {}}};
         std::vector<reduction::Response> stored;
@@ -174,7 +175,8 @@ class Filling {
 
     Library& library_;
     const FillOptions& options_;
-    reduction::CalibrationOptions calibration_options_;  ///< of one pattern: stopped with all of them
+    /// Options for one pattern; a stop of the whole call stops it.
+    reduction::CalibrationOptions calibration_options_;
     const reduction::TileModel& model_;
     CalibrationKey key_;
     std::vector<Task> tasks_;

@@ -51,15 +51,15 @@ Initialized initialize(Database& database, const pattern::NodeLayout& layout,
     return Initialized::Yes;
 }
 
-/// If several processes find an empty file, one makes the tables.
+/// Make the tables in an empty file. If several processes find the file empty, one of them makes the tables.
 void fill_if_empty(const std::filesystem::path& path, const pattern::NodeLayout& layout,
                    const reduction::Setting& setting) {
     Database database(path, Database::Mode::Write);
     if (detail::is_empty(database)) (void)initialize(database, layout, setting);
 }
 
-/// Make a file in the place of the draft, and move it to its own. False if the file has appeared meanwhile,
-/// which is then untouched.
+/// Make a draft of the file, and move it to the path. False, without a change, if a file exists at the path
+/// by now.
 template <class Make>
 bool make_file(const std::filesystem::path& path, Make&& make) {
     const detail::Draft draft(path);
@@ -134,8 +134,8 @@ Library Library::open(const std::filesystem::path& path, Access access) {
 Library Library::open_or_create(const std::filesystem::path& path, const pattern::NodeLayout& layout,
                                 const reduction::Setting& setting, std::span<const pattern::Pattern> patterns,
                                 const base::Control& control) {
-    // A process that was killed while it made the file has left an empty one; and another one may make it
-    // at the same time.
+    // The file may be empty, because a process was killed while it made the file. Another process may also
+    // make the file at the same time.
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored)) {
         (void)make_file(path, [&](const auto& draft) {

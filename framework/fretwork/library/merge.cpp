@@ -27,14 +27,14 @@ std::string columns_agree(const std::vector<std::string_view>& columns) {
     return base::join(terms, " AND ");
 }
 
-/// A table of the input that is attached as `other`.
+/// The rows of a table in the input that is attached as `other`.
 std::string other_table(const Database& output, const Table& table) {
     const bool is_lacking =
         table.name == "calibration_parameter" && detail::schema_version(output, "other") == 3;
     return is_lacking ? "(" + detail::schema3_parameters("other") + ")" : "other." + std::string(table.name);
 }
 
-/// Refuse rows of `other` that have a key in common with the output's and differ in a value.
+/// Refuse rows of `other` that have the same key as a row of the output but differ in a value.
 void check_agreement(const Database& output, const Table& table, const std::filesystem::path& input) {
     std::vector<std::string> keys;
     for (const std::string_view key : table.keys) keys.push_back("a." + std::string(key));
@@ -68,7 +68,7 @@ void copy_provenance(Database& output) {
         "name, value FROM other.provenance");
 }
 
-/// Drop failures for which another input has the result.
+/// Delete recorded failures of computations whose result another input has.
 void drop_settled_failures(Database& output) {
     output.execute(
         "DELETE FROM failure WHERE stage = 'responses' AND pattern_id IN (SELECT pattern_id FROM "
@@ -86,7 +86,8 @@ void attach_and_copy(Database& output, const std::filesystem::path& input) {
     {
         Transaction transaction(output, Transaction::Kind::Write);
         for (const Table& table : detail::content_tables()) {
-            if (table.name != "setting") check_agreement(output, table, input);  // common_setting() has
+            // Checked by common_setting().
+            if (table.name != "setting") check_agreement(output, table, input);
             copy_rows(output, table);
         }
         copy_provenance(output);
@@ -95,7 +96,7 @@ void attach_and_copy(Database& output, const std::filesystem::path& input) {
     output.execute("DETACH other");
 }
 
-/// The output is new and sound, so what SQLite says of the two is about the input.
+/// Add the rows of one input. The output is new and sound, so any error of SQLite is blamed on the input.
 void add_input(Database& output, const std::filesystem::path& input) {
     try {
         attach_and_copy(output, input);
@@ -119,7 +120,7 @@ void merge_into(const std::filesystem::path& path, std::span<const std::filesyst
     transaction.commit();
 }
 
-/// A library without a strength gets that of the others.
+/// Set the strength from another library, if the setting has none.
 void adopt_strength(reduction::Setting& setting, const Library& other) {
     const auto strength = other.setting().strength;
     if (!strength) return;
@@ -132,13 +133,14 @@ void adopt_strength(reduction::Setting& setting, const Library& other) {
     setting.strength = strength;
 }
 
-/// Layouts and settings must be the same; a strength may be given by some only.
+/// The setting of all libraries. Layouts and settings must be equal, but some libraries may lack the
+/// strength.
 reduction::Setting common_setting(const Library& first, std::span<const std::filesystem::path> others) {
     reduction::Setting setting = first.setting();
     (void)first.patterns();
     for (const auto& input : others) {
         const Library other = Library::open(input);
-        (void)other.patterns();  // a damaged id is found before anything is written, and its file named
+        (void)other.patterns();  // finds a damaged id, and names its file, before anything is written
         other.check_layout(first.layout());
         other.check_setting(first.setting());
         adopt_strength(setting, other);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which patterns a library has, and how much of each.
+// Queries about the patterns of a library and the data stored for each.
 #include <fretwork/library/detail/library_impl.hpp>
 #include <fretwork/library/library.hpp>
 #include <fretwork/reduction/stratified_sample.hpp>
@@ -19,7 +19,8 @@ constexpr const char* kCountSamples =
     "FROM response_state ";
 constexpr const char* kCountCalibrations =
     "SELECT pattern_id, count(*), min(objective) AS objective FROM calibration ";
-/// Patterns without a certain calibration; its key is to be bound, and the stages of its failures.
+/// The query of the patterns without a certain calibration. The key of the calibration and the names of the
+/// failed computations are bound to it.
 constexpr const char* kWithoutCalibration =
     "SELECT id FROM pattern "
     "WHERE NOT EXISTS (SELECT 1 FROM calibration WHERE pattern_id = id AND model = ? "
@@ -61,7 +62,7 @@ PatternSummary named(PatternSummary summary, const pattern::NamedPattern& entry)
     return summary;
 }
 
-/// How many patterns there are of each number of edges.
+/// For each number of edges, the number of patterns.
 std::map<int, std::size_t> edge_counts(const Database& database) {
     std::map<int, std::size_t> counts;
     Statement rows(database, "SELECT edges, count(*) FROM pattern GROUP BY edges");
@@ -83,7 +84,7 @@ std::vector<pattern::NamedPattern> Library::patterns() const {
 std::vector<pattern::NamedPattern> Library::sample(std::size_t size) const {
     const Transaction snapshot(impl_->database, Transaction::Kind::Read);
     const std::map<int, std::size_t> counts = edge_counts(impl_->database);
-    std::vector<int> strata;  // of patterns(), whose order begins with the number of edges
+    std::vector<int> strata;  // strata of patterns(), which are sorted by the number of edges first
     for (const auto& [edges, count] : counts) strata.insert(strata.end(), count, edges);
     const std::vector<std::size_t> chosen = reduction::stratified_sample(strata, size);
     std::vector<pattern::NamedPattern> entries;

@@ -18,7 +18,7 @@ using detail::Database;
 using detail::Statement;
 using detail::Transaction;
 
-/// Columns of the search: the id and the mirror image, then the numbers.
+/// The table that a search reads: the columns are the id, the mirror image and the numbers.
 std::string searched() {
     return "WITH found AS (SELECT b.pattern_id, b.mirror, p.edges, c.objective, b.mass_per_area, "
            "b.membrane_stiffness, b.membrane_shear, b.membrane_poisson, b.membrane_anisotropy, "
@@ -30,8 +30,8 @@ std::string searched() {
            "AS c ON c.pattern_id = p.id) ";
 }
 
-/// Lets what people type read the searched columns, and do nothing else: no other table, no change of the
-/// file, no function that reads files.
+/// The authorizer of expressions from users. It permits reading the searched columns, and forbids everything
+/// else: other tables, changes of the file, and functions that read files.
 int allow_search(void*, int action, const char* first, const char* second, const char*, const char*) {
     constexpr std::array<std::string_view, 5> kTables = {"pattern", "property", "calibration", "found", ""};
     if (action == SQLITE_SELECT) return SQLITE_OK;
@@ -42,11 +42,11 @@ int allow_search(void*, int action, const char* first, const char* second, const
     return SQLITE_DENY;
 }
 
-/// Longest text that an expression may make.
+/// The length of the longest text that an expression may make.
 constexpr int kLongestValue = 1'000'000;
 
-/// While it lives, statements are prepared for searches alone, and a word in double quotes is a column. It
-/// allows no transaction to begin.
+/// Restricts a database to searches as long as this object exists: statements are checked by allow_search(), a
+/// word in double quotes is always a column, and no transaction can begin.
 class SearchOnly {
   public:
     explicit SearchOnly(const Database& database) : handle_(database.handle()) {
@@ -74,7 +74,7 @@ class SearchOnly {
                            "'" + base::printable(expression) + "' is no expression of the columns" + problem);
 }
 
-/// Throws InputError that names the expression, if it is none, and the place in it.
+/// Check an expression. Throws InputError that names the invalid expression and the place of the error in it.
 void check_expression(const Database& database, const char* name, const std::string& expression) {
     for (const std::string_view mark :
          {std::string_view("\0", 1), std::string_view(";"), std::string_view("/*")}) {
@@ -118,7 +118,7 @@ FoundPatterns Library::find(const PatternQuery& query) const {
     sql += " ORDER BY ";
     if (!query.sort.empty()) {
         check_expression(impl_->database, "sort", query.sort);
-        // A bare number would be the place of a column.
+        // SQL takes a bare number as the number of a column.
         sql += "CASE WHEN 1 THEN (" + query.sort + "\n) END" + (query.descending ? " DESC" : " ASC") +
                " NULLS LAST, ";
     }

@@ -12,7 +12,7 @@ namespace {
 using elements::BeamElement;
 
 /// The releases at each end of a beam. If both ends release the torsion (or the axial force), the beam
-/// transmits none of it; one release says the same and leaves the beam without a free motion.
+/// transmits none of it; so a single release is kept, because two releases would let the beam move freely.
 std::array<DofSet, 2> released_dofs(const Beam& beam) {
     std::array<DofSet, 2> free;
     for (const Release& release : beam.releases) {
@@ -86,7 +86,7 @@ class Assembler {
         }
     }
 
-    /// The hinge's node at each end; an invalid index where the end is rigid.
+    /// The node of the hinge at each end; an invalid index for an end without a hinge.
     using Hinges = std::array<NodeIndex, 2>;
 
     Hinges add_element(std::unique_ptr<const BeamElement> element, const std::array<DofSet, 2>& free) {
@@ -106,8 +106,7 @@ class Assembler {
         return hinges;
     }
 
-    /// Half of the weight goes to each end; with it the moments by which the ends of a clamped beam resist
-    /// it.
+    /// Add a beam's weight: half of it at each end, with the moments that a beam clamped at both ends exerts.
     void add_weight(const BeamElement::Geometry& geometry, const Beam& beam, const Hinges& hinges) {
         const Eigen::Vector3d line_load = beam.material.density * beam.section.area * frame_.gravity;
         const double l = geometry.length;
@@ -121,8 +120,9 @@ class Assembler {
         }
     }
 
-    /// Loads on a beam's end also do work along the hinge's motions: so a released moment goes through the
-    /// beam to its other end, and not to the frame's node. These motions are in the beam's axes.
+    /// Add a load on a beam's end to the hinge, whose motions the load also does work along. In this way, a
+    /// released moment acts through the beam on its other end, and not on the frame's node. The hinge's
+    /// motions are in the beam's axes.
     void add_to_hinge(NodeIndex hinge, const Eigen::Matrix3d& axes, const NodeLoad& load) {
         load_of(hinge).head<3>() += axes.transpose() * load.head<3>();
         load_of(hinge).tail<3>() += axes.transpose() * load.tail<3>();

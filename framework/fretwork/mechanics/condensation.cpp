@@ -9,8 +9,8 @@
 namespace fretwork::mechanics {
 namespace {
 
-/// Limit for a dense front. With more unknowns, sparse elimination is faster (bench/mechanics_bench:
-/// condense_by).
+/// The largest number of unknowns for dense elimination. With more unknowns, sparse elimination is faster
+/// (bench/mechanics_bench: condense_by).
 constexpr std::ptrdiff_t kFewEquations = 144;
 
 bool is_small(const Assembly& assembly, std::span<const NodeIndex> kept) {

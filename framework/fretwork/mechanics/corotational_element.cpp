@@ -10,11 +10,12 @@
 namespace fretwork::mechanics {
 namespace {
 
-/// The weight of rotations against displacements, per squared distance of the nodes from their mean. Without
-/// rotations the frame of a slender tile, whose nodes lie nearly in a line, is ill defined.
+/// The weight of rotations relative to displacements, per squared distance of the nodes from their mean.
+/// Without rotations, the corotating axes of a slender tile, whose nodes lie nearly on a line, would be ill
+/// defined.
 constexpr double kRotationShare = 0.1;
 
-/// Rounding of a condensed stiffness, as a share of its entries.
+/// The rounding of a condensed stiffness, as a share of its entries.
 constexpr double kRigidForce = 1e-6;
 
 void require_size(const char* name, const Eigen::MatrixXd& matrix, Eigen::Index nodes) {
@@ -25,7 +26,8 @@ void require_size(const char* name, const Eigen::MatrixXd& matrix, Eigen::Index 
                            std::to_string(matrix.rows()) + " x " + std::to_string(matrix.cols()));
 }
 
-/// The six rigid motions of the nodes. Turns are per their radius, so that all columns are of one size.
+/// The six rigid motions of the nodes. Rotations are divided by the radius, so that all columns have the same
+/// size.
 Eigen::MatrixXd rigid_motions(const Eigen::Matrix3Xd& arms, double radius) {
     Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(kDofsPerNode * arms.cols(), 6);
     for (Eigen::Index i = 0; i < arms.cols(); ++i) {

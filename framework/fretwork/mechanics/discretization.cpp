@@ -10,12 +10,12 @@
 namespace fretwork::mechanics {
 namespace {
 
-/// The share of the difference to a solution with other divisions that is a solution's own error, with order
-/// two: 1 / (1 - 2^-2) to one with twice, 1 / (2^2 - 1) to one with half the divisions.
+/// A solution's error, as a share of its difference from a solution with other divisions, with order two: 1 /
+/// (1 - 2^-2) if the other solution has twice the divisions, 1 / (2^2 - 1) if it has half of them.
 constexpr double kErrorFromFiner = 4.0 / 3.0;
 constexpr double kErrorFromCoarser = 1.0 / 3.0;
 
-/// Solutions that differ by more than this share are on different branches of a path that has buckled, or too
+/// The relative difference above which two solutions lie on different branches of a buckled path, or are too
 /// coarse for an estimate.
 constexpr double kSameBranch = 0.5;
 
@@ -30,8 +30,9 @@ double extent(const Frame& frame) {
     return box.isEmpty() ? 0.0 : box.diagonal().norm();
 }
 
-/// `length`: over which a displacement counts as a rotation, so that where next to nothing turns, as in a
-/// truss, rounding is not taken for an error.
+/// The error estimated from two solutions.
+/// @param length  length over which a displacement counts as a rotation, so that rounding is not taken for an
+/// error in structures such as trusses, whose nodes hardly turn
 DiscretizationError error_between(const Solution& solution, const Solution& other, double error_of_difference,
                                   double length) {
     DiscretizationError error;

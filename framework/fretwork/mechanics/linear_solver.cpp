@@ -16,31 +16,31 @@ namespace {
 using structure::FactorizedStructure;
 using structure::Subsystem;
 
-/// A solution is refined until its residual is below this, up to this number of times, and while each
-/// refinement at least halves it.
+/// A solution is refined until its residual is below kGoodResidual, but at most kMostRefinements times, and
+/// only as long as each refinement at least halves the residual.
 constexpr double kGoodResidual = 1e-9;
 constexpr int kMostRefinements = 3;
 
-/// The largest residual that rounding of the displacements explains: this times the forces that cancel at the
-/// nodes.
+/// The largest residual that rounding of the displacements explains, as a share of the forces that cancel at
+/// the nodes.
 constexpr double kRoundingShare = 8.0 * std::numeric_limits<double>::epsilon();
-/// ... and beyond this, of what no load acts on, that no force acts at all.
+/// The share from which rounding explains all forces, in a structure without loads.
 constexpr double kRigidShare = 0.1;
-/// Reactions are off by about the residual: with a larger residual the solution has none.
+/// The largest residual of a converged solution. The error of the reactions is about the residual.
 constexpr double kLargestResidual = 1e-4;
 
-/// One subsystem of a solve at hand.
+/// One subsystem in a solution.
 struct Part {
     const Subsystem* system;
     Eigen::VectorXd displacements{};
-    Eigen::VectorXd unbalanced{};  ///< loads less internal forces
+    Eigen::VectorXd unbalanced{};  ///< loads minus internal forces
 };
 
-/// How far a solve has come.
+/// An iterate of a solution.
 struct Iterate {
     std::vector<Part> parts;
     NodeValues displacements;
-    NodeValues unbalanced{};  ///< loads less internal forces; at held dofs the negative reactions
+    NodeValues unbalanced{};  ///< loads minus internal forces; the negative reactions at held dofs
     double residual = std::numeric_limits<double>::infinity();
 };
 
@@ -56,7 +56,7 @@ class LinearSolver::Impl {
 
     [[nodiscard]] Solution solve(const NodeValues& loads, const base::Control& control) const {
         Solution solution;
-        // The first refinement gives back the accuracy that corrected factors cost.
+        // The first refinement restores the accuracy that corrected factors lose.
         const int least_refinements = structure_.corrected_elements() > 0 ? 1 : 0;
         Iterate best = refined(start(loads), loads, control);
         bool helps = true;
@@ -99,8 +99,8 @@ class LinearSolver::Impl {
     }
 
   private:
-    /// Call body for each of the systems, or what belongs to one. They share no equation, so the result is
-    /// that of one thread.
+    /// Call body for each entry of a list with one entry for each system. Systems share no equation, so the
+    /// result does not depend on the number of threads.
     template <class List, class Body>
     void for_each(List&& list, const Body& body) const {
         constexpr int kManyEquations = 3000;
@@ -110,7 +110,7 @@ class LinearSolver::Impl {
                            [&](std::size_t i) { body(list[i]); });
     }
 
-    /// For each equation the row of its dof in a column of 6 rows a node.
+    /// For each equation, the row of its dof in a column with 6 rows for each node.
     [[nodiscard]] std::vector<int> rows_of(const Subsystem& system) const {
         std::vector<int> rows(static_cast<std::size_t>(system.layout().equations()));
         for (int node = 0; node < static_cast<int>(structure_.assembly().nodes.size()); ++node) {
@@ -122,7 +122,7 @@ class LinearSolver::Impl {
         return rows;
     }
 
-    /// All free dofs at rest, the held ones where they are to be.
+    /// The first iterate: free dofs at rest, held dofs at their values.
     [[nodiscard]] Iterate start(const NodeValues& loads) const {
         Iterate iterate;
         iterate.displacements = structure_.constraints().values;
@@ -135,11 +135,12 @@ class LinearSolver::Impl {
         return iterate;
     }
 
-    /// Displacements that meet what was out of balance, and what is then.
+    /// The next iterate, corrected for the unbalanced forces of the last one.
     [[nodiscard]] Iterate refined(Iterate iterate, const NodeValues& loads,
                                   const base::Control& control) const {
         for_each(iterate.parts, [&](Part& part) {
-            if (part.unbalanced.isZero(0.0)) return;  // loaded in its plane only, or across it
+            // The structure is loaded only in its plane, or only across it.
+            if (part.unbalanced.isZero(0.0)) return;
             part.system->solve(part.unbalanced, control);
             part.displacements += part.unbalanced;
             part.system->layout().scatter(part.displacements, iterate.displacements);
@@ -150,7 +151,7 @@ class LinearSolver::Impl {
         return iterate;
     }
 
-    /// Compute the loads less the internal forces.
+    /// Compute the loads minus the internal forces.
     void balance(Iterate& iterate, const NodeValues& loads) const {
         iterate.unbalanced = loads;
         NodeValues& forces = iterate.unbalanced;
@@ -172,7 +173,7 @@ class LinearSolver::Impl {
         return structure_.constraints().held[node].contains[dof];
     }
 
-    /// At the held dofs the negative of what is out of balance; zero at the others.
+    /// The reactions: the negative unbalanced forces at held dofs, zero at free dofs.
     [[nodiscard]] NodeValues reactions_of(const NodeValues& unbalanced) const {
         NodeValues reactions = NodeValues::Zero(unbalanced.rows(), kDofsPerNode);
         for (int node = 0; node < static_cast<int>(unbalanced.rows()); ++node) {
@@ -183,7 +184,8 @@ class LinearSolver::Impl {
         return reactions;
     }
 
-    /// The out-of-balance forces of the free dofs; those of the held ones are the reactions.
+    /// The norm of the unbalanced forces at free dofs, over the norm of loads and reactions (the unbalanced
+    /// forces at held dofs).
     [[nodiscard]] double relative_residual(const NodeValues& loads, const NodeValues& unbalanced) const {
         double free = 0.0;
         double held = 0.0;
@@ -197,7 +199,7 @@ class LinearSolver::Impl {
         return scale > 0 ? std::sqrt(free) / scale : 0.0;
     }
 
-    /// The forces that cancel at the free dofs, |K| |d| + |F|, relative to what a residual is relative to.
+    /// The forces that cancel at the free dofs, |K| |d| + |F|, relative to the scale of the residual.
     [[nodiscard]] double relative_cancellation(const NodeValues& loads, const Iterate& iterate,
                                                double scale) const {
         NodeValues forces = loads.cwiseAbs();
@@ -221,7 +223,7 @@ class LinearSolver::Impl {
         const double scale =
             structure::force_norm(loads, length_) + structure::force_norm(solution.reactions, length_);
         const double rounding = kRoundingShare * relative_cancellation(loads, iterate, scale);
-        // Supports that move a structure as a rigid body load it with nothing: all forces are rounding.
+        // Supports that move a structure as a rigid body cause no forces, so all forces are rounding.
         if (loads.isZero(0.0) && rounding >= kRigidShare) {
             solution.residual = 0.0;
             return;

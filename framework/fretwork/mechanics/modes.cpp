@@ -18,7 +18,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// With its sign.
+/// The entry with the largest absolute value, with its sign.
 double largest_entry(const Eigen::Ref<const MatrixXd>& values) {
     Eigen::Index row = 0;
     Eigen::Index column = 0;
@@ -26,7 +26,7 @@ double largest_entry(const Eigen::Ref<const MatrixXd>& values) {
     return values(row, column);
 }
 
-/// The factor of the stiffness of a structure at rest, which must not be a mechanism.
+/// The factors of the stiffness of a structure at rest. Throws NumericalError for a mechanism.
 sparse::Ldlt factorize_at_rest(const nonlinear::NonlinearSystem& system, const base::Control& control) {
     sparse::Ldlt factors(system.unknowns().layout(), 1, control);
     const auto outcome = factors.factorize(system.tangent(), control);
@@ -72,7 +72,7 @@ std::vector<double> mass_values(const nonlinear::NonlinearSystem& system, const 
     return values;
 }
 
-/// The displacements of an element's nodes, one below the other.
+/// The displacements of an element's nodes as one column.
 VectorXd element_displacements(const Element& element, const NodeValues& displacements) {
     const auto nodes = element.nodes();
     VectorXd own(static_cast<Eigen::Index>(nodes.size()) * kDofsPerNode);
@@ -82,8 +82,8 @@ VectorXd element_displacements(const Element& element, const NodeValues& displac
     return own;
 }
 
-/// Whether supports move the structure as a rigid body: all forces are what rounding leaves of terms that
-/// cancel. Displacements by a factorization leave some ten units of it.
+/// True if supports move the structure as a rigid body, so that all forces are rounding of terms that cancel.
+/// Displacements by a factorization leave about ten units of rounding.
 bool is_moved_rigidly(const Assembly& assembly, const NodeValues& displacements) {
     constexpr double kRounding = 1e3 * std::numeric_limits<double>::epsilon();
     if (!assembly.loads.isZero(0.0)) return false;
@@ -99,7 +99,7 @@ bool is_moved_rigidly(const Assembly& assembly, const NodeValues& displacements)
     return std::sqrt(forces) <= kRounding * std::sqrt(terms);
 }
 
-/// Minus the geometric stiffness of linear displacements.
+/// The negative geometric stiffness of linear displacements.
 std::vector<double> softening(const nonlinear::NonlinearSystem& system, const NodeValues& displacements,
                               const base::Control& control) {
     const Assembly& assembly = system.unknowns().assembly();

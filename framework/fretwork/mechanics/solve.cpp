@@ -14,8 +14,8 @@
 namespace fretwork::mechanics {
 namespace {
 
-/// Equilibria on the way to the full load where none are asked for: enough that the path is followed and not
-/// jumped from.
+/// The number of equilibria on the way to the full load if the options ask for none: enough to follow the
+/// path without a jump.
 constexpr int kDefaultSteps = 10;
 
 constexpr std::pair<Solver, std::string_view> kSolvers[] = {
@@ -42,7 +42,7 @@ std::vector<double> load_factors(const SolveOptions& options) {
     return even_load_factors(options.steps.value_or(kDefaultSteps));
 }
 
-/// The solutions of the path, or the only one.
+/// The solutions of the path, or the only solution.
 std::vector<Solution> equilibria(const Assembly& assembly, const SolveOptions& options) {
     switch (options.solver) {
         case Solver::Linear:
@@ -76,7 +76,8 @@ void add_modes(const Assembly& assembly, const SolveOptions& options, Result& re
         result.buckling_modes = buckling_modes(assembly, options.buckling_modes, modes);
 }
 
-/// The result so far, with all solutions of a path that was begun then.
+/// The result of a path of solutions.
+/// @param start  the time at which the path was begun
 Result result_of(const Assembly& assembly, Solver solver, std::vector<Solution> path,
                  Clock::time_point start) {
     Result result;

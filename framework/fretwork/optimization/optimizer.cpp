@@ -30,7 +30,8 @@ std::string_view ending_name(Ending ending) {
     return "unknown";
 }
 
-/// More is a slip, and would take all memory before the budget ends it.
+/// The largest number of starts. A larger number is a slip, and would fill the memory before the budget ends
+/// the search.
 constexpr int kMostStarts = 100'000;
 
 void OptimizerOptions::validate() const {

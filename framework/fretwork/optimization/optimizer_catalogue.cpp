@@ -33,27 +33,27 @@ Made ceres_residuals(CeresResidualsOptions options, Options common) {
     return make_ceres_residuals(options);
 }
 
-/// The stages of ceres-multistart's continuation, so that the two differ in what Ceres sees, not in the
-/// stages.
+/// The smoothing of ceres-multistart's continuation stages. With equal stages, the two methods differ only in
+/// the model that Ceres gets.
 std::vector<double> stages() {
     return ContinuationOptions{}.smoothing;
 }
 
-/// Descents by a method of NLopt, or repetitions of one that draws.
+/// Descents by a method of NLopt, or repetitions of a method that draws at random.
 template <nlopt_algorithm kMethod>
 Made nlopt_runs(Options common) {
     return detail::make_nlopt_runs(kMethod, {.common = common});
 }
 
-/// The same by a method whose steps follow gradients: it sees the objective compressed, since that of a
-/// calibration falls from 1e10 to 1.
+/// Descents by a method of NLopt whose steps follow gradients. The method gets the compressed objective,
+/// because the objective of a calibration falls from 1e10 to 1.
 template <nlopt_algorithm kMethod>
 Made nlopt_descents(Options common) {
     return detail::make_nlopt_runs(kMethod, {.common = common, .scale = detail::ObjectiveScale::Compressed});
 }
 
-/// One search of the whole box by a method of NLopt that ends by patience. It descends by `kLocal`, if any,
-/// which follows gradients.
+/// One search of the whole box by a method of NLopt that ends by patience. If `kLocal` is given, the method
+/// descends by `kLocal`, which follows gradients.
 template <nlopt_algorithm kMethod, nlopt_algorithm... kLocal>
 Made nlopt_search(Options common) {
     std::optional<nlopt_algorithm> local;

@@ -14,7 +14,7 @@ double generalized_golden_ratio(int dimension) {
     return ratio;
 }
 
-/// Apart from the streams of the methods, which count from zero.
+/// The random stream of the shift, far from the streams of the methods, which count from zero.
 constexpr std::uint64_t kShiftStream = 0x5A3D'1E70'0000'0000U;
 
 }  // namespace

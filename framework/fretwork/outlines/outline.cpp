@@ -20,7 +20,7 @@ using geometry::Polygon;
 
 enum class Orientation { Counterclockwise, Clockwise };
 
-/// The first point stays the first. A simple polygon's area is zero by rounding only.
+/// Orient a polygon and keep its first point. The area of a simple polygon can be zero only by rounding.
 void orient(Polygon& polygon, Orientation wanted) {
     const bool is_counterclockwise = geometry::signed_area(polygon) > 0;
     if (is_counterclockwise != (wanted == Orientation::Counterclockwise))

@@ -31,8 +31,8 @@ std::string text(const ExactPoint& point) {
 /// A side of the outline, for messages and tests.
 struct Side {
     std::size_t loop;
-    std::size_t index;  // of its first point
-    std::size_t count;  // sides of its loop
+    std::size_t index;  // index of its first point
+    std::size_t count;  // number of sides of its loop
     ExactPoint from;
     ExactPoint to;
 
@@ -75,7 +75,7 @@ std::optional<std::string> flaw_of_points(const std::vector<Polygon>& loops) {
     return std::nullopt;
 }
 
-/// True if two sides have a point in common that they should not have.
+/// True if two sides have a point in common, other than the common end of neighbouring sides.
 bool clash(const Side& a, const Side& b) {
     const auto folds_back = [](const Side& first, const Side& second) {
         return CGAL::collinear(first.from, first.to, second.to) &&
@@ -86,7 +86,7 @@ bool clash(const Side& a, const Side& b) {
     return CGAL::do_intersect(Kernel::Segment_2(a.from, a.to), Kernel::Segment_2(b.from, b.to));
 }
 
-/// Call found(a, b) for each pair of sides that clash. Pairs whose boxes meet are tested, exactly.
+/// Call found(a, b) for each pair of sides that clash. Pairs whose boxes meet are tested exactly.
 template <class Found>
 void for_each_clash(const std::vector<Side>& sides, const base::Control& control, const Found& found) {
     using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 2, const Side*>;
@@ -128,8 +128,8 @@ std::vector<geometry::Box> boxes_of_holes(const std::vector<Polygon>& loops) {
     return boxes;
 }
 
-/// Which loop lies in which, of loops whose sides do not meet: one point of a hole speaks for all of it.
-/// Drawings have thousands of holes, so only those whose boxes meet are compared.
+/// The nesting of loops whose sides do not meet, so one point of a hole decides for the whole hole. Drawings
+/// have thousands of holes, so only loops whose boxes meet are compared.
 class Nesting {
   public:
     explicit Nesting(const std::vector<Polygon>& loops)
@@ -138,7 +138,7 @@ class Nesting {
     [[nodiscard]] bool is_in_boundary(std::size_t hole) const {
         return is_inside(loops_[hole].front(), boundary_);
     }
-    /// The first other hole around a hole.
+    /// The first hole that contains another given hole.
     [[nodiscard]] std::optional<std::size_t> hole_around(std::size_t hole) const {
         const Point2 point = loops_[hole].front();
         for (const std::size_t near : holes_.meeting({point.x, point.y, point.x, point.y})) {

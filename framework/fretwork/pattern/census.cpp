@@ -11,7 +11,7 @@ namespace {
 
 using detail::Word64;
 
-/// For each number of edges, how many graphs break each rule, and none.
+/// For each number of edges, the number of graphs that break each rule, and the number that break none.
 struct Tally {
     Tally(std::size_t edge_count, std::size_t filter_count)
         : rejected(edge_count + 1, std::vector<std::uint64_t>(filter_count)), valid(edge_count + 1) {}

@@ -53,7 +53,7 @@ class FanBuilder {
         fan_.nodes.push_back(node);
     }
 
-    /// One node of the fan may be seen from several sectors; this is its one name.
+    /// The unique name of a node of the fan, which may belong to several sectors.
     [[nodiscard]] Fan::Node canonical(LayoutNodeIndex node, int sector) const {
         switch (layout_.nodes()[node].region) {
             case Region::Center:

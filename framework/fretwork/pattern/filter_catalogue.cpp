@@ -52,7 +52,7 @@ FilterChoice with_value(const FilterKind& kind, std::string_view text) {
                            "' was given");
 }
 
-/// The choice for each row of the catalogue, or none.
+/// The choice for each row of the catalogue; null without a choice.
 std::vector<const FilterChoice*> choices_by_row(std::span<const FilterChoice> choices) {
     std::vector<const FilterChoice*> by_row(std::size(kCatalogue), nullptr);
     for (const FilterChoice& choice : choices) {

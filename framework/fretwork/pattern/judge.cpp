@@ -15,7 +15,7 @@ std::string edge_name(const NodeLayout& layout, EdgeIndex edge) {
     return pattern_id(layout, Pattern(bits));
 }
 
-/// Which candidate edges certain beams of a fan are copies of.
+/// The candidate edges whose copies are the given beams of a fan.
 std::vector<EdgeIndex> edges_of_beams(const NodeLayout& layout, const Pattern& pattern,
                                       const std::set<std::array<FanNodeIndex, 2>>& beams, const Fan& fan) {
     std::vector<EdgeIndex> found;
@@ -36,7 +36,7 @@ std::vector<EdgeIndex> edges_of_beams(const NodeLayout& layout, const Pattern& p
     return found;
 }
 
-/// States what one filter says of one pattern, rule form by rule form.
+/// The verdict of one filter on one pattern, with one function for each form of rule.
 class Judge {
   public:
     Judge(const NodeLayout& layout, const Filter& filter, const Pattern& pattern)
@@ -95,7 +95,8 @@ class Judge {
         return {false, filter_.name, std::move(reason), std::move(guilty)};
     }
 
-    /// All components but that of the first interface node in use (or of the first beam) are guilty.
+    /// All components except the component of the first used interface node (or else of the first beam) are
+    /// guilty.
     [[nodiscard]] Verdict judge_components(const Fan& fan) const {
         const detail::FanComponents components = detail::fan_components(fan);
         if (components.count <= 1) return {};

@@ -174,7 +174,7 @@ NodeLayout find_node_layout(std::string_view name_or_path) {
         if (name == name_or_path) return read_node_layout(JsonReader::from_text(text, std::string(name)));
     }
     const std::filesystem::path path(name_or_path);
-    std::error_code ignored;  // names that no file can have
+    std::error_code ignored;  // set if no file can have this name
     if (path.has_parent_path() || path.has_extension() || std::filesystem::exists(path, ignored))
         return read_node_layout(path);
     throw base::InputError(base::unknown_name_message("layout", name_or_path, layout_names()) +

@@ -8,8 +8,7 @@
 namespace fretwork::pattern {
 namespace {
 
-// Products of two 64-bit numbers fit, and so does the sum of two such products; __extension__ because ISO C++
-// has no such type.
+// Wide enough for the sum of two products of 64-bit numbers. __extension__ because ISO C++ has no such type.
 __extension__ using Wide = __int128;
 
 Wide greatest_common_divisor(Wide left, Wide right) {

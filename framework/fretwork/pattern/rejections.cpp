@@ -30,7 +30,7 @@ bool for_each_of_size(int edge_count, int size, const Visit& visit) {
     }
 }
 
-/// The graphs that break exactly one rule, by rule, from the smallest sizes that hold enough of them.
+/// For each rule, the graphs that break this rule alone, from the smallest sizes with enough such graphs.
 class Collector {
   public:
     Collector(const NodeLayout& layout, const std::vector<Filter>& filters, std::size_t wanted)
@@ -48,7 +48,7 @@ class Collector {
             if (std::find(is_done_.begin(), is_done_.end(), false) == is_done_.end()) return;
         }
     }
-    /// As many of a rule's graphs as are wanted, evenly spread over all that were found.
+    /// The wanted number of a rule's graphs, evenly spread over all graphs found.
     [[nodiscard]] std::vector<Pattern> spread(std::size_t rule) const {
         const std::vector<Word128>& graphs = found_[rule];
         std::vector<Pattern> chosen;

@@ -27,15 +27,16 @@ Matrix3d strained(const Vector3d& x) {
 }
 
 /// The displacements (uz, rx, ry) of a point under unit curvatures w_xx, w_yy, 2 w_xy: uz = w, rx = w_y and
-/// ry = -w_x of w = x.k x / 2.
+/// ry = -w_x, with w = x.k x / 2.
 Matrix3d curved(const Vector3d& x) {
     return Matrix3d{{x.x() * x.x() / 2.0, x.y() * x.y() / 2.0, x.x() * x.y() / 2.0},
                     {0.0, x.y(), x.x() / 2.0},
                     {-x.x(), 0.0, -x.y() / 2.0}};
 }
 
-/// The displacements of all nodes, three components each, by those of the nodes of the first half of the
-/// sides: opposite nodes, which are one node of the next tile, move alike.
+/// The matrix that gives the displacements of all nodes (three components each) from the displacements of the
+/// nodes on the first half of the sides. A node and its opposite node move equally, because the opposite node
+/// is the same node of the neighbouring tile.
 MatrixXd periodic_fluctuations(int nodes, int nodes_a_side) {
     const int half = nodes / 2;
     MatrixXd result = MatrixXd::Zero(3 * nodes, 3 * half);
@@ -48,9 +49,10 @@ MatrixXd periodic_fluctuations(int nodes, int nodes_a_side) {
     return result;
 }
 
-/// The energy per area of macroscopic modes, least over periodic fluctuations.
+/// The energy per area of macroscopic modes, minimized over periodic fluctuations.
 Matrix3d homogenized(const MatrixXd& K, const MatrixXd& macroscopic, const MatrixXd& periodic, double area) {
-    // Translations cost nothing: the system is solvable, and any solution will do.
+    // The matrix is singular, because translations cost no energy. The system is still solvable, and any
+    // solution is valid.
     const MatrixXd coupling = periodic.transpose() * K * macroscopic;
     const MatrixXd fluctuation =
         (periodic.transpose() * K * periodic).completeOrthogonalDecomposition().solve(-coupling);
@@ -134,7 +136,7 @@ EffectiveProperties effective_properties(const pattern::NodeLayout& layout, cons
 double directional_stiffness(const Matrix3d& tensor, double angle) {
     const double c = std::cos(angle);
     const double s = std::sin(angle);
-    // A unit force along the direction, as a stress in Voigt's notation.
+    // A unit stress along the direction, in Voigt's notation.
     const Vector3d stress(c * c, s * s, c * s);
     return 1.0 / stress.dot(tensor.inverse() * stress);
 }

@@ -36,7 +36,7 @@ Response to_response(std::span<const mechanics::Solution> solutions, const Scena
     return response;
 }
 
-/// A tile's frame, neither held nor loaded.
+/// The frame of a tile without supports and loads.
 struct FreeTile {
     mechanics::Frame frame;
     int interface_nodes = 0;

@@ -12,7 +12,8 @@ struct Stratum {
     std::size_t share = 0;
 };
 
-/// How many items to take of each stratum: one more of each in turn, until enough are taken or none is left.
+/// Set the number of items to take from each stratum: one more from each in turn, until enough are taken or
+/// none are left.
 void deal(std::map<int, Stratum>& strata, std::size_t size) {
     bool anything_taken = true;
     while (size > 0 && anything_taken) {

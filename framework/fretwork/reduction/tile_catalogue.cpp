@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tile models that the framework brings: a new one is a file and a row.
+// The built-in tile models. A new tile model is a file and a row.
 #include <fretwork/reduction/models/condensed_tile.hpp>
 #include <fretwork/reduction/models/corotational_tile.hpp>
 #include <fretwork/reduction/models/full_tile.hpp>

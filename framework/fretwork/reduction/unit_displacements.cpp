@@ -32,7 +32,8 @@ mechanics::NodeValues unit_loads(const Scenario& scenario, Eigen::Index nodes) {
 }
 
 mechanics::NodeValues solve_scenario(const Eigen::MatrixXd& stiffness, const Scenario& scenario) {
-    /// A structure that is held has some 1e-8, one that is not has round-off.
+    /// The smallest reciprocal condition of a structure that is held. Held structures have about 1e-8, and
+    /// free structures have the size of round-off.
     constexpr double kSmallestConditioning = 1e-13;
     const std::vector<Eigen::Index> free = free_dofs(scenario, stiffness.rows());
     const Eigen::LDLT<Eigen::MatrixXd> factor(Eigen::MatrixXd(stiffness(free, free)));

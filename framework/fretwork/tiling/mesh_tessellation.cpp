@@ -73,7 +73,8 @@ class MeshTiles {
             fail(face_with(rim.knots.front()),
                  "touches another face at " + place_of(rim.knots.front()) + " in this vertex alone");
         for (std::size_t line = 0; line < rim.lines.size(); ++line) {
-            for (const detail::DualVertexIndex v : rim.lines[line])  // any loop: it is on the rim
+            // Any valid loop marks a vertex on the rim.
+            for (const detail::DualVertexIndex v : rim.lines[line])
                 dual_.vertices[v].loop = detail::LoopIndex(line);
         }
         const std::vector<Polygon> loops = detail::loops_of(dual_, rim);
@@ -87,7 +88,7 @@ class MeshTiles {
         const auto has = [&](const detail::Cell& face) { return std::ranges::count(face, vertex) > 0; };
         return std::ranges::find_if(dual_.cells, has) - dual_.cells.begin();
     }
-    /// The face whose side on the rim has its middle nearest to a place.
+    /// The face with the rim side whose middle is nearest to a place.
     [[nodiscard]] std::size_t face_at(Point2 place) const {
         const auto off = [&](const detail::CellSide& side) {
             const Point2 from = dual_.vertices[side.from].place;

@@ -7,7 +7,8 @@
 namespace fretwork::tiling {
 namespace {
 
-/// By the vertex where a side begins. Where two parts of the rim touch in a vertex, two begin there.
+/// The sides that a single tile has, by their first vertex. If two stretches of the rim touch at a vertex,
+/// two sides begin there.
 std::multimap<VertexIndex, RimSide> unshared_sides(const Tessellation& tessellation) {
     std::map<std::pair<VertexIndex, VertexIndex>, RimSide> sides;
     for (const TileIndex t : tessellation.tiles.indices()) {
@@ -17,7 +18,7 @@ std::multimap<VertexIndex, RimSide> unshared_sides(const Tessellation& tessellat
         for (std::size_t s = 0; s < count; ++s) {
             const VertexIndex from = tile.vertices[s];
             const VertexIndex to = tile.vertices[(s + 1) % count];
-            if (sides.erase({to, from}) > 0) continue;  // its neighbour has the side, too
+            if (sides.erase({to, from}) > 0) continue;  // a neighbour has the side, too
             const auto first = tile.interface_nodes.begin() + s * nodes_a_side;
             sides[{from, to}] = {t, from, to, {first, first + nodes_a_side}};
         }

@@ -23,7 +23,7 @@ void append(Tessellation& whole, const Tessellation& part) {
                                  part.interface_nodes.end());
 }
 
-/// Shares and means of two sets of tiles together; sides count like tiles.
+/// Merge the shares and means of two sets of tiles, weighted by the numbers of tiles.
 void merge(TessellationReport& whole, const TessellationReport& part) {
     const double of_part = static_cast<double>(part.tiles) / (whole.tiles + part.tiles);
     const auto mean = [&](double a, double b) { return a + of_part * (b - a); };

@@ -15,7 +15,8 @@ namespace {
 
 using geometry::Point2;
 
-/// An interface node may be off its place by so much of the side: what rounding does to coordinates.
+/// The largest distance of an interface node from its place, as a share of the side, to allow for rounding of
+/// coordinates.
 constexpr double kPlaceTolerance = 1e-6;
 
 class Checker {
@@ -123,7 +124,8 @@ class Checker {
         }
     }
 
-    /// The neighbour traverses the side the other way; on a side without one, the interface nodes are new.
+    /// Check that the neighbour at a side has the same vertices and interface nodes in the opposite
+    /// direction. At a side without a neighbour, the interface nodes must be new.
     void check_neighbor(const Side& side, VertexIndex from, VertexIndex to) {
         if (const auto same = sides_.find({from, to}); same != sides_.end())
             fail(side.tile, "lies on the same side of a side as tile " + std::to_string(same->second.tile));
@@ -154,7 +156,7 @@ class Checker {
 
     const Tessellation& tessellation_;
     const pattern::NodeLayout& layout_;
-    std::vector<double> places_;  // of interface nodes, as shares of a side
+    std::vector<double> places_;  // places of the interface nodes, as shares of a side
     std::map<std::pair<VertexIndex, VertexIndex>, Side> sides_;
     std::set<InterfaceIndex> used_;
 };

@@ -23,7 +23,7 @@ class FanAssembler {
     }
 
   private:
-    /// Fans depend on a tile only by its pattern and its number of sides.
+    /// The fan of a tile, which depends only on the tile's pattern and its number of sides.
     const pattern::Fan& fan_of(TileIndex index) {
         const Tile& tile = tessellation_.tiles[index];
         if (tile.pattern < 0 || tile.pattern >= static_cast<int>(tessellation_.patterns.size()))
@@ -59,7 +59,7 @@ class FanAssembler {
 
     const pattern::NodeLayout& layout_;
     const Tessellation& tessellation_;
-    std::map<std::pair<int, int>, pattern::Fan> fans_;  // by pattern and number of sides
+    std::map<std::pair<int, int>, pattern::Fan> fans_;  // fans by pattern and number of sides
     TessellationFan result_;
 };
 

@@ -8,7 +8,7 @@
 namespace fretwork::tiling {
 namespace {
 
-constexpr double kSmallestEdge = 1e-9;  // m; products of such lengths are far from underflow
+constexpr double kSmallestEdge = 1e-9;  // m; products of such lengths do not underflow
 constexpr double kLargestEdge = 1e6;    // m
 
 }  // namespace

@@ -20,7 +20,7 @@ std::string sorted_rows_query(const Table& table) {
            base::join(keys, ", ");
 }
 
-/// Least significant byte first, whatever the machine does.
+/// Hash a number with its least significant byte first, on every machine.
 void update(base::Sha256& hash, std::uint64_t number) {
     std::string bytes;
     for (int byte = 0; byte < 8; ++byte) bytes += static_cast<char>(number >> (8 * byte) & 0xffU);
@@ -54,7 +54,7 @@ void update(base::Sha256& hash, const Database& database, std::string_view table
     }
 }
 
-/// As a table, but without what only stresses depend on.
+/// Hash the setting like a table, but without the data that only stresses depend on.
 void update_setting(base::Sha256& hash, const Database& database) {
     update(hash, "setting");
     Statement row(database, "SELECT id, json FROM setting");

@@ -8,8 +8,8 @@ namespace {
 
 constexpr int kBusyTimeoutMilliseconds = 10000;
 
-/// Limits what a file's own schema may make SQLite do: a view in the place of a table could run any query for
-/// ever, and so could a trigger. The program's own views are temporary, which is allowed.
+/// Forbid views and triggers in the file's own schema: a view in the place of a table, or a trigger, could
+/// run any query without end. The program's own views are temporary and stay allowed.
 void distrust_schema(sqlite3* handle) {
     sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
     sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
@@ -18,8 +18,8 @@ void distrust_schema(sqlite3* handle) {
 }
 
 int open_flags(Database::Mode mode) {
-    // A reader, too, opens for writing where it may: it has to be able to roll back what a killed writer
-    // left.
+    // A reader also opens the file for writing, if permitted, so that it can roll back the transaction of a
+    // killed writer.
     const int create = mode == Database::Mode::CreateOrWrite ? SQLITE_OPEN_CREATE : 0;
     return SQLITE_OPEN_READWRITE | SQLITE_OPEN_EXRESCODE | create;
 }
@@ -28,7 +28,7 @@ int open_flags(Database::Mode mode) {
 
 Database::Database(const std::filesystem::path& path, Mode mode) : path_(path) {
     sqlite3* handle = nullptr;
-    // A name that begins with a colon or "file:" would mean something else to SQLite.
+    // An absolute path, because a name that begins with a colon or "file:" has another meaning in SQLite.
     const std::string name = std::filesystem::absolute(path).string();
     const int code = sqlite3_open_v2(name.c_str(), &handle, open_flags(mode), nullptr);
     handle_.reset(handle);
@@ -97,7 +97,7 @@ void Statement::run() {
 }
 
 void Statement::reset() {
-    sqlite3_reset(handle_.get());  // it repeats the error of the last step, which was thrown already
+    sqlite3_reset(handle_.get());  // returns the error of the last step again, which was already thrown
 }
 
 void Statement::require_number(int column) const {
@@ -116,7 +116,7 @@ std::string_view Statement::text(int column) const {
 
 StopWatch::StopWatch(Database& database, const base::Control& control)
     : database_(database), control_(control.silent()) {
-    constexpr int kInstructions = 10'000;  // of SQLite's machine: less than a millisecond
+    constexpr int kInstructions = 10'000;  // instructions of SQLite's machine, less than a millisecond
     const auto is_asked_to_stop = [](void* asked) {
         return static_cast<const base::Control*>(asked)->stop_wanted() ? 1 : 0;
     };
@@ -132,7 +132,7 @@ Transaction::Transaction(Database& database, Kind kind) : database_(&database) {
 }
 
 Transaction::~Transaction() {
-    // SQLite has rolled back by itself after some errors; then there is nothing left to do.
+    // After some errors, SQLite has already rolled back by itself.
     if (open_ && sqlite3_get_autocommit(database_->handle()) == 0)
         sqlite3_exec(database_->handle(), "ROLLBACK", nullptr, nullptr, nullptr);
 }

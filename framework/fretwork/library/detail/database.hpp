@@ -25,10 +25,10 @@ class Database {
     void execute(const std::string& sql);
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     [[nodiscard]] sqlite3* handle() const { return handle_.get(); }
-    /// How many rows the last statement inserted, changed or deleted.
+    /// The number of rows that the last statement inserted, changed or deleted.
     [[nodiscard]] std::int64_t changed_rows() const { return sqlite3_changes(handle_.get()); }
     [[nodiscard]] bool is_read_only() const { return sqlite3_db_readonly(handle_.get(), "main") == 1; }
-    /// Throw what an SQLite code other than success means.
+    /// Throw the error that an SQLite code other than success stands for.
     [[noreturn]] void fail(int code) const;
 
   private:
@@ -58,9 +58,9 @@ class Statement {
         return *this;
     }
 
-    /// Go to the next row; false behind the last.
+    /// Go to the next row. False if there is no further row.
     bool step();
-    /// Run to the end, and be ready for the next run.
+    /// Run the statement to its end, and reset it for the next run.
     void run();
     void reset();
 
@@ -69,9 +69,10 @@ class Statement {
     }
     [[nodiscard]] int column_count() const { return sqlite3_column_count(handle_.get()); }
     [[nodiscard]] int type(int column) const { return sqlite3_column_type(handle_.get(), column); }
-    /// The text stays until the next step.
+    /// The text in a column; valid until the next step().
     [[nodiscard]] std::string_view text(int column) const;
-    /// Numbers. SQLite takes a text for 0; here it is an InputError that names the column.
+    /// The number in a column. Throws InputError that names the column if its value is a text, which SQLite
+    /// itself would read as 0.
     [[nodiscard]] double real(int column) const {
         require_number(column);
         return sqlite3_column_double(handle_.get(), column);
@@ -96,8 +97,8 @@ class Statement {
     std::unique_ptr<sqlite3_stmt, Finalize> handle_;
 };
 
-/// While it lives, the database's long statements end when the caller asks to stop: they throw base::Stopped,
-/// and the transaction that they are part of is rolled back.
+/// Lets a stop end long statements of a database. As long as this object exists, a statement throws
+/// base::Stopped once the control asks to stop, and its transaction is rolled back.
 class StopWatch {
   public:
     StopWatch(Database& database, const base::Control& control);
@@ -110,8 +111,8 @@ class StopWatch {
     base::Control control_;
 };
 
-/// A transaction that is rolled back unless it is committed. All reads in it see one moment; a writing one
-/// locks the file from its start, so that its reads stay true until the commit.
+/// A transaction that is rolled back unless it is committed. All its reads see the same state of the file. A
+/// write transaction locks the file from its start, so its reads stay valid until the commit.
 class Transaction {
   public:
     enum class Kind { Read, Write };

@@ -15,9 +15,9 @@
 
 namespace fretwork::library::detail {
 
-/// A library in a scratch folder beside the output, with its journal; it vanishes unless it is moved into its
-/// place. Several processes may make the same output at once: each has its own draft, and only the first to
-/// finish gives the output.
+/// A new library with its journal, in a scratch folder beside the output. The draft is deleted unless it is
+/// moved into place. Several processes may make the same output at once: each has its own draft, and the
+/// first to finish makes the output.
 class Draft {
   public:
     /// Throws IoError that names the output.
@@ -28,7 +28,8 @@ class Draft {
           path_(scratch_.path() / target_.filename()) {}
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
-    /// Run what fills the draft: its complaints about the draft name the output, which people know.
+    /// Run an action that fills the draft. Errors about the draft name the output instead, because users do
+    /// not know the draft.
     template <class Action>
     void fill(Action&& action) const {
         try {
@@ -40,11 +41,13 @@ class Draft {
         }
     }
 
-    /// False, and nothing is touched, if the output has appeared meanwhile. Throws IoError.
+    /// Move the draft to the output's place. False, without a change, if the output exists by now. Throws
+    /// IoError.
     [[nodiscard]] bool move_into_place() const {
         if (::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) == 0)
             return true;
-        // Some network disks cannot rename so, but link: a link never replaces, either.
+        // Some network disks do not support this renaming, but support links, which never replace a file
+        // either.
         if (errno == EINVAL || errno == ENOSYS) {
             if (::link(path_.c_str(), target_.c_str()) == 0) return true;
         }
@@ -56,7 +59,7 @@ class Draft {
 
   private:
     std::filesystem::path output_;
-    std::filesystem::path target_;  ///< where the output's links lead
+    std::filesystem::path target_;  ///< the file to which the output's links lead
     base::Scratch scratch_;
     std::filesystem::path path_;
 };

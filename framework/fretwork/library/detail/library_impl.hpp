@@ -19,25 +19,25 @@ struct Library::Impl {
 
     [[nodiscard]] detail::ResponseShape shape() const;
 
-    /// Read the setting again: another process may have changed it since the file was opened.
+    /// Read the setting again, because another process may have changed it since the file was opened.
     void read_setting();
-    /// Begin a transaction; the first one also records the writer's provenance. Throws IoError if the file
-    /// cannot be written, and InputError if another process has given it another setting: what was computed
-    /// with the one that was read does not belong to it.
+    /// Begin a write transaction. The first transaction also records the writer's provenance. Throws IoError
+    /// if the file cannot be written. Throws InputError if another process has changed the setting of the
+    /// file, because results for the old setting do not belong there.
     [[nodiscard]] std::unique_ptr<detail::Transaction> begin_writing();
-    /// The same for one that chooses the setting.
+    /// Begin a write transaction that may change the setting.
     [[nodiscard]] std::unique_ptr<detail::Transaction> begin_choosing_setting();
     void commit(detail::Transaction& transaction);
-    /// Ends the transaction. Scenarios keep their own tables.
+    /// Replace the stored setting, scenarios included, and commit the transaction.
     void replace_setting(detail::Transaction& transaction, const reduction::Setting& wanted);
 
-    /// Throws InputError that names the nearest id.
+    /// Throws InputError that suggests the nearest id if the library has no such pattern.
     void require_pattern(std::string_view id) const;
     /// The pattern of a stored id. Throws InputError that names the file if the id is invalid.
     [[nodiscard]] pattern::NamedPattern entry(std::string id) const;
     /// The patterns whose ids a statement gives, in the order of the enumeration.
     [[nodiscard]] std::vector<pattern::NamedPattern> select_patterns(detail::Statement& ids) const;
-    /// The patterns with this number of edges at these places (ascending), in their order.
+    /// The patterns at these places (ascending) among the patterns with this number of edges.
     [[nodiscard]] std::vector<pattern::NamedPattern> patterns_at(int edges,
                                                                  std::span<const std::size_t> places) const;
 
@@ -46,7 +46,7 @@ struct Library::Impl {
 
     detail::Database database;
     pattern::NodeLayout layout;
-    std::string setting_json;  ///< the text in the file of `setting`
+    std::string setting_json;  ///< text of `setting` in the file
     reduction::Setting setting;
     bool writer_recorded = false;
 

@@ -12,7 +12,7 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// The digits at the start of a text, which lie behind it afterwards. Numbers in ids have no leading zeros.
+/// Remove the digits at the start of a text and return them. Numbers in ids have no leading zeros.
 std::string_view take_number(std::string_view& text) {
     const auto end = std::ranges::find_if_not(text, is_digit);
     const std::string_view digits = text.substr(0, end - text.begin());
@@ -44,7 +44,7 @@ bool comes_before(const pattern::NamedPattern& left, const pattern::NamedPattern
     const int left_count = left.pattern.edge_count();
     const int right_count = right.pattern.edge_count();
     if (left_count != right_count) return left_count < right_count;
-    // Compares sets of one size: the one with the lowest edge that is not in both comes first.
+    // Of two sets of one size, the set with the lowest edge that is not in both comes first.
     const pattern::Pattern::Bits difference = left.pattern.bits() ^ right.pattern.bits();
     const std::size_t first = difference._Find_first();
     return first < difference.size() && left.pattern.bits().test(first);

@@ -5,8 +5,9 @@
 
 namespace fretwork::library::detail {
 
-/// The order of the enumeration among patterns of one number of edges, from their ids alone: the numbers in
-/// the ids are compared in turn. It is that of comes_before(), without reading a pattern.
+/// True if the left id comes first in the order of the enumeration, for patterns with the same number of
+/// edges. The numbers in the ids are compared one by one. The order is the order of comes_before(), but no
+/// pattern is read.
 bool id_comes_before(std::string_view left, std::string_view right);
 
 }  // namespace fretwork::library::detail

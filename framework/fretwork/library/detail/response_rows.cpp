@@ -56,7 +56,8 @@ constexpr std::string_view kDisplacements =
     "SELECT scenario, step, node, ux, uy, uz, rx, ry, rz FROM response WHERE pattern_id = ? "
     "ORDER BY scenario, step, node";
 
-/// The response of a scenario that rows name one after the other; null if the setting has none of that name.
+/// Finds the response of the scenario that a row names; null if the setting has no such scenario. Consecutive
+/// rows of one scenario need one search.
 class CurrentResponse {
   public:
     explicit CurrentResponse(std::vector<Response>& responses) : responses_(responses) {}

@@ -11,14 +11,14 @@
 
 namespace fretwork::library::detail {
 
-/// The shape of a library's responses: the same for all of its patterns.
+/// The shape that the responses of all patterns of a library have.
 struct ResponseShape {
     const reduction::Setting* setting;
-    int nodes;  ///< interface nodes of a tile
+    int nodes;  ///< number of interface nodes of a tile
 };
 
-/// Throw InputError or NumericalError, with the pattern's name, unless there is one response for each
-/// scenario of the setting, with all samples and rows, and all values are finite.
+/// Check that a pattern has one response for each scenario of the setting, with all samples and rows, and
+/// that all values are finite. Throws InputError or NumericalError that names the pattern.
 void check_responses(const Database& database, const std::string& pattern_id,
                      const std::vector<reduction::Response>& responses, const ResponseShape& shape);
 
@@ -27,12 +27,12 @@ void check_responses(const Database& database, const std::string& pattern_id,
 void insert_responses(const Database& database, const std::string& pattern_id,
                       const std::vector<reduction::Response>& responses);
 
-/// Reads responses, pattern by pattern; each statement is prepared once.
+/// A reader of the responses of many patterns, which prepares each statement once.
 class ResponseReader {
   public:
     ResponseReader(const Database& database, const ResponseShape& shape);
-    /// The responses of a pattern in the order of the setting's scenarios; empty if they are not there.
-    /// Throws InputError if a row is of no state.
+    /// The responses of a pattern in the order of the setting's scenarios; empty if none are stored. Throws
+    /// InputError if a row belongs to no stored state.
     std::vector<reduction::Response> read(std::string_view pattern_id);
 
   private:
@@ -48,8 +48,9 @@ class ResponseReader {
 /// True if all values are equal.
 bool are_equal(const std::vector<reduction::Response>& left, const std::vector<reduction::Response>& right);
 
-/// Throw InputError or NumericalError, with the pattern's name, unless the record can be stored: a key that
-/// SQLite can hold, finite values, no error or one for each scenario of the setting.
+/// Check that a record can be stored: SQLite can hold its key, its values are finite, and it has no scenario
+/// errors or one for each scenario of the setting. Throws InputError or NumericalError that names the
+/// pattern.
 void check_calibration(const Database& database, const std::string& pattern_id,
                        const CalibrationRecord& record, const reduction::Setting& setting);
 
@@ -57,14 +58,14 @@ void check_calibration(const Database& database, const std::string& pattern_id,
 void insert_calibration(const Database& database, const std::string& pattern_id,
                         const CalibrationRecord& record, const reduction::Setting& setting);
 
-/// All calibrations of a pattern, sorted by key; their parameters by name.
+/// All calibrations of a pattern, sorted by key; the parameters of each are sorted by name.
 std::vector<CalibrationRecord> read_calibrations(const Database& database, std::string_view pattern_id,
                                                  const reduction::Setting& setting);
 
-/// True if two records of one key are equal, except for the time that they took.
+/// True if two records of one key are equal, except for their wall times.
 bool are_equal(const CalibrationRecord& left, const CalibrationRecord& right);
 
-/// Record this writer: the program's provenance, the host and the time, under the next session number.
+/// Record the writer: the provenance of the program, the host and the time, under the next session number.
 void record_writer(const Database& database);
 
 }  // namespace fretwork::library::detail

@@ -11,33 +11,35 @@
 
 namespace fretwork::library::detail {
 
-/// "FRWK": what the header of a library file says that it is.
+/// The application id in the header of a library file: "FRWK".
 inline constexpr std::int64_t kApplicationId = 0x4652574B;
-/// Rises with every change of the tables.
+/// The version of the schema, raised with every change of the tables.
 inline constexpr std::int64_t kSchemaVersion = 4;
-/// Older files are refused; those from here on are read (see schema3.hpp).
+/// The oldest version that can be read (see schema3.hpp). Older files are refused.
 inline constexpr std::int64_t kOldestSchemaVersion = 3;
 
-/// A table whose rows are content: they are hashed, merged and exported. (Provenance is no content.)
+/// A table whose rows are content, which is hashed, merged and exported. Provenance is not content.
 struct Table {
     std::string_view name;
-    std::vector<std::string_view> keys;        ///< the primary key
-    std::vector<std::string_view> values;      ///< what two rows of one key must agree in
-    std::vector<std::string_view> incidental;  ///< times: stored, and neither hashed, compared nor exported
+    std::vector<std::string_view> keys;    ///< the primary key
+    std::vector<std::string_view> values;  ///< columns that must be equal in two rows with one key
+    /// Columns of times, which are stored but not hashed, compared or exported.
+    std::vector<std::string_view> incidental;
 };
 
-/// All tables of content; one that refers to another comes after it.
+/// All tables of content. A table that refers to another table comes after it.
 std::span<const Table> content_tables();
 
-/// The rows of the view `behaviour`, which is for other programs: a file's own views are never read.
+/// The query of the view `behaviour`. Files have this view for other programs; this program never reads the
+/// views of a file.
 std::string behaviour_query();
 
-/// Joined by ", ": the keys, then the values.
+/// The names of the columns of content, keys first, joined by ", ".
 std::string content_columns(const Table& table);
 
 /// Make the tables in an empty file, and write the header fields.
 void create_schema(Database& database);
-/// The part of create_schema that schema 3 lacks.
+/// Make the table that create_schema makes and schema 3 lacks.
 void create_parameter_table(Database& database);
 /// The version in the header of a database ("main", or as it was attached).
 std::int64_t schema_version(const Database& database, const std::string& database_name = "main");

@@ -12,8 +12,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// F = sum over n of 2^n (n!)^2 / (2n + 1)! x^n with x = 1 - c; this number of terms is exact to rounding
-/// below kSeriesReach.
+/// The series F = sum over n of 2^n (n!)^2 / (2n + 1)! x^n with x = 1 - c. Below kSeriesReach, this number of
+/// terms is exact to rounding.
 constexpr double kSeriesReach = 0.05;
 constexpr std::array<double, 12> kRatioSeries = [] {
     std::array<double, 12> series{1.0};
@@ -34,7 +34,8 @@ AngleRatio angle_ratio(double c) {
         ratio.slope = -ratio.slope;
         return ratio;
     }
-    const double cosine = std::max(c, -1.0 + 1e-12);  // folded back onto itself: no direction is left
+    // A beam that is folded back onto itself has no direction.
+    const double cosine = std::max(c, -1.0 + 1e-12);
     const double square = 1.0 - cosine * cosine;
     const double value = std::acos(cosine) / std::sqrt(square);
     const double slope = (cosine * value - 1.0) / square;
@@ -46,7 +47,8 @@ EndView view_from(const Matrix3d& axes, const Vector3d& direction) {
     return {c, axes.col(1).dot(direction), axes.col(2).dot(direction), angle_ratio(c)};
 }
 
-/// Symmetric product for the second derivative of e . a along a spin of a: (e a^T + a e^T) / 2 - (e . a) I.
+/// The symmetric product in the second derivative of e . a along a spin of a: (e a^T + a e^T) / 2 - (e . a)
+/// I.
 Matrix3d spin_curvature(const Vector3d& e, const Vector3d& a) {
     Matrix3d m = 0.5 * e * a.transpose();
     m += m.transpose().eval();
@@ -54,7 +56,7 @@ Matrix3d spin_curvature(const Vector3d& e, const Vector3d& a) {
     return m;
 }
 
-/// The second derivative of a . b, a turning with the first end and b with the second.
+/// Add the second derivative of a . b, where a turns with the first end and b with the second.
 void add_product_curvature(const Vector3d& a, const Vector3d& b, MotionMatrix& m) {
     const Matrix3d own = spin_curvature(a, b);
     m.block<3, 3>(kSpin1, kSpin1) += own;
@@ -78,7 +80,7 @@ BeamDeformation::BeamDeformation(const Matrix3d& axes, double length, std::span<
     end2_ = view_from(axes2_, direction_);
     sine_ = 0.5 * (axes2_.col(1).dot(axes1_.col(2)) - axes2_.col(2).dot(axes1_.col(1)));
     cosine_ = 0.5 * (axes2_.col(1).dot(axes1_.col(1)) + axes2_.col(2).dot(axes1_.col(2)));
-    // Without the difference of two nearly equal lengths.
+    // A form without the difference of two nearly equal lengths.
     elongation_ = moved.dot(2.0 * rest + moved) / (length_ + length);
 }
 
@@ -117,7 +119,7 @@ MotionMatrix BeamDeformation::curvature(const BeamVector& stress) const {
     return m;
 }
 
-/// (I - e e^T) / l: how the chord's direction follows the chord.
+/// The derivative (I - e e^T) / l of the chord's direction with respect to the chord.
 Matrix3d BeamDeformation::chord_projection() const {
     return (Matrix3d::Identity() - direction_ * direction_.transpose()) / length_;
 }
@@ -125,7 +127,7 @@ Matrix3d BeamDeformation::chord_projection() const {
 void BeamDeformation::add_end_slopes(const EndView& end, const Matrix3d& axes, BowShare share,
                                      DeformationSlopes& s) const {
     const auto& [value, slope, curvature] = end.ratio;
-    // bend = e . b for a vector b of the section, as far as first derivatives go
+    // For first derivatives, bend = e . b with a vector b of the section.
     const Vector3d b2 = value * axes.col(2) + slope * end.p3 * axes.col(0);
     const Vector3d b3 = -value * axes.col(1) - slope * end.p2 * axes.col(0);
     const auto add = [&](int bow, int sway, const Vector3d& b) {
@@ -156,7 +158,7 @@ void BeamDeformation::add_end_curvature(const EndView& end, const Matrix3d& axes
     m.block<3, 3>(stress.spin, stress.spin) += outer.bottomRightCorner<3, 3>();
 }
 
-/// The derivative of e . b, b turning with a section, by chord and spin.
+/// The derivative of e . b with respect to chord and spin, where b turns with a section.
 Eigen::Matrix<double, 6, 1> BeamDeformation::dot_slope(const Vector3d& b) const {
     Eigen::Matrix<double, 6, 1> slope;
     slope.head<3>() = (b - b.dot(direction_) * direction_) / length_;
@@ -164,7 +166,7 @@ Eigen::Matrix<double, 6, 1> BeamDeformation::dot_slope(const Vector3d& b) const 
     return slope;
 }
 
-/// The second derivative of e . b, b turning with the section of `spin`.
+/// Add the second derivative of e . b, where b turns with the section of `spin`.
 void BeamDeformation::add_dot_curvature(const Vector3d& b, int spin, MotionMatrix& m) const {
     const double along = b.dot(direction_);
     const Vector3d across = b - along * direction_;
@@ -177,8 +179,8 @@ void BeamDeformation::add_dot_curvature(const Vector3d& b, int spin, MotionMatri
     m.block<3, 3>(spin, spin) += spin_curvature(direction_, b);
 }
 
-/// The derivative of the sine and the cosine of the twist by the first end's spin; the second's are
-/// opposite.
+/// The derivative of the sine of the twist with respect to the first end's spin. The derivative with respect
+/// to the second end's spin is opposite. The same holds for the cosine.
 Vector3d BeamDeformation::sine_slope() const {
     return 0.5 * (axes1_.col(2).cross(axes2_.col(1)) - axes1_.col(1).cross(axes2_.col(2)));
 }
@@ -193,7 +195,7 @@ void BeamDeformation::add_twist_curvature(double stress, MotionMatrix& m) const 
     const double square = sine_ * sine_ + cosine_ * cosine_;
     const double by_sine = stress * cosine_ / square;
     const double by_cosine = -stress * sine_ / square;
-    // by_sine * sine + by_cosine * cosine as two products of a vector of each end
+    // by_sine * sine + by_cosine * cosine, as two products of a vector of each end
     add_product_curvature(0.5 * (by_sine * axes1_.col(2) + by_cosine * axes1_.col(1)), axes2_.col(1), m);
     add_product_curvature(0.5 * (by_cosine * axes1_.col(2) - by_sine * axes1_.col(1)), axes2_.col(2), m);
     const Vector3d s = sine_slope();

@@ -20,7 +20,7 @@ void expand_force(const MotionVector& motion, Eigen::VectorXd& force) {
     force.segment<3>(9) = motion.segment<3>(kSpin2);
 }
 
-/// From columns of motions to those of the nodes' small motions.
+/// Map columns of motions to columns of the nodes' small motions.
 void expand_slopes(const DeformationSlopes& motion, std::span<double> slopes) {
     Eigen::Map<Eigen::Matrix<double, kBeamDeformations, 2 * kDofsPerNode>> out(slopes.data());
     out.middleCols<3>(0) = -motion.middleCols<3>(kChord);
@@ -29,7 +29,7 @@ void expand_slopes(const DeformationSlopes& motion, std::span<double> slopes) {
     out.middleCols<3>(9) = motion.middleCols<3>(kSpin2);
 }
 
-/// The motions that small displacements and rotations of the two nodes are.
+/// The motions of small displacements and rotations of the two nodes.
 MotionVector motion_of(const Eigen::VectorXd& displacements) {
     MotionVector motion;
     motion.segment<3>(kChord) = displacements.segment<3>(6) - displacements.segment<3>(0);
@@ -68,8 +68,8 @@ BeamElement::BeamElement(const Geometry& geometry, const Section& section, const
       line_inertia_(material.density * (section.I2 + section.I3)) {}
 
 /// The sum over the deformations of stiffness * row^T row, by the 3 x 3 blocks of displacements and
-/// rotations. With u and r the rows' parts at end 1, those at end 2 are -u, and r with the sign of a sway or
-/// a bow.
+/// rotations. If u and r are a row's parts at end 1, the parts at end 2 are -u, and r with the sign of a sway
+/// or a bow.
 void BeamElement::rest_stiffness(Eigen::MatrixXd& stiffness) const {
     const BeamVector& k = energy_.stiffness();
     const double l = geometry_.length;
@@ -102,7 +102,7 @@ void BeamElement::evaluate(std::span<const NodeState> states, Demand demand,
     expand_force(slopes.transpose().lazyProduct(state.gradient), response.force);
     if (demand == Demand::Force) return;
     MotionMatrix tangent = deformation.curvature(state.gradient);
-    // Lazy: Eigen's blocked product is slower on matrices as small as these.
+    // A lazy product, because Eigen's blocked product is slower on such small matrices.
     const DeformationSlopes scaled = energy_.hessian(d, state, state.stress).lazyProduct(slopes);
     tangent += slopes.transpose().lazyProduct(scaled);
     expand_tangent(tangent, response.tangent);
@@ -164,8 +164,8 @@ void BeamElement::mass(Eigen::MatrixXd& mass) const {
         add(dof + 6, dof + 6, 2.0 * value);
         add(dof, dof + 6, value);
     }
-    // Deflection along axis 2 turns about axis 3 with the same sign, along axis 3 about axis 2 with the
-    // other.
+    // A deflection along axis 2 turns the section about axis 3 with the same sign, and a deflection along
+    // axis 3 about axis 2 with the opposite sign.
     for (const auto& [w, r, sign] : {std::tuple{1, 5, 1.0}, std::tuple{2, 4, -1.0}}) {
         add(w, w, 156.0 * bend);
         add(w + 6, w + 6, 156.0 * bend);

@@ -7,8 +7,8 @@ namespace {
 constexpr double kThird = 1.0 / 3.0;
 constexpr double kTwelfth = 1.0 / 12.0;
 
-/// The part of a twist between the ends that is not due to bending: the end sections' directions differ by
-/// the bend as well.
+/// The share of a twist between the ends that is not due to bending. Bending also changes the directions of
+/// the end sections.
 double twist_share(const BeamVector& d) {
     return 1.0 / (1.0 + d[kBow2] * d[kBow2] + d[kBow3] * d[kBow3]);
 }
@@ -43,7 +43,7 @@ BeamVector BeamEnergy::strains(const BeamVector& d) const {
     const double square = kTwelfth * d[kTwist] * d[kTwist];
     const double g2 = shear2_ * d[kSway2];
     const double g3 = shear3_ * d[kSway3];
-    const double across = g3 * d[kBow2] - g2 * d[kBow3];  // of the bow, to the shear angle
+    const double across = g3 * d[kBow2] - g2 * d[kBow3];  // component of the bow across the shear angle
     e[kBow2] += square * d[kBow2] + (kThird * across + 0.5 * d[kTwist]) * g3;
     e[kBow3] += square * d[kBow3] - (kThird * across + 0.5 * d[kTwist]) * g2;
     e[kSway2] += kThird * d[kTwist] * d[kBow3];
@@ -98,7 +98,7 @@ BeamEnergy::State BeamEnergy::evaluate(const BeamVector& d) const {
     return state;
 }
 
-/// The second derivatives of the terms of third order.
+/// Add the second derivatives of the terms of third order.
 void BeamEnergy::add_helix_terms(const BeamVector& d, const BeamVector& stress, BeamMatrix& h) {
     const double share = twist_share(d);
     const double loss = -2.0 * stress[kTwist] * share * share;
@@ -115,12 +115,13 @@ void BeamEnergy::add_helix_terms(const BeamVector& d, const BeamVector& stress, 
     h(kTwist, kTwist) += 2.0 * kTwelfth * bow.dot(bow_stress);
 }
 
-/// The same of those with two shear angles: (stress2 g3 - stress3 g2) (g3 bow2 - g2 bow3) / 3.
+/// Add the second derivatives of the terms with two shear angles: (stress2 g3 - stress3 g2) (g3 bow2 - g2
+/// bow3) / 3.
 void BeamEnergy::add_shear_terms(const BeamVector& d, const BeamVector& stress, BeamMatrix& h) const {
     if (shear2_ == 0.0 && shear3_ == 0.0) return;
     const double g2 = shear2_ * d[kSway2];
     const double g3 = shear3_ * d[kSway3];
-    BeamVector stress_slope = BeamVector::Zero();  // of stress2 g3 - stress3 g2
+    BeamVector stress_slope = BeamVector::Zero();  // slope of stress2 g3 - stress3 g2
     stress_slope[kSway2] = -stress[kBow3] * shear2_;
     stress_slope[kSway3] = stress[kBow2] * shear3_;
     BeamVector across_slope = BeamVector::Zero();

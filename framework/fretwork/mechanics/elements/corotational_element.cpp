@@ -17,11 +17,11 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using Pose = CorotationalPose;
 
-/// Three columns of derivatives: three rows for the displacement of each node, and after them three for its
-/// rotation.
+/// Three columns of derivatives. Each node has three rows for its displacement, followed by three rows for
+/// its rotation.
 using Tall = Eigen::MatrixX3d;
 
-/// Where the three components of a block begin.
+/// The first row of the three components of a block.
 Eigen::Index row_of(std::size_t block) {
     return 3 * static_cast<Eigen::Index>(block);
 }
@@ -34,7 +34,7 @@ Matrix3d part_of(const Tall& columns, std::size_t block) {
     return columns.middleRows<3>(row_of(block));
 }
 
-/// out += a m, or out = a m, where a and out are three columns of n rows.
+/// Compute out += a m or out = a m, where a and out have three columns of n rows.
 void multiply(const double* a, const Matrix3d& m, Eigen::Index n, Sum sum, double* out) {
     multiply_by_three({a, n, 3}, m.data(), sum, out);
 }
@@ -46,7 +46,7 @@ VectorXd product(const MatrixXd& stiffness, const double* x) {
     return y;
 }
 
-/// Three columns of a square matrix, the first of them that of this block.
+/// The three columns of a block in a square matrix.
 const double* columns_of(const MatrixXd& matrix, std::size_t block) {
     return matrix.data() + row_of(block) * matrix.rows();
 }
@@ -54,7 +54,7 @@ double* columns_of(MatrixXd& matrix, std::size_t block) {
     return matrix.data() + row_of(block) * matrix.rows();
 }
 
-/// Copies the lower triangle into the upper one.
+/// Copy the lower triangle into the upper triangle.
 void mirror(MatrixXd& matrix) {
     for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
         for (Eigen::Index i = j + 1; i < matrix.rows(); ++i) matrix(j, i) = matrix(i, j);
@@ -108,7 +108,7 @@ class CorotationalElement final : public Element {
         multiply_by_vector({body_->stiffness().data(), size(), size()}, strains.data(), stresses.data());
     }
 
-    /// The largest rotation of a node against the frame.
+    /// The largest rotation of a node relative to the corotating axes.
     [[nodiscard]] double relative_turn(std::span<const NodeState> states) const override {
         const Pose pose(*body_, turn_, states);
         if (!pose.has_axes()) return std::numeric_limits<double>::infinity();
@@ -135,14 +135,15 @@ class CorotationalElement final : public Element {
     [[nodiscard]] std::size_t block_count() const { return 2 * nodes_.size(); }
     [[nodiscard]] Eigen::Index size() const { return row_of(block_count()); }
 
-    /// A state without a frame has no energy: the solver sees that, and takes a shorter step.
+    /// Write a response that is not finite, for a state without corotating axes. The solver then takes a
+    /// shorter step.
     void refuse(ElementResponse& response) const {
         response.energy = std::numeric_limits<double>::quiet_NaN();
         response.force.setConstant(size(), response.energy);
         response.tangent.setConstant(size(), size(), response.energy);
     }
 
-    /// A matrix of the body in the structure's axes.
+    /// A matrix of the body, in the structure's axes.
     [[nodiscard]] MatrixXd turned(const MatrixXd& own) const {
         const Matrix3d turn = turn_.toRotationMatrix();
         const Matrix3d back = turn.transpose();
@@ -156,7 +157,7 @@ class CorotationalElement final : public Element {
         return result;
     }
 
-    /// Returns the stresses f = K q.
+    /// Write the energy. Returns the stresses f = K q.
     VectorXd write_energy(const Pose& pose, ElementResponse& response) const {
         VectorXd q(size());
         for (std::size_t i = 0; i < pose.count(); ++i) {
@@ -168,8 +169,8 @@ class CorotationalElement final : public Element {
         return stress;
     }
 
-    /// J_x^T (f + G^T l): forces and moments on the nodes, which balance each other. The stresses f are in
-    /// the body's axes.
+    /// Compute J_x^T (f + G^T l), the forces and moments on the nodes, which balance each other. The stresses
+    /// f are in the body's axes.
     void balance(const Pose& pose, const VectorXd& stress, VectorXd& force) const {
         force.resize(size());
         Vector3d mean = Vector3d::Zero();
@@ -200,7 +201,7 @@ class CorotationalElement final : public Element {
         let_frame_follow(pose, force, tangent);
     }
 
-    /// J_x^T K J_x: the stiffness against motions of the nodes, the frame held.
+    /// Write J_x^T K J_x, the stiffness against motions of the nodes with the corotating axes held.
     void write_spin_stiffness(const Pose& pose, MatrixXd& result) const {
         const Matrix3d back = pose.axes().transpose();
         MatrixXd half(size(), size());  // K J_x
@@ -215,13 +216,14 @@ class CorotationalElement final : public Element {
         mirror(result);
     }
 
-    /// From motions in the structure's axes to strains in the body's, the frame held.
+    /// The map from motions in the structure's axes to strains in the body's axes, with the corotating axes
+    /// held.
     static Matrix3d map_of(const Pose& pose, const Matrix3d& back, std::size_t block) {
         if (block % 2 == 0) return back;
         return back * pose.inverse_map(block / 2);
     }
 
-    /// W^T, where W = dw/dx: how the frame follows the nodes.
+    /// The matrix W^T, where W = dw/dx describes how the corotating axes follow the nodes.
     [[nodiscard]] Tall frame_slope(const Pose& pose) const {
         Tall follow(size(), 3);
         const Matrix3d slope = pose.inverse_slope().transpose();
@@ -233,7 +235,7 @@ class CorotationalElement final : public Element {
         return follow;
     }
 
-    /// B = J_x + J_w W, from motions in the structure's axes to strains in the body's.
+    /// Write B = J_x + J_w W, the map from motions in the structure's axes to strains in the body's axes.
     void write_slopes(const Pose& pose, std::span<double> result) const {
         Eigen::Map<MatrixXd> slopes(result.data(), size(), size());
         const Matrix3d back = pose.axes().transpose();
@@ -256,7 +258,7 @@ class CorotationalElement final : public Element {
         }
     }
 
-    /// K_x N: N are the motions of the nodes against a spin of the frame.
+    /// The product K_x N, where N has the motions of the nodes opposite to a spin of the corotating axes.
     [[nodiscard]] Tall coupling_of(const Pose& pose, const MatrixXd& tangent) const {
         Tall coupling = Tall::Zero(size(), 3);
         for (std::size_t j = 0; j < pose.count(); ++j) {
@@ -267,12 +269,12 @@ class CorotationalElement final : public Element {
         return coupling;
     }
 
-    /// From the stiffness with the frame held to that with the frame following the nodes, and the change of
-    /// the geometry under these forces.
+    /// Turn the stiffness with the corotating axes held into the stiffness with axes that follow the nodes,
+    /// and add the change of the geometry under these forces.
     void let_frame_follow(const Pose& pose, const VectorXd& force, MatrixXd& tangent) const {
         const Tall coupling = coupling_of(pose, tangent);
         Tall against = coupling;
-        Matrix3d frame_curvature = Matrix3d::Zero();  // H_ww, and that of the stiffness
+        Matrix3d frame_curvature = Matrix3d::Zero();  // H_ww, and the term from the stiffness
         for (std::size_t i = 0; i < pose.count(); ++i) {
             const Vector3d push = part_of(force, 2 * i);
             const Vector3d moment = part_of(force, 2 * i + 1);
@@ -293,7 +295,7 @@ class CorotationalElement final : public Element {
         add_following(follow, against, tangent);
     }
 
-    /// H_i: the curvature of the energy in the rotation of a node, which is not linear in its spin.
+    /// H_i, the curvature of the energy that arises because the rotation of a node is not linear in its spin.
     static Matrix3d node_curvature(const Pose& pose, std::size_t i, const Vector3d& moment) {
         const Matrix3d& map = pose.inverse_map(i);
         const Matrix3d change = geometry::spin_map_derivative(pose.rotation(i), moment);
@@ -302,7 +304,7 @@ class CorotationalElement final : public Element {
         return map.transpose() * half;
     }
 
-    /// Adds A W + W^T A^T.
+    /// Add A W + W^T A^T.
     /// @param follow   W^T
     /// @param against  A
     static void add_following(const Tall& follow, const Tall& against, MatrixXd& tangent) {
@@ -312,7 +314,7 @@ class CorotationalElement final : public Element {
 
     std::vector<NodeIndex> nodes_;
     std::shared_ptr<const CorotationalBody> body_;
-    Eigen::Quaterniond turn_;  ///< from the body's axes to the structure's
+    Eigen::Quaterniond turn_;  ///< rotation from the body's axes to the structure's axes
 };
 
 }  // namespace

@@ -42,7 +42,8 @@ void CorotationalPose::turn_into_structure(const Quaterniond& turn) {
     inverse_slope_ = axes_ * half;
 }
 
-/// Nodes against their mean, in the body's axes at rest; the mean of their turns is the first guess.
+/// Set the nodes' positions relative to their mean, in the body's axes at rest. The mean of the nodes'
+/// rotations is the first guess.
 void CorotationalPose::place(const Quaterniond& turn, std::span<const NodeState> states) {
     const Quaterniond back = turn.conjugate();
     Vector3d middle = Vector3d::Zero();
@@ -64,8 +65,8 @@ void CorotationalPose::place(const Quaterniond& turn, std::span<const NodeState>
     frame_.normalize();
 }
 
-/// Newton's method on g = 0. A step below the bound leaves an error of its square; in the forces that is
-/// multiplied by the strains, since the stiffness resists no turn.
+/// Solve g = 0 by Newton's method. A step below the bound leaves an error of the square of the step. In the
+/// forces, this error is multiplied by the strains, because the stiffness resists no rigid rotation.
 void CorotationalPose::fit() {
     constexpr int kMostSteps = 30;
     constexpr double kSmallStep = 1e-6;
@@ -92,7 +93,7 @@ void CorotationalPose::measure() {
     sum_up();
 }
 
-/// g and dg/dw = sum of [P_i] [P_i + u_i] - weight T_i^-1.
+/// Compute g and dg/dw = sum of [P_i] [P_i + u_i] - weight T_i^-1.
 void CorotationalPose::sum_up() {
     offset_.setZero();
     Matrix3d slope = Matrix3d::Zero();

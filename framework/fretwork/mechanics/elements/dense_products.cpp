@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The products of which the elements of many nodes consist. They are small, and as many as there are
-// elements: matrix expressions, compiled for any machine, take three times as long.
+// The products that elements of many nodes are computed from. The products are small and many. Matrix
+// expressions, compiled for any machine, take three times as long.
 #include <fretwork/base/internal/instruction_sets.hpp>
 #include <fretwork/mechanics/elements/dense_products.hpp>
 
@@ -11,8 +11,8 @@ using Index = std::ptrdiff_t;
 
 using base::kRowsOf;
 
-/// Rows [i, i + Strips * kRowsOf<Strip>) of A x. The sums of several strips are made side by side: one alone
-/// would wait for each of its own.
+/// Rows [i, i + Strips * kRowsOf<Strip>) of A x. The sums of several strips are computed side by side,
+/// because each operation of a single strip would wait for the one before.
 template <class Strip, int Strips>
 FRETWORK_INLINE void multiply_rows(const DenseMatrix& a, Index i, const double* x, double* y) {
     Strip sum[Strips] = {};
@@ -26,7 +26,7 @@ FRETWORK_INLINE void multiply_rows(const DenseMatrix& a, Index i, const double* 
     for (int s = 0; s < Strips; ++s) *reinterpret_cast<Strip*>(y + i + s * kRowsOf<Strip>) = sum[s];
 }
 
-/// y[c] += the products of `Count` neighbouring columns with x.
+/// Add the products of `Count` neighbouring columns with x to y.
 template <int Count>
 FRETWORK_INLINE void add_dots_of(const double* columns, Index rows, const double* x, double* y) {
     const base::Dots<Count> products = base::dots<Count>(columns, rows, rows, x);

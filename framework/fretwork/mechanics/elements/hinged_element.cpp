@@ -29,7 +29,7 @@ HingedElement::HingedElement(std::unique_ptr<const BeamElement> beam, const std:
     }
 }
 
-/// From the small motions of this element's nodes to those of the beam's ends.
+/// The map from small motions of this element's nodes to small motions of the beam's ends.
 Eigen::MatrixXd HingedElement::rest_map() const {
     Eigen::MatrixXd map = Eigen::MatrixXd::Zero(kBeamDofs, size());
     map.leftCols(kBeamDofs).setIdentity();
@@ -124,7 +124,7 @@ void HingedElement::add_hinge_curvature(const Eigen::VectorXd& force, const std:
         const Vector3d& arm = hinged[end].arm;
         const Eigen::Index spin = 6 * hinge.end + 3;
         const Eigen::Index slide = 6 * hinge.slot;
-        // Second order of exp(w) (arm + s) and of exp(w) exp(h), whose commutator is w x h / 2.
+        // The second-order terms of exp(w) (arm + s) and of exp(w) exp(h), whose commutator is w x h / 2.
         Matrix3d lever = 0.5 * (pull * arm.transpose() + arm * pull.transpose());
         lever.diagonal().array() -= pull.dot(arm);
         tangent.block<3, 3>(spin, spin) += lever;

@@ -27,7 +27,7 @@ void LinearElement::evaluate(std::span<const NodeState> states, Demand demand,
         const Eigen::Vector3d moment = inverse.transpose() * response.force.segment<3>(at);
         response.force.segment<3>(at) = moment;
         if (demand == Demand::Force) continue;
-        // From components of the rotation vector to spins: K = T^T K_spin T + the change of T^T m.
+        // K = T^T K_spin T + the change of T^T m relates components of the rotation vector to spins.
         Eigen::Matrix3d change = geometry::spin_map_derivative(rotation, moment);
         change = 0.5 * (change + change.transpose()).eval();
         response.tangent.block<3, 3>(at, at) -= change;

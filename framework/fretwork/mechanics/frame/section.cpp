@@ -20,7 +20,7 @@ void require_positive(double value, const char* what) {
 
 /// Saint-Venant's torsion constant of a solid rectangle (Timoshenko and Goodier, Theory of Elasticity, 109):
 /// J = a b^3 (1/3 - 64 b / (pi^5 a) sum over odd n of tanh(n pi a / 2b) / n^5), a >= b. The sum is written as
-/// 31/32 zeta(5) less terms that fall off exponentially.
+/// 31/32 zeta(5) minus terms that decay exponentially.
 double rectangle_torsion_constant(double width, double height) {
     const double a = std::max(width, height);
     const double b = std::min(width, height);
@@ -83,7 +83,7 @@ Section i_section(const IShape& shape) {
     require_positive(shape.height, "the height of an I");
     require_positive(shape.flange_thickness, "the flange thickness of an I");
     require_positive(shape.web_thickness, "the web thickness of an I");
-    const double clear = shape.height - 2.0 * shape.flange_thickness;  // between the flanges
+    const double clear = shape.height - 2.0 * shape.flange_thickness;  // clear height between the flanges
     if (!(clear > 0.0))
         throw base::InputError("the two flanges of an I fill its height of " +
                                base::format_number(shape.height) + " m");

@@ -70,7 +70,8 @@ Section read_numbers(const JsonReader& json) {
             .J = json.at("J").positive_number()};
 }
 
-/// A section whose numbers were changed after it was made is no longer that of its shape.
+/// True if the numbers of a section are the numbers of its shape; they differ if they were changed
+/// afterwards.
 bool is_written_by_type(const Section& section) {
     if (!section.shape || std::holds_alternative<RectangleShape>(*section.shape)) return false;
     Section made = section_of(*section.shape);

@@ -8,11 +8,12 @@
 
 namespace fretwork::mechanics {
 
-/// A section by its type and lengths, or by its numbers. Throws InputError with source and JSON pointer.
+/// Read a section, given by its type and lengths or by its numbers. Throws InputError with source and JSON
+/// pointer.
 Section read_section(const base::JsonReader& json);
-/// The inverse of read_section: the type of what is no rectangle, else the numbers.
+/// The inverse of read_section. A rectangle is written by its numbers, and any other shape by its type.
 base::Json section_json(const Section& section);
-/// Whether files of the first formats do not know this section: an I.
+/// True if files of the first formats cannot contain this section, an I shape.
 bool is_of_newer_format(const Section& section);
 
 }  // namespace fretwork::mechanics

@@ -6,19 +6,19 @@
 namespace fretwork::mechanics::nonlinear {
 namespace {
 
-/// rad, or element lengths: shorter steps along the path are not tried, unless they are more than this share
-/// of the first step.
+/// The shortest step along the path, in rad or element lengths, and as a share of the first step. A step is
+/// too short only if it is shorter than both.
 constexpr double kShortestMove = 1e-10;
 constexpr double kShortestShare = 1e-9;
-/// Share of the load: a change of stability is taken to be one of this path if no step that changes the load
-/// by so little passes round it. Where a load off the mode has made a sharp bend out of a bifurcation, the
-/// path turns there.
+/// The share of the load below which a step is narrow. If every narrow step still crosses a change of
+/// stability, the change belongs to this path. An imperfect load can turn a bifurcation into a sharp bend; a
+/// narrow enough step follows the path around such a bend.
 constexpr double kNarrowest = 1e-5;
-/// Share of the load by which a step over a change of stability goes beyond it.
+/// The share of the load by which a step over a change of stability goes beyond the change.
 constexpr double kBeyondChange = 1.0 / 64.0;
 
-/// A step along the path may be this many times as long as the one before, and is as long as it can be if it
-/// deviates by this share of what is accepted.
+/// The largest ratio of a step's length to the length of the step before. The length is ideal if the step
+/// deviates by the following share of the accepted deviation.
 constexpr double kMostGrowth = 2.0;
 constexpr double kGoodDeviation = 0.4;
 
@@ -53,7 +53,7 @@ void Arc::forget_crossing(double next_length) {
     length = next_length;
 }
 
-/// Next to where stability changes, over it.
+/// The length of a step that goes just over a change of stability, if the change is near.
 double Arc::length_to_crossing(double wanted) const {
     if (!is_narrow(crossing)) return wanted;
     return std::clamp(kBeyondChange * load_scale() / state.load_rate, crossing, std::max(beyond, crossing));

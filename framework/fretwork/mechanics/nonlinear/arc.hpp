@@ -18,8 +18,7 @@ struct Arc {
     double length = 0.0;  ///< length of the next step
     /// Distance along the path to a place beyond a change of stability; infinity: no change is known.
     double crossing = std::numeric_limits<double>::infinity();
-    double beyond = 0.0;    ///< length of the step that first crossed the
-                            ///< change
+    double beyond = 0.0;    ///< length of the step that first crossed the change
     double shortest = 0.0;  ///< length of the shortest step that is tried
     /// A lower bound on load_scale(): 0 for paths from rest, 1 for paths whose load factor is no multiple of
     /// a load.

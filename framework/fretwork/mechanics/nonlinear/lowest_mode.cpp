@@ -11,18 +11,18 @@ namespace {
 constexpr int kMostIterations = 300;
 constexpr double kTolerance = 1e-10;
 
-/// Relative to the mean stiffness: some hundred times its rounding.
+/// The shift relative to the mean stiffness, a few hundred times the rounding of the stiffness.
 constexpr double kRoundingShift = 1e-13;
 
-/// A downhill step away from an unstable equilibrium turns no node by more than this, rad.
+/// The largest rotation of a node, rad, in a downhill step from an unstable equilibrium.
 constexpr double kDownhillStep = 0.1;
 constexpr int kMostDownhillSteps = 2000;
 
-/// Critical loads are found to this relative accuracy, with at most this many equilibria.
+/// The relative accuracy of critical loads, and the largest number of equilibria to find one.
 constexpr double kCriticalWidth = 1e-6;
 constexpr int kCriticalSteps = 30;
 
-/// The mean of the tangent's diagonal against the system's weights.
+/// The mean of the tangent's diagonal relative to the system's weights.
 double mean_stiffness(const NonlinearSystem& system) {
     double sum = 0.0;
     for (int i = 0; i < system.unknowns().equations(); ++i) {
@@ -32,14 +32,15 @@ double mean_stiffness(const NonlinearSystem& system) {
     return sum / std::max(system.unknowns().equations(), 1);
 }
 
-/// The least of the shifts `first`, 4 `first`, .. that makes the tangent positive definite; it is factorized.
+/// Factorize the tangent with the smallest of the shifts `first`, 4 `first`, .. that makes it positive
+/// definite. Returns this shift.
 double shift_to_definite(Newton& newton, double first) {
     double shift = first;
     while (!newton.factorize(shift).positive_definite() && std::isfinite(shift)) shift *= 4.0;
     return shift;
 }
 
-/// Among the nodes [first, last); an invalid node if none of them moves.
+/// The largest component of a mode among the nodes [first, last); an invalid node if none of them moves.
 StabilityLoss largest_component_of(const NonlinearSystem& system, const LowestMode& mode,
                                    std::ptrdiff_t first, std::ptrdiff_t last) {
     constexpr double kNoMove = 1e-9;

@@ -8,26 +8,26 @@ namespace {
 
 constexpr int kMostMixedIterations = 30;
 
-/// rad: the last step of an approach is at most so long.
+/// The size of a step, rad, at which an approach ends.
 constexpr double kApproach = 0.2;
-/// rad: after a longer step old factors would not help.
+/// The size of a step, rad, after which old factors would not help.
 constexpr double kLongStep = 0.5;
-/// New factors are computed if a step of old ones has shrunk by less. An iteration with old factors costs a
-/// fifth of one with new ones, or less.
+/// The ratio of two successive steps with old factors above which new factors are computed. An iteration with
+/// old factors costs at most a fifth of an iteration with new factors.
 constexpr double kShrink = 0.3;
-/// Where the caller needs no factors at the equilibrium, new ones are computed if old ones would take more
-/// iterations than this.
+/// The predicted number of further iterations with old factors above which new factors are computed, if the
+/// caller needs no factors at the equilibrium.
 constexpr double kManyIterations = 6.0;
-/// A step of old factors that has shrunk by less than this is not made at all.
+/// The ratio of two successive steps above which the later step with old factors is not made at all.
 constexpr double kUseless = 0.5;
-/// rad: once steps are this short, the factors that are needed at the equilibrium anyway are made: they end
-/// the iteration in a step or two.
+/// The size of a step, rad, below which the factors that are needed at the equilibrium anyway are computed.
+/// With them, the iteration ends in a step or two.
 constexpr double kNear = 3e-4;
-/// Factors made so near to the equilibrium are taken for its own: in rad, and as a share of all moves to it.
-/// A column's stability changes with a load that hardly moves it.
+/// The distance, in rad and as a share of all moves, within which factors count as the factors of the
+/// equilibrium. Both are small, because a load that hardly moves a column may change its stability.
 constexpr double kSame = 2e-4;
 constexpr double kSameShare = 1e-3;
-/// rad: a step beyond this is divergence.
+/// The size of a step, rad, that counts as divergence.
 constexpr double kTooFar = 3.0;
 
 }  // namespace
@@ -66,7 +66,8 @@ void MixedNewton::go_back(const Place& place, const std::vector<double>& stresse
     way_at_departure_.reset();
 }
 
-/// False if the residual is not finite; then there are no factors.
+/// Evaluate and factorize the tangent. False, without factors, if the residual is not finite or the tangent
+/// is singular.
 bool MixedNewton::factorize(const Configuration& configuration, double load_factor) {
     way_at_departure_.reset();
     has_foreign_factors_ = false;
@@ -77,7 +78,8 @@ bool MixedNewton::factorize(const Configuration& configuration, double load_fact
     return outcome_.zero_pivot < 0;
 }
 
-/// Whether old factors, whose steps shrink by this ratio, lead on so slowly that new ones are worth it.
+/// True if iterations with old factors, whose steps shrink by this ratio, converge so slowly that new factors
+/// pay off.
 bool MixedNewton::is_slow(double ratio) const {
     if (options_.classify_stability) return false;
     const double digits = std::log(options_.relative_residual / system_.relative_residual());
@@ -93,7 +95,8 @@ void MixedNewton::move(const Eigen::VectorXd& step, double prescribed, Configura
     way_.moved += unknowns_.size_of(step);
 }
 
-/// Prescribed components move together with the unknowns: alone they would fold the elements at them.
+/// Make the first step. Prescribed components move together with the unknowns, because alone they would fold
+/// the elements next to them.
 MixedNewton::FirstStep MixedNewton::depart(Configuration& configuration) {
     way_at_departure_ = way_;
     Configuration next = configuration;
@@ -118,19 +121,19 @@ MixedNewton::FirstStep MixedNewton::depart(Configuration& configuration) {
     return first;
 }
 
-/// Whether the factors are those of the configuration, up to a negligible move.
+/// True if the factors belong to the configuration, up to a negligible move.
 bool MixedNewton::has_own_factors(const Iteration& iteration) const {
     return way_.turned <= kSame && way_.moved <= kSameShare * iteration.travelled;
 }
 
-/// Whether the factors that are needed at the end anyway are to be made now.
+/// True if the factors that are needed at the end anyway should be computed now.
 bool MixedNewton::wants_own_factors(const Iteration& iteration) const {
     const bool is_approach = iteration.goal == Goal::Approach;
     if (!is_approach && !options_.classify_stability) return false;
     return iteration.turn <= (is_approach ? kApproach : kNear) && !has_own_factors(iteration);
 }
 
-/// Finds the next step, unless the iteration ends.
+/// Find the next step with new factors. Returns a termination if the iteration ends.
 std::optional<Termination> MixedNewton::step_with_new_factors(Iteration& iteration,
                                                               const Configuration& configuration) {
     if (!factorize(configuration, iteration.load_factor)) return Termination::Diverged;
@@ -143,7 +146,7 @@ std::optional<Termination> MixedNewton::step_with_new_factors(Iteration& iterati
     return std::nullopt;
 }
 
-/// The same.
+/// Find the next step with old factors. Returns a termination if the iteration ends.
 std::optional<Termination> MixedNewton::step_with_old_factors(Iteration& iteration,
                                                               const Configuration& configuration) {
     system_.evaluate_mixed(configuration, iteration.load_factor, Demand::Force, stresses_);
@@ -154,7 +157,7 @@ std::optional<Termination> MixedNewton::step_with_old_factors(Iteration& iterati
     return std::nullopt;
 }
 
-/// Computes factors that decide stability, where the caller asks for it.
+/// End at an equilibrium, and compute factors that decide its stability if the caller asks for it.
 Termination MixedNewton::end_at_equilibrium(const Iteration& iteration, const Configuration& configuration) {
     if (has_own_factors(iteration) || !options_.classify_stability) return Termination::Converged;
     stresses_.give_own();

@@ -11,33 +11,36 @@
 namespace fretwork::mechanics::nonlinear {
 namespace {
 
-/// Accuracy of the solves with the skew part; Newton corrects the rest.
+/// The accuracy of solutions with the skew part; Newton's method corrects the rest.
 constexpr double kSkewTolerance = 1e-6;
 constexpr int kMostSkewIterations = 60;
 
-/// A step this small (rotations in rad, displacements in element lengths) changes nothing but rounding ...
+/// The size of a step (rotations in rad, displacements in element lengths) that changes nothing but rounding
+/// ...
 constexpr double kNegligibleStep = 1e-13;
-/// ... and ends the iteration if the residual, by which reactions are off, is below this. Short beams beside
-/// long ones do not let it come lower: the forces that cancel in them are rounded.
+/// ... and ends the iteration if the residual, which is the error of the reactions, is below this limit. In
+/// short beams beside long beams, the rounding of cancelling forces keeps the residual from falling lower.
 constexpr double kResidualFloor = 1e-4;
-/// Displacements so small (rad, and element lengths) are linear in the load: the first prediction is exact,
-/// and the residual it leaves is that of the elements' geometry, which knows positions to 1e-16 only.
+/// The size of displacements (rad, and element lengths) below which they are linear in the load. The first
+/// prediction is then exact, and its residual comes from the rounding of positions in the elements' geometry.
 constexpr double kLinearReach = 1e-7;
 
-/// Factors are those of a configuration that is so near (rad, and element lengths, and as a share of the way
-/// to it): a column's stability changes with a load that hardly moves it.
+/// The distance (rad and element lengths, and as a share of the way to a configuration) within which factors
+/// count as the factors of the configuration. Both are small, because a load that hardly moves a column may
+/// change its stability.
 constexpr double kNegligibleMove = 2e-4;
 constexpr double kNegligibleShare = 1e-3;
 
-/// Refinement ends at a step of this share of the solution ...
+/// Refinement ends at a step of this share of the solution, ...
 constexpr double kRefinedStep = 1e-13;
-/// ... or where steps do not shrink by this any more, which is rounding below a share of ...
+/// ... or if steps do not shrink by this factor any more, which is due to rounding if the step is below a
+/// share of ...
 constexpr double kSlowRefinement = 0.3;
 constexpr double kLeastRefined = 1e-9;
 
-/// Solve (1 + B) x = b by GMRES, where B is the skew part behind the symmetric part's inverse. Its rank is at
-/// most two for each node with a moment, so a few steps are exact. Givens' rotations keep the small problem
-/// triangular, and give the residual at each step.
+/// Solve (1 + B) x = b by GMRES, where B is the inverse of the symmetric part times the skew part. The rank
+/// of B is at most two for each node with a moment, so a few steps are exact. Givens rotations keep the small
+/// problem triangular, and give the residual at each step.
 template <class Operator>
 Eigen::VectorXd solve_near_identity(const Operator& b_times, const Eigen::VectorXd& right_side) {
     const double size = right_side.norm();
@@ -96,8 +99,9 @@ void Newton::set_neutral(Eigen::VectorXd direction, double shift) {
     neutral_shift_ = shift;
 }
 
-/// Where K n = 0, solutions are known up to multiples of n. The one that does not move along the direction is
-/// that of K bordered with it; n itself comes out of the solve with the bordering column.
+/// The solution without motion along the neutral direction n. As K n = 0, solutions of K are unique only up
+/// to multiples of n. The wanted solution is the solution of K bordered with n; n itself follows from the
+/// solution with the bordering column.
 Eigen::VectorXd Newton::without_neutral_part(Eigen::VectorXd x) {
     if (neutral_.size() == 0) return x;
     const Eigen::VectorXd along = unknowns_.weights().cwiseProduct(neutral_);
@@ -120,7 +124,7 @@ Eigen::VectorXd Newton::solve_tangent(const Eigen::VectorXd& right_side) {
     return without_neutral_part(solve_skew(x, 1.0));
 }
 
-/// From S^-1 b to (S + sign W)^-1 b, where W is the skew part.
+/// Compute (S + sign W)^-1 b from S^-1 b, where S is the symmetric part and W the skew part.
 Eigen::VectorXd Newton::solve_skew(const Eigen::VectorXd& symmetric_solution, double sign) const {
     return solve_near_identity(
         [this, sign](const Eigen::VectorXd& v) {
@@ -156,7 +160,7 @@ std::optional<Eigen::MatrixXd> Newton::solve_refined(const Eigen::MatrixXd& righ
     for (std::optional<double> last;;) {
         control.check();
         factors_.solve(step, control);
-        double share = 0.0;  // of the largest step in its solution
+        double share = 0.0;  // largest ratio of a step to its solution
         for (Eigen::Index c = 0; c < x.cols(); ++c) {
             if (system_.has_skew_part()) step.col(c) = solve_skew(step.col(c), sign);
             x.col(c) += step.col(c);
@@ -182,7 +186,7 @@ bool Newton::is_converged(const Configuration& configuration, const Eigen::Vecto
            unknowns_.largest_component(last_step) <= kNegligibleStep;
 }
 
-/// From the factors of the configuration. Converged: it was made.
+/// Make a step with the factors of the configuration. Returns Converged if the step was made.
 Termination Newton::make_step(Eigen::VectorXd& step, Configuration& configuration) {
     step = solve_tangent(system_.unbalanced());
     const double rotation = unknowns_.largest_rotation(step);
@@ -223,8 +227,9 @@ std::optional<sparse::Ldlt::Outcome> Newton::solve_and_factorize(double load_fac
         if (iteration == options_.iterations_per_step) return {};
         const double residual = system_.relative_residual();
         if (make_step(step, configuration) != Termination::Converged) return {};
-        has_factors = residual * residual <= options_.relative_residual &&  // a step squares it
-                      !outcome.has_weak_pivot && unknowns_.largest_component(step) <= kNegligibleMove &&
+        // A Newton step squares the residual.
+        has_factors = residual * residual <= options_.relative_residual && !outcome.has_weak_pivot &&
+                      unknowns_.largest_component(step) <= kNegligibleMove &&
                       unknowns_.size_of(step) <= kNegligibleShare * whole;
     }
 }

@@ -14,14 +14,14 @@ namespace {
 
 using base::at;
 
-/// The size of a batch of tangents, in numbers: threads evaluate a batch, then it is added in order; and the
-/// share of one thread at a time. A batch stays in the cache.
+/// The size of a batch of tangents, and the share of one thread at a time, as numbers of entries. Threads
+/// evaluate a batch, which stays in the cache, and then the tangents are added in order.
 constexpr std::size_t kBatchNumbers = 300'000;
 constexpr std::size_t kPieceNumbers = 10'000;
-/// Displacements may be some hundred times as long as the elements, and are rounded accordingly.
+/// Displacements, as a multiple of the length of the elements, for which rounding is allowed.
 constexpr double kRoundingOfMotion = 100.0;
 
-/// Numbers in the tangents of all elements.
+/// The number of entries in the tangents of all elements.
 std::size_t tangent_numbers(const Assembly& assembly) {
     std::size_t sum = 0;
     for (const auto& element : assembly.elements) {
@@ -31,8 +31,8 @@ std::size_t tangent_numbers(const Assembly& assembly) {
     return sum;
 }
 
-/// The rounding of the forces on each node where the elements at it are near rest: rounding of their geometry
-/// times their stiffness. A stiff element far away adds nothing.
+/// The rounding of the forces on each node whose elements are near rest: the rounding of their geometry times
+/// their stiffness. A stiff element elsewhere adds nothing.
 NodeValues rounding_forces(const Assembly& assembly, double length) {
     constexpr double kRoundings = 8.0;
     NodeValues forces = NodeValues::Zero(static_cast<Eigen::Index>(assembly.nodes.size()), kDofsPerNode);
@@ -109,7 +109,7 @@ void NonlinearSystem::map_spins(const Configuration& configuration) {
         spin_maps_[i] = geometry::spin_map(configuration.rotation_vectors[at(unknowns_.vector_nodes()[i])]);
 }
 
-/// From spins to components of the rotation vector, where these are the unknowns.
+/// Map columns from spins to components of the rotation vector, at nodes at which these are the unknowns.
 void NonlinearSystem::map_columns(std::span<const NodeIndex> nodes,
                                   Eigen::Ref<Eigen::MatrixXd> slopes) const {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -151,7 +151,7 @@ void NonlinearSystem::for_elements(std::size_t count, const std::function<void(s
     });
 }
 
-/// Elements are added in their order, whoever has evaluated them, so that sums do not depend on threads.
+/// Evaluate and add all elements. Elements are added in their order, so sums do not depend on the threads.
 void NonlinearSystem::add_elements(const Configuration& configuration, const Pass& pass) {
     for (std::size_t first = 0; first < unknowns_.assembly().elements.size(); first += batch_) {
         const std::size_t count = std::min(batch_, unknowns_.assembly().elements.size() - first);
@@ -196,7 +196,7 @@ void NonlinearSystem::extrapolate(const NodeValues& motions, StressWorkspace& st
     });
 }
 
-/// Valid until the next call on the same thread.
+/// The states of an element's nodes; valid until the next call on the same thread.
 std::span<const NodeState> NonlinearSystem::states_of(const Element& element,
                                                       const Configuration& configuration) {
     thread_local std::vector<NodeState> states;
@@ -234,10 +234,10 @@ void NonlinearSystem::add_answer(std::size_t index, const Answer& answer, const 
     if (unknowns_.has_prescribed()) add_prescribed_rate(nodes, answer.response.tangent);
 }
 
-/// The part of moments in the tangent: at vector nodes the change of the map itself (it meets the
-/// out-of-balance moment, which the supports carry), at freely turning ones the skew part of moments of fixed
-/// direction.
-/// @param internal  forces of the stresses that stand in the tangent
+/// Add the terms of moments to the tangent. At vector nodes, these terms are the change of the spin map,
+/// multiplied by the unbalanced moment that the supports carry. At freely turning nodes, they are the skew
+/// part of moments of fixed direction.
+/// @param internal  internal forces of the stresses in the tangent
 void NonlinearSystem::add_moment_terms(const Configuration& configuration, const NodeValues& loads,
                                        const NodeValues& internal) {
     skew_.clear();
@@ -262,7 +262,7 @@ void NonlinearSystem::add_moment_terms(const Configuration& configuration, const
     }
 }
 
-/// The skew part of the tangent that a node's applied moment leaves.
+/// The skew part of the tangent by a node's applied moment.
 Eigen::Matrix3d NonlinearSystem::skew_of_moment(int node, const NodeValues& loads) const {
     const Eigen::Vector3d moment = loads.row(node).tail<3>().transpose();
     Eigen::Matrix3d skew = -0.5 * geometry::cross_matrix(moment);
@@ -271,7 +271,8 @@ Eigen::Matrix3d NonlinearSystem::skew_of_moment(int node, const NodeValues& load
     return spin_maps_[at(slot)].transpose() * skew * spin_maps_[at(slot)];
 }
 
-/// Moments against the components of the rotation vector, where these are the unknowns.
+/// Forces with their moments mapped to the components of the rotation vector, at nodes at which these are the
+/// unknowns.
 NodeValues NonlinearSystem::mapped(NodeValues forces) const {
     for (std::size_t i = 0; i < unknowns_.vector_nodes().size(); ++i) {
         auto moment = forces.row(unknowns_.vector_nodes()[i]).tail<3>();
@@ -302,8 +303,8 @@ void NonlinearSystem::gather_unbalanced(double load_factor, const NodeValues& lo
     relative_residual_ = is_at_rest ? 0.0 : std::sqrt(square) / scale;
 }
 
-/// Supports that move a structure as a rigid body load it with nothing: all forces are rounding, also the
-/// reactions.
+/// True if supports move the structure as a rigid body. They cause no forces, so all forces are rounding,
+/// reactions included.
 bool NonlinearSystem::is_moved_rigidly(double scale, double unbalanced) const {
     const bool has_loads = !unknowns_.assembly().loads.isZero(0.0) || !start_loads_.isZero(0.0);
     if (!unknowns_.has_prescribed() || has_loads) return false;

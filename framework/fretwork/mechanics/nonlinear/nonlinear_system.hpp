@@ -133,7 +133,7 @@ class NonlinearSystem {
 
     Unknowns unknowns_;
     NodeValues start_loads_;                  ///< loads at the beginning of the path
-    NodeValues load_change_;                  ///< from there to the full load
+    NodeValues load_change_;                  ///< change of the loads from there to the full load
     Eigen::VectorXd rounding_;                ///< rounding of the force of each equation at rest
     Elements rounded_elements_;               ///< elements to which `rounding_` belongs
     std::vector<int> moment_nodes_;           ///< nodes with applied moments and at least two free rotations

@@ -8,8 +8,8 @@ namespace {
 
 constexpr std::size_t kPoints = 3;
 
-/// The third equilibrium helps while its correction is small beside that of the second one; next to a limit
-/// load a polynomial of higher degree only overshoots.
+/// The largest ratio of the third equilibrium's correction to the second's correction with which the third is
+/// used. Near a limit load, a polynomial of higher degree overshoots.
 constexpr double kSmallCorrection = 0.3;
 
 }  // namespace
@@ -20,7 +20,8 @@ void PathPredictor::add(double load_factor, const Configuration& configuration, 
 }
 
 Eigen::VectorXd PathPredictor::step_to(double load_factor) const {
-    // Newton's form: each equilibrium stands twice, and the difference of equals is the rate.
+    // Newton's form of the polynomial: each equilibrium appears twice, and the divided difference of the two
+    // is the rate.
     const std::size_t count = 2 * points_.size();
     std::vector<double> at(count);
     std::vector<Eigen::VectorXd> value(count);

@@ -10,25 +10,26 @@ namespace fretwork::mechanics::nonlinear {
 namespace {
 
 constexpr int kMostCorrections = 15;
-/// A correction that is this many times as long as the one before does not converge.
+/// The ratio of a correction to the correction before it above which the iteration does not converge.
 constexpr double kLargestContraction = 2.0;
 
-/// On one path a move is about the mean of the directions at its ends. An equilibrium that differs from that
-/// by more than this share, in any component (those that move less than the second of these shares of the
-/// largest count as that), is on another branch, or too far to decide.
+/// The largest deviation of a move from the mean of the directions at its ends, as a share of each component.
+/// Components that move less than a share (the second constant) of the largest count as this share. With a
+/// larger deviation, the equilibrium is on another branch, or too far away to decide.
 constexpr double kUnexplained = 0.3;
 constexpr double kOwnShare = 0.3;
-/// rad, and element lengths: along the arc, where bends may be sharp, only moves as small as this are linear.
+/// The size of a move (rad, and element lengths) below which it is linear, along the arc, where bends may be
+/// sharp.
 constexpr double kRoundedMove = 1e-8;
-/// The directions at the ends of a step differ by less than 60 degrees.
+/// The smallest cosine of the angle between the directions at the ends of a step: 60 degrees.
 constexpr double kLeastCosine = 0.5;
-/// rad, or element lengths: a path begins with a step of this size at most.
+/// The largest size of the first step of a path, rad or element lengths.
 constexpr double kFirstMove = 0.1;
-/// rad: a step turns no node by more than this if it is prescribed how far.
+/// The largest prescribed rotation of a node in a step, rad.
 constexpr double kMostPrescribedTurn = 0.7;
-/// A step that ends within another one is at most this many times as long.
+/// The largest length of a step that ends within another step, as a multiple of the other step's length.
 constexpr double kWithin = 1.05;
-/// A guess is curved by no more than this share of its straight part.
+/// The largest curved part of a guess, as a share of its straight part.
 constexpr double kMostCurved = 0.5;
 
 }  // namespace
@@ -73,8 +74,8 @@ double PathStepper::first_length(const PathState& from, double load_factor) cons
     return std::min(length_of(from, kFirstMove), (load_factor - from.point.load_factor) / from.load_rate);
 }
 
-/// The cubic through the last two states and their directions (Hermite), continued; straight on where that
-/// would bend too much.
+/// The continuation of the cubic through the last two states and their directions (Hermite); the straight
+/// continuation if the cubic bends too much.
 PathStepper::Guess PathStepper::predict(const PathState& from, const PathState* previous,
                                         double length) const {
     Guess guess{length * from.direction, length * from.load_rate};
@@ -112,7 +113,7 @@ std::optional<PathStep> PathStepper::step(const PathState& from, const PathState
     if (outcome.zero_pivot >= 0) return {};
     auto step = step_to(from, {std::move(trial), guess.load_factor, outcome});
     if (!step) return {};
-    // Rounding decides which way the load goes along so short a step.
+    // Along such a short step, rounding decides the sign of the load rate.
     if (step->state.load_rate < 0.0 && unknowns_.largest_component(step->move) <= kRoundedMove) return {};
     step->deviation = deviation_on_arc(from, *step);
     return step->deviation <= 1.0 ? std::move(step) : std::nullopt;
@@ -124,7 +125,7 @@ std::optional<PathStep> PathStepper::step_to_load(const PathState& from, double 
     if (!arrival) return {};
     auto step = step_to(from, std::move(*arrival));
     if (!step) return {};
-    // Rates of what stands still are rounding, and so is the way in which it moves.
+    // The rates of components that stand still are rounding, and so is the direction in which they move.
     if (unknowns_.largest_component(step->move) <= kRoundedMove)
         step->state = rising(std::move(step->state.point));
     const double span = load_factor - from.point.load_factor;

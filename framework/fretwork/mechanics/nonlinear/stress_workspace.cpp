@@ -7,7 +7,7 @@ namespace {
 
 using ConstVector = Eigen::Map<const Eigen::VectorXd>;
 
-/// A beam's, whose products are then unrolled.
+/// The number of stresses of a beam, for which the products are unrolled.
 constexpr Eigen::Index kBeamStresses = 6;
 constexpr Eigen::Index kBeamMotions = 12;
 using BeamSlopes = Eigen::Map<const Eigen::Matrix<double, kBeamStresses, kBeamMotions>>;

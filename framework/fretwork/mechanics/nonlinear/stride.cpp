@@ -8,29 +8,30 @@
 namespace fretwork::mechanics::nonlinear {
 namespace {
 
-/// rad: the first step of an increment turns no node farther, and prescribed rotations grow by no more. Steps
-/// of a radian converge as well, but often by way of tangents that are not positive definite: then they are
-/// made again, half as long.
+/// The largest rotation of a node, rad, in the first step of an increment, and the largest increment of a
+/// prescribed rotation. Steps of a radian converge as well, but often pass tangents that are not positive
+/// definite, and are then repeated with half the length.
 constexpr double kLongestTurn = 0.4;
 constexpr double kPrescribedTurn = 0.7;
-/// After an increment that failed, first steps are half as long; with each that succeeds, they grow by this.
+/// The factor by which first steps grow after each successful increment; after a failed increment, they are
+/// halved.
 constexpr double kRecovery = 1.4;
-/// rad: of a whole increment.
+/// The largest rotation of a node in a whole increment, rad.
 constexpr double kWholeTurn = 2.5;
 constexpr int kMostHalvings = 6;
-/// An increment may be this many times as long as the last one, and this many times longer if it then is the
-/// last.
+/// The largest ratio of an increment to the previous increment, and the further factor allowed if the
+/// increment is then the last.
 constexpr double kGrowth = 4.0;
 constexpr double kRemainder = 1.3;
 
-/// A component may move by this many times what the larger rate at the increment's ends predicts, plus this
-/// share of the largest move.
+/// The largest move of a component, as a multiple of the prediction by the larger rate at the increment's
+/// ends, plus a share of the largest move.
 constexpr double kExplained = 2.0;
 constexpr double kOwnMove = 0.15;
-/// Rates grow by no more than this over an increment.
+/// The largest growth of rates over an increment.
 constexpr double kSoftening = 2.0;
 
-/// rad: elements whose ends cannot be turned against each other by more than this are not looked at.
+/// The bound on the relative rotation of an element's ends, rad, below which no element is evaluated.
 constexpr double kSafeTurn = 2.5;
 
 class Strider {
@@ -100,11 +101,10 @@ class Strider {
     Newton& newton_;
     MixedNewton& mixed_;
     double target_;
-    double prescribed_turn_ =
-        0.0;                ///< rad: the largest rotation that is prescribed at a node, at the full load
-    double longest_ = 0.0;  ///< increment of the load factor
-    double longest_turn_ = kLongestTurn;  ///< of an increment's first step, rad
-    Eigen::VectorXd correction_;          ///< what the last approach has left
+    double prescribed_turn_ = 0.0;        ///< largest prescribed rotation of a node at the full load, rad
+    double longest_ = 0.0;                ///< largest increment of the load factor
+    double longest_turn_ = kLongestTurn;  ///< largest rotation in an increment's first step, rad
+    Eigen::VectorXd correction_;          ///< correction left by the last approach
 };
 
 }  // namespace

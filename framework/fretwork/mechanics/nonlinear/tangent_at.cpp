@@ -38,7 +38,7 @@ EquilibriumTangent::Impl::Impl(const Parts& parts, const base::Control& control)
 
 void EquilibriumTangent::Impl::factorize(const base::Control& control) {
     parts_.system.refresh(control);
-    parts_.has_factors = false;  // also if something throws
+    parts_.has_factors = false;  // stays false if a call throws
     if (!parts_.mixed.begin(parts_.configuration, 1.0))
         throw base::NumericalError("the equilibrium is at a stability limit: it has no derivative");
     parts_.has_factors = is_exact_ = true;
@@ -143,7 +143,7 @@ Eigen::VectorXd EquilibriumTangent::Impl::internal_forces(std::size_t index) con
     return response.force;
 }
 
-/// The forces on an element's nodes along motions of them, in rows of the structure.
+/// The change of an element's forces on its nodes along motions, in rows of the structure.
 MatrixXd EquilibriumTangent::Impl::forces_of(const Element& own, const MatrixXd& motions) const {
     MatrixXd local(std::ssize(own.nodes()) * kDofsPerNode, motions.cols());
     for (Index i = 0; i < std::ssize(own.nodes()); ++i)
@@ -154,13 +154,13 @@ MatrixXd EquilibriumTangent::Impl::forces_of(const Element& own, const MatrixXd&
     return response.tangent * local;
 }
 
-/// The parts of the tangent, or of its transpose, at a node alone: at nodes whose rotation vector is partly
-/// held, against its components.
+/// Add the terms of the tangent, or of its transpose, that belong to single nodes. At nodes whose rotation
+/// vector is partly held, they refer to the components of the rotation vector.
 void EquilibriumTangent::Impl::add_own_terms(const MatrixXd& motions, nonlinear::Newton::Side side,
                                              MatrixXd& forces) const {
     const double sign = side == nonlinear::Newton::Side::Tangent ? 1.0 : -1.0;
     const NodeValues reactions =
-        parts_.system.reactions();  // internal less applied, where rotations are held
+        parts_.system.reactions();  // internal minus applied forces, at held rotations
     for (const int node : unknowns().vector_nodes()) {
         const Eigen::Vector3d excess = reactions.row(node).tail<3>().transpose();
         const Eigen::Vector3d moment = unknowns().assembly().loads.row(node).tail<3>().transpose();
@@ -178,7 +178,7 @@ bool EquilibriumTangent::Impl::is_held(Index node, int dof) const {
     return unknowns().is_held(static_cast<int>(node), dof);
 }
 
-/// What motions do to the forces, conjugate to the unknowns, of all elements that have a held node.
+/// The change of the forces (conjugate to the unknowns) of all elements with a held node, along motions.
 MatrixXd EquilibriumTangent::Impl::forces_at_held(const MatrixXd& motions,
                                                   nonlinear::Newton::Side side) const {
     const auto has_held = [this](NodeIndex node) {

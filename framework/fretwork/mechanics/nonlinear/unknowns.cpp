@@ -88,7 +88,7 @@ void Unknowns::prescribe(double load_factor, Configuration& configuration) const
     for (const PrescribedDisplacement& given : assembly_.prescribed) {
         const auto node = at(given.node.value);
         const auto dof = static_cast<int>(given.dof);
-        // Exact at the full load.
+        // This form is exact at the full load.
         const double value = load_factor * given.value + (1.0 - load_factor) * start_(given.node.value, dof);
         if (dof < 3) {
             configuration.states[node].displacement[dof] = value;

@@ -105,7 +105,7 @@ class Unknowns {
     structure::Constraints constraints_;
     double length_;
     NodeValues start_;              ///< held components at the beginning of the path
-    NodeValues prescribed_change_;  ///< from there to the full load
+    NodeValues prescribed_change_;  ///< change of the held components from there to the full load
     std::unique_ptr<sparse::SystemLayout> layout_;
     std::vector<int> vector_nodes_;
     std::vector<int> vector_slot_;

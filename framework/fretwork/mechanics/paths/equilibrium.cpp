@@ -36,7 +36,7 @@ std::vector<Solution> follow_load_path(const Assembly& assembly, std::span<const
         } else {
             solutions.push_back(solutions.back());
             solutions.back().iterations = 0;
-            solutions.back().stability_losses.clear();  // reported once
+            solutions.back().stability_losses.clear();  // each loss is reported once
         }
     }
     return solutions;

@@ -18,10 +18,11 @@ namespace {
 using nonlinear::Configuration;
 using nonlinear::PathPoint;
 
-/// rad: an edit whose first step turns a node farther is answered from rest.
+/// The largest rotation of a node, rad, in the first step after an edit; after a larger one, the solution
+/// starts from rest.
 constexpr double kLongestStep = 1.0;
 
-/// One assembly, its equations, and their factors.
+/// An assembly with its equations and their factors.
 struct Equations {
     Equations(const Assembly& its_assembly, const EquilibriumOptions& options)
         : assembly(its_assembly),
@@ -50,7 +51,7 @@ bool have_equal_rotation_vectors(const Assembly& a, const Assembly& b) {
            structure::constraints_of(b).values.rightCols<3>();
 }
 
-/// For a solution under its full load.
+/// The configuration of a solution under its full load.
 Configuration configuration_of(const Solution& solution) {
     Configuration configuration;
     for (const NodeValues* table : {&solution.displacements, &solution.inner_displacements}) {
@@ -78,7 +79,7 @@ class EquilibriumSolver::Impl {
         options_.classify_stability = is_classifying_ && check == StabilityCheck::Made;
         const bool may_go_on = is_settled_ && assembly.nodes == equations_->assembly.nodes &&
                                !holds_what_has_moved_away(assembly);
-        is_settled_ = has_converged_ = false;  // also if something throws
+        is_settled_ = has_converged_ = false;  // stays false if a call throws
         if (may_go_on) {
             starting_point_ = StartingPoint::LastEquilibrium;
             if (auto solution = go_on(assembly, first_iterate)) return std::move(*solution);
@@ -126,7 +127,8 @@ class EquilibriumSolver::Impl {
             equations_ = std::make_unique<Equations>(assembly, options_);
         }
         auto& [own, system, newton, mixed] = *equations_;
-        (void)newton.take_iterations();  // of a way from the last equilibrium that was given up
+        // Iterations of an attempt from the last equilibrium that was given up.
+        (void)newton.take_iterations();
         point_ = {system.unknowns().rest(), 0.0, {}, {}, 0.0};
         mixed.begin_at_rest(point_.configuration);
         point_.rate = newton.solve_tangent(system.load_rate());
@@ -134,7 +136,7 @@ class EquilibriumSolver::Impl {
         return settled();
     }
 
-    /// The equilibrium at which the system is evaluated and the factors are.
+    /// The solution at the equilibrium to which the system's evaluation and the factors belong.
     Solution settled() {
         is_settled_ = has_factors_ = has_converged_ = true;
         Solution solution = equations_->system.describe(point_.configuration, 1.0);
@@ -144,8 +146,8 @@ class EquilibriumSolver::Impl {
         return solution;
     }
 
-    /// Whether a component that was free is to be held at a place so far from where it is now that the first
-    /// step would turn nodes by about a radian. Then it is not worth the factors to try.
+    /// True if a newly held component is so far from its value that the first step would turn nodes by about
+    /// a radian. An attempt from the last equilibrium is then not worth its factors.
     [[nodiscard]] bool holds_what_has_moved_away(const Assembly& assembly) const {
         const structure::Constraints wanted = structure::constraints_of(assembly);
         const auto& unknowns = equations_->system.unknowns();
@@ -169,14 +171,15 @@ class EquilibriumSolver::Impl {
             has_factors_ = false;
             return;
         }
-        // Slopes are against components of rotation vectors where these are prescribed.
+        // The slopes refer to components of rotation vectors at nodes at which these are prescribed.
         has_factors_ = has_factors_ && equations_->assembly.elements == assembly.elements &&
                        have_equal_rotation_vectors(equations_->assembly, assembly);
         equations_->assembly = assembly;
         equations_->system.refresh(options_.control);
     }
 
-    /// A stop on the way leaves the last equilibrium to go on from.
+    /// Continue from the last equilibrium. After a stop on the way, the last equilibrium stays the starting
+    /// point.
     std::optional<Solution> go_on(const Assembly& assembly, const FirstIterate& first_iterate) {
         try {
             adopt(assembly);
@@ -211,11 +214,12 @@ class EquilibriumSolver::Impl {
         iterate.termination = Termination::IterationsSpent;
         iterate.stability = StabilityTest::None;
         iterate.iterations = 1;
-        iterate.reactions.setZero();  // those of the configuration before
+        iterate.reactions.setZero();  // the reactions belong to the configuration before
         return iterate;
     }
 
-    /// Where the loads have not changed since. False if it has lost its stability unseen.
+    /// The solution again, if nothing has changed. Nothing if the equilibrium has lost its stability in
+    /// unchecked solutions.
     std::optional<Solution> settled_again() {
         auto& [own, system, newton, mixed] = *equations_;
         if (options_.classify_stability && !is_checked_) {
@@ -225,7 +229,7 @@ class EquilibriumSolver::Impl {
         return settled();
     }
 
-    /// Whether the last equilibrium and one found from it speak for one path.
+    /// True if the last equilibrium and the next one seem to lie on one path.
     bool is_near(const nonlinear::MixedNewton::FirstStep& first, PathPoint& next) {
         auto& [own, system, newton, mixed] = *equations_;
         const auto& unknowns = system.unknowns();
@@ -240,15 +244,17 @@ class EquilibriumSolver::Impl {
     }
 
     EquilibriumOptions options_;
-    bool is_classifying_;  ///< as the caller's options say; options_ has what holds for one solution
+    /// classify_stability in the caller's options; `options_` has its value for one solution
+    bool is_classifying_;
     std::unique_ptr<Equations> equations_;
-    PathPoint point_;                   ///< the last equilibrium, if it is settled
-    bool is_settled_ = false;           ///< there is a last equilibrium to go on from
-    std::optional<Assembly> followed_;  ///< the last one, where there are no equations of it
-    bool has_converged_ = false;        ///< the point is an equilibrium of the last assembly
-    bool has_factors_ = false;          ///< with its stresses
-    bool is_given_up_ = false;          ///< a way from it was, and the factors may be others
-    bool is_checked_ = false;           ///< the factors are those of the last equilibrium, and it is stable
+    PathPoint point_;                   ///< last equilibrium, if is_settled_
+    bool is_settled_ = false;           ///< true if there is a last equilibrium to continue from
+    std::optional<Assembly> followed_;  ///< last assembly, if it has no equations
+    bool has_converged_ = false;        ///< true if the point is an equilibrium of the last assembly
+    bool has_factors_ = false;          ///< true if factors and stresses belong to the last equilibrium
+    /// True if an attempt from the last equilibrium was given up, so that the factors may be outdated.
+    bool is_given_up_ = false;
+    bool is_checked_ = false;  ///< true if the factors belong to the last equilibrium, which is stable
     StartingPoint starting_point_ = StartingPoint::Rest;
 };
 

@@ -11,15 +11,15 @@
 namespace fretwork::mechanics {
 namespace {
 
-/// rad, or displacement over the size of the elements: the state whose forces are looked at is the linear
-/// solution made this small. Terms of higher order are then a ten-thousandth, and rounding is less.
+/// The size (rad, or displacement over the size of the elements) to which the linear solution is scaled for
+/// computing forces. Terms of higher order are then a ten-thousandth, and rounding is smaller still.
 constexpr double kSmall = 1e-2;
 
 double largest_translation(const NodeValues& rows) {
     return rows.leftCols<3>().rowwise().norm().maxCoeff();
 }
 
-/// The forces that hold the elements in a state.
+/// The internal forces of the elements in a state.
 NodeValues internal_forces(const Assembly& assembly, const NodeValues& state) {
     const std::vector<NodeState> states = node_states(state);
     NodeValues forces = NodeValues::Zero(state.rows(), kDofsPerNode);
@@ -38,7 +38,7 @@ NodeValues internal_forces(const Assembly& assembly, const NodeValues& state) {
     return forces;
 }
 
-/// The mean distance of the nodes of an element.
+/// The mean distance between the nodes of an element.
 double element_size(const Assembly& assembly) {
     double sum = 0.0;
     for (const auto& element : assembly.elements) {
@@ -79,7 +79,7 @@ class PathTerms {
     }
 
   private:
-    /// x of x + q x^3 = 1, by Newton's method from above: it falls monotonically.
+    /// The solution x of x + q x^3 = 1, by Newton's method from above, which converges monotonically.
     static double share_left(double q) {
         double x = 1.0;
         for (int i = 0; i < 200; ++i) {
@@ -90,7 +90,7 @@ class PathTerms {
         return x;
     }
 
-    /// A state along p u1 + p^2 u2.
+    /// The internal forces at the state p u1 + p^2 u2.
     [[nodiscard]] NodeValues forces_at(double p, const NodeValues& second) const {
         options_.control.check();
         return internal_forces(assembly_, p * first_ + p * p * second);
@@ -101,7 +101,7 @@ class PathTerms {
         return (forces_at(small_, none) + forces_at(-small_, none)) / (2.0 * small_ * small_);
     }
 
-    /// The difference of two odd parts has no linear term.
+    /// The cubic forces, from the difference of two odd parts, which has no linear term.
     [[nodiscard]] NodeValues cubic_forces(const NodeValues& second) const {
         const auto odd = [&](double p) {
             return NodeValues((forces_at(p, second) - forces_at(-p, second)) / (2.0 * p));
@@ -117,8 +117,8 @@ class PathTerms {
         return rows;
     }
 
-    /// By linearized buckling: the linear state itself has strains that no real one has. A flat structure
-    /// that is only bent has no forces in its plane, and nothing that could buckle.
+    /// The stability, judged by linearized buckling, because the linear state has strains that no real state
+    /// has. A flat structure that is only bent has no forces in its plane and cannot buckle.
     [[nodiscard]] bool is_stable() const {
         constexpr double kNothing = 1e-9;
         const double in_plane = std::max(first_.leftCols<2>().cwiseAbs().maxCoeff(),

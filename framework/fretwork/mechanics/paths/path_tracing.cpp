@@ -12,11 +12,12 @@ namespace {
 
 using nonlinear::Configuration;
 
-/// The wanted number of iterations of a step: the next step is shorter after more, longer after fewer.
+/// The wanted number of iterations of a step. After more iterations, the next step is shorter; after fewer,
+/// longer.
 constexpr double kGoodIterations = 4.0;
 
-/// Riks' method: each step goes along the tangent of the path by a given arc and is corrected in the plane at
-/// right angles to it, load factor and displacements together.
+/// Riks' method: each step goes along the tangent of the path by a given arc length. Load factor and
+/// displacements are then corrected together, in the plane normal to the tangent.
 class Tracer {
   public:
     Tracer(const Assembly& assembly, const PathTracingOptions& options)
@@ -90,7 +91,7 @@ class Tracer {
     Configuration configuration_;
     double factor_ = 0.0;
     double arc_ = 0.0;
-    Eigen::VectorXd rate_;       ///< of the unknowns in the load factor
+    Eigen::VectorXd rate_;       ///< derivative of the unknowns with respect to the load factor
     Eigen::VectorXd direction_;  ///< the last move
     sparse::Ldlt::Outcome outcome_;
 };

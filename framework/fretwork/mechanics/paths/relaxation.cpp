@@ -13,11 +13,11 @@
 namespace fretwork::mechanics {
 namespace {
 
-/// A unit time step is stable while masses exceed a quarter of the stiffness (central differences); the
-/// stiffness changes along the way.
+/// The ratio of masses to stiffness. With central differences, a unit time step is stable if masses exceed a
+/// quarter of the stiffness, which changes on the way.
 constexpr double kMassShare = 0.5;
 
-/// @param against  the node against which it turns; invalid: against its rest position
+/// @param against  the node relative to which the node turns; invalid: relative to its rest position
 void refuse_turn(const Assembly& assembly, NodeIndex node, double angle, NodeIndex against = {}) {
     if (angle <= std::numbers::pi) return;
     throw base::InputError(
@@ -26,7 +26,8 @@ void refuse_turn(const Assembly& assembly, NodeIndex node, double angle, NodeInd
         ", and dynamic relaxation, which applies it in one jump, cannot follow more than pi; newton can");
 }
 
-/// A rotation is known from where the nodes are alone: beyond pi it is one the other way round.
+/// Refuse prescribed rotations beyond pi, because the positions of the nodes alone cannot distinguish them
+/// from rotations in the opposite sense.
 void refuse_turns_beyond_pi(const Assembly& assembly) {
     Eigen::Matrix3Xd turns = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(assembly.nodes.size()));
     for (const PrescribedDisplacement& given : assembly.prescribed) {
@@ -85,15 +86,16 @@ class Relaxation {
     }
 
   private:
-    /// Velocities belong to the middles of the steps: from rest, the first is reached after half a step.
+    /// Update the velocities, which belong to the middles of the steps; from rest, the first velocity follows
+    /// after half a step.
     void accelerate() {
         last_velocity_ = velocity_;
         velocity_ += (is_at_rest_ ? 0.5 : 1.0) * system_.unbalanced().cwiseQuotient(mass_);
         is_at_rest_ = false;
     }
 
-    /// The peak lies in the middle of the last step: go back half of it, compute the masses again and start
-    /// from rest.
+    /// Restart from rest at the peak of the kinetic energy, which lies in the middle of the last step, with
+    /// masses computed again.
     void restart() {
         unknowns_.move(-0.5 * last_velocity_, configuration_);
         last_peak_ = configuration_;
@@ -103,7 +105,8 @@ class Relaxation {
         weigh();
     }
 
-    /// Gershgorin's bound of the stiffness in units in which displacements and rotations are comparable.
+    /// Set the masses by Gershgorin's bound of the stiffness, in units in which displacements and rotations
+    /// are comparable.
     void weigh() {
         const Eigen::VectorXd scale = unknowns_.weights().cwiseSqrt();
         const auto& start = unknowns_.layout().column_start();
@@ -136,7 +139,8 @@ class Relaxation {
         }
     }
 
-    /// The directions in which a node is stiff turn with the structure: one mass for all three.
+    /// Give all three directions of a node one mass, because the directions in which the node is stiff turn
+    /// with the structure.
     void make_isotropic(int node, int first_dof) {
         double largest = 0.0;
         for (int d = first_dof; d < first_dof + 3; ++d) {
@@ -164,7 +168,8 @@ class Relaxation {
     nonlinear::NonlinearSystem system_;
     const nonlinear::Unknowns& unknowns_ = system_.unknowns();
     nonlinear::Configuration configuration_;
-    nonlinear::Configuration last_peak_;  ///< kinetic energy, or rest: reported if it diverges
+    /// Configuration at the last peak of the kinetic energy, or at rest; returned if relaxation diverges.
+    nonlinear::Configuration last_peak_;
     Eigen::VectorXd velocity_;
     Eigen::VectorXd last_velocity_;
     bool is_at_rest_ = true;

@@ -60,8 +60,8 @@ class StagedPath::Impl {
     }
 
   private:
-    /// A released component begins its stage with the force that held it. The moment of a support that holds
-    /// some components of a rotation has all components.
+    /// The reactions on released components, which a load stage begins with. The moment of a support that
+    /// holds some components of a rotation can have all components.
     [[nodiscard]] NodeValues reactions_of_released(const HeldValues& held) const {
         NodeValues forces = NodeValues::Zero(last_->reactions.rows(), kDofsPerNode);
         for (const auto& [place, value] : held_) {
@@ -75,7 +75,7 @@ class StagedPath::Impl {
         return forces;
     }
 
-    /// Held components may have moved, so each of them has a prescribed value.
+    /// Take over supports and loads. Each held component gets a prescribed value, because it may have moved.
     void take_up(const HeldValues& held, const NodeValues& loads, const std::optional<PathStart>& start) {
         assembly_.supports.clear();
         assembly_.prescribed.clear();
@@ -88,8 +88,8 @@ class StagedPath::Impl {
 
     Assembly assembly_;
     EquilibriumOptions options_;
-    std::optional<nonlinear::PathEnd> last_;  ///< none: at rest
-    HeldValues held_;                         ///< at the end of the last stage
+    std::optional<nonlinear::PathEnd> last_;  ///< last equilibrium; none: the structure is at rest
+    HeldValues held_;                         ///< values of held components at the end of the last load stage
 };
 
 StagedPath::StagedPath(Assembly assembly, const EquilibriumOptions& options)

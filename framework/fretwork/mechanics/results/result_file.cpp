@@ -19,7 +19,7 @@ namespace {
 using base::Json;
 using base::JsonReader;
 
-/// Older formats were written by unreleased versions only.
+/// The newest format that is read. Formats before 4 were written by unreleased versions only.
 constexpr int kNewestVersion = 5;
 constexpr int kOldestVersion = 4;
 constexpr std::string_view kResultKeys[] = {
@@ -55,7 +55,7 @@ void append_solution(Json& json, const Solution& solution, const std::vector<Res
     json["reactions"] = rows_json(solution.reactions);
 }
 
-/// The limits of the first three and of the last three values of a row.
+/// The limits of the first three values and of the last three values of a row.
 struct RowLimits {
     const base::Limits& first;
     const base::Limits& last;
@@ -186,7 +186,7 @@ std::vector<Result::Node> read_nodes(const JsonReader& reader) {
     return nodes;
 }
 
-/// The result is the end of its load steps.
+/// Check that the result equals the last of its load steps.
 void check_end(const JsonReader& document, const Result& result) {
     if (result.load_steps.empty()) return;
     const Solution& last = result.load_steps.back();

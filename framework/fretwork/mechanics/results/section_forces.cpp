@@ -30,7 +30,7 @@ BeamSection::BeamSection(const Beam& beam, const std::array<Eigen::Vector3d, 2>&
 BeamSection::Ends BeamSection::from_gradient(const Deformations& gradient) const {
     SectionForces start{.N = gradient[kElongation], .T = gradient[kTwist]};
     SectionForces end = start;
-    // In terms of the rotations t1 and t2 of the ends against the chord: bow = (t1 - t2) / 2, sway = (t1 +
+    // With the rotations t1 and t2 of the ends relative to the chord, bow = (t1 - t2) / 2 and sway = (t1 +
     // t2) / 2.
     start.M2 = -(gradient[kSway2] + gradient[kBow2]) / 2.0;
     start.M3 = -(gradient[kSway3] + gradient[kBow3]) / 2.0;
@@ -46,7 +46,7 @@ BeamSection::Ends BeamSection::linear(const Eigen::Vector<double, 6>& start,
     const Eigen::Vector3d chord = axes_.transpose() * (end.head<3>() - start.head<3>());
     const Eigen::Vector3d spin1 = axes_.transpose() * start.tail<3>();
     const Eigen::Vector3d spin2 = axes_.transpose() * end.tail<3>();
-    const double chord2 = -chord[2] / length_;  // how the chord turns about axis 2, and 3
+    const double chord2 = -chord[2] / length_;  // rotation of the chord about axis 2; chord3: about axis 3
     const double chord3 = chord[1] / length_;
     Deformations d;
     d[kElongation] = chord[0];

@@ -11,13 +11,13 @@ namespace {
 using Eigen::Vector2d;
 using std::numbers::pi;
 
-/// Shear by torsion over a solid rectangle |x| <= a, |y| <= b with a <= b, for a twist times shear modulus of
-/// one [Timoshenko1951, 109].
+/// Shear stresses of torsion in a solid rectangle |x| <= a, |y| <= b with a <= b, if twist times shear
+/// modulus is one [Timoshenko1951, 109].
 class RectangleTorsion {
   public:
     RectangleTorsion(double a, double b) : a_(a), b_(b) {}
 
-    /// Along x and y.
+    /// The shear stresses along x and y.
     [[nodiscard]] Vector2d at(double x, double y) const {
         constexpr int kTerms = 400;
         double along_x = 0.0;
@@ -25,7 +25,7 @@ class RectangleTorsion {
         double sign = 1.0;  // (-1)^((n - 1) / 2)
         for (int n = 1; n < kTerms; n += 2, sign = -sign) {
             const double k = n * pi / (2.0 * a_);
-            // cosh(k y) / cosh(k b) and sinh(k y) / cosh(k b), without large numbers.
+            // cosh(k y) / cosh(k b) and sinh(k y) / cosh(k b) follow without large numbers.
             const double inner = std::exp(k * (std::abs(y) - b_));
             const double outer = 1.0 + std::exp(-2.0 * k * b_);
             const double decay = std::exp(-2.0 * k * std::abs(y));
@@ -50,7 +50,7 @@ class SectionPoints::Builder {
     Builder(const Section& section, std::vector<Point>& points) : section_(section), points_(points) {}
 
     void operator()(const RectangleShape& shape) {
-        constexpr int kSteps = 8;  // of half a side
+        constexpr int kSteps = 8;  // number of steps over half a side
         const Vector2d half(0.5 * shape.width, 0.5 * shape.height);
         const bool is_upright = half.x() <= half.y();
         const RectangleTorsion torsion(half.minCoeff(), half.maxCoeff());
@@ -86,18 +86,18 @@ class SectionPoints::Builder {
     void operator()(const IShape& shape) {
         const double arm = 0.5 * (shape.height - shape.flange_thickness);
         const double junction = 0.5 * shape.height - shape.flange_thickness;
-        const double flange = shape.width * shape.flange_thickness * arm;  // first moment of one
+        const double flange = shape.width * shape.flange_thickness * arm;  // first moment of one flange
         const double web_at_middle = flange + 0.5 * shape.web_thickness * junction * junction;
         const double by_web = 1.0 / (section_.I2 * shape.web_thickness);
         const double usual2 = 1.5 / (2.0 * shape.width * shape.flange_thickness);  // the flanges bear V2
-        for (const double turn : {-1.0, 1.0}) {  // torsion has both signs over a thickness
+        for (const double turn : {-1.0, 1.0}) {  // the stress of torsion has both signs over a thickness
             const Vector2d in_flange(turn * shape.flange_thickness / section_.J, 0.0);
             const Vector2d in_web(0.0, turn * shape.web_thickness / section_.J);
             for (const double side : {-1.0, 1.0}) {
                 const double x3 = 0.5 * side * shape.height;
                 for (const double end : {-1.0, 1.0}) {
                     add_point({0.5 * end * shape.width, x3}, {0.0, 0.0}, {0.0, 0.0}, in_flange);
-                    // Shear flows from half of a flange into the web.
+                    // The shear stress flows from half of a flange into the web.
                     add_point({0.0, x3}, {usual2, 0.0}, {0.5 * end * shape.width * arm / section_.I2, 0.0},
                               in_flange);
                     add_point({0.5 * end * shape.web_thickness, side * junction}, {0.0, 0.0},
@@ -109,7 +109,7 @@ class SectionPoints::Builder {
     }
 
   private:
-    /// From axes x = 3 and y = -2 to axes 2 and 3.
+    /// Convert a stress from axes x = 3 and y = -2 to axes 2 and 3.
     static Vector2d rotated_back(const Vector2d& stress) { return {-stress.y(), stress.x()}; }
 
     void add_point(const Vector2d& place, const Vector2d& by_v2, const Vector2d& by_v3,
@@ -122,7 +122,8 @@ class SectionPoints::Builder {
         points_.push_back(point);
     }
 
-    /// Shear runs along the ring, `factor` times its mean where it is largest.
+    /// Add the points of a ring. The shear stress runs along the ring, and its largest value is `factor`
+    /// times its mean.
     void add_ring(double radius, double factor) {
         constexpr int kPoints = 32;
         for (int i = 0; i < kPoints; ++i) {

@@ -18,11 +18,12 @@ using base::Strip4;
 using base::Strip8;
 using Index = std::ptrdiff_t;
 
-/// Columns that are handled together: their products with one strip of rows stay in registers.
+/// The number of columns that are handled together; their products with one strip of rows stay in registers.
 constexpr int kBlock = 6;
-/// Columns of the panel that later columns meet at a time, so that they stay in the cache.
+/// The number of the panel's columns that update later columns at a time, so that they stay in the cache.
 constexpr int kDepth = 128;
-/// Multiplications of a front on which one thread spends about ten times what it takes to start others.
+/// The number of multiplications of a front on which one thread spends about ten times the time of starting
+/// other threads.
 constexpr double kLargeFront = 5e6;
 
 /// Some columns of a dense matrix: entry (i, j) is values[i + j * stride].
@@ -33,30 +34,31 @@ struct Columns {
     int count;
 };
 
-/// The product to subtract from columns: left (rows x depth) times the transpose of `packed`, whose kBlock
-/// numbers for each of `depth` columns follow one another.
+/// The product to subtract from columns: left (rows x depth) times the transpose of `packed`, which has
+/// kBlock numbers for each of `depth` columns, one after the other.
 struct Product {
     const double* left;
     Index stride;
     const double* packed;
     Index depth;
-    bool replaces = false;  ///< what is in the columns does not count
+    bool replaces = false;  ///< true: the columns are overwritten, whatever they contain
 };
 
-/// How the rows below a diagonal block end up as rows of L.
+/// The factors of a diagonal block, by which the rows below it become rows of L.
 struct BlockSolve {
     double unit[kBlock][kBlock] = {};  ///< L of the block; unit[k][c] for k > c
-    double inverse[kBlock] = {};       ///< of the pivots
+    double inverse[kBlock] = {};       ///< inverse of each pivot
 };
 
-/// With many registers the sums of two strips fit into them, and one alone would wait for its own: a fused
-/// product takes as long as eight others need to start.
+/// True if two strips are summed together. With many registers, the sums of two strips fit into them; a
+/// single strip would wait for its own results, because a fused product takes as long as eight others need to
+/// start.
 const bool kPairsStrips = base::has_many_registers();
 
 template <class Strip>
 using Sums = Strip[kBlock];
 
-/// Subtract the sums of one strip from its columns and, if wished, make them rows of L.
+/// Subtract the sums of one strip from its columns and, if requested, turn them into rows of L.
 template <class Strip>
 FRETWORK_INLINE void finish_strip(double* target, const Columns& columns, const Product& product,
                                   const BlockSolve* solve, Sums<Strip>& sum) {
@@ -82,8 +84,8 @@ FRETWORK_INLINE void finish_strip(double* target, const Columns& columns, const 
     }
 }
 
-/// Rows [i, i + Strips * kRowsOf<Strip>) of the columns. Each sum is made in the same order, however many
-/// strips there are.
+/// Rows [i, i + Strips * kRowsOf<Strip>) of the columns. The order of each sum does not depend on the number
+/// of strips.
 template <class Strip, int Strips>
 FRETWORK_INLINE void subtract_tile(const Columns& columns, Index i, const Product& product,
                                    const BlockSolve* solve) {
@@ -105,7 +107,8 @@ FRETWORK_INLINE void subtract_tile(const Columns& columns, Index i, const Produc
         finish_strip<Strip>(columns.values + i + s * kRowsOf<Strip>, columns, product, solve, sum[s]);
 }
 
-/// Subtract from rows [first, columns.rows) of at most kBlock columns and, if wished, make them rows of L.
+/// Subtract from rows [first, columns.rows) of at most kBlock columns and, if requested, turn them into rows
+/// of L.
 FRETWORK_INLINE void subtract_rows(const Columns& columns, Index first, const Product& product,
                                    const BlockSolve* solve = nullptr) {
     Index i = first;
@@ -124,7 +127,7 @@ FRETWORK_INLINE void subtract_rows(const Columns& columns, Index first, const Pr
     if (i < columns.rows) subtract_tile<double, 1>(columns, i, product, solve);
 }
 
-/// Rows [row, row + kBlock) of the panel's columns [from, to), each times its pivot.
+/// Pack rows [row, row + kBlock) of the panel's columns [from, to), each times its pivot.
 FRETWORK_INLINE void pack(const Front& front, Index row, Index from, Index to, double* packed) {
     const Index stride = front.width + front.rows;
     const Index count = std::min<Index>(kBlock, stride - row);
@@ -135,7 +138,7 @@ FRETWORK_INLINE void pack(const Front& front, Index row, Index from, Index to, d
     }
 }
 
-/// The diagonal block of columns [first, first + count), entry by entry.
+/// Eliminate the diagonal block of columns [first, first + count), entry by entry.
 FRETWORK_INLINE Pivots eliminate_diagonal(const Front& front, int first, int count, const double* least_pivot,
                                           BlockSolve& solve) {
     const Index stride = front.width + front.rows;
@@ -159,14 +162,14 @@ FRETWORK_INLINE Pivots eliminate_diagonal(const Front& front, int first, int cou
     return pivots;
 }
 
-/// Columns [from, to) of the panel: those that later ones meet at a time.
+/// Columns [from, to) of the panel, which update later columns at a time.
 struct Slice {
     Index from;
     Index to;
     [[nodiscard]] Index depth() const { return to - from; }
 };
 
-/// Bring at most kBlock columns of a slice up to date with those before them in it, and eliminate them.
+/// Update at most kBlock columns of a slice by the columns before them in the slice, and eliminate them.
 FRETWORK_CLONES Pivots eliminate_block(const Front& front, const Slice& slice, int first,
                                        const double* least_pivot, double* packed) {
     const Index stride = front.width + front.rows;
@@ -181,8 +184,8 @@ FRETWORK_CLONES Pivots eliminate_block(const Front& front, const Slice& slice, i
     return pivots;
 }
 
-/// Calls body with the first of each block of columns after a slice, and how many these are. Blocks do not
-/// reach from the panel into the rest. A body has to be inlined as well, or it is compiled for any machine.
+/// Call body(first, count) for each block of columns after a slice. No block reaches from the panel into the
+/// rest. The body must be inlined, too; otherwise, it is compiled for any machine.
 template <class Body>
 FRETWORK_INLINE void for_later_blocks(const Front& front, const Slice& slice, Index end, const Body& body) {
     for (Index column = slice.to; column < end;) {
@@ -201,11 +204,11 @@ FRETWORK_CLONES void pack_later(const Front& front, const Slice& slice, double* 
         });
 }
 
-/// A strip of rows meets all columns in turn while it is in the nearest cache.
+/// The number of rows in a strip, which updates all columns in turn while it is in the nearest cache.
 constexpr Index kStrip = 16;
 
-/// Subtract L D L^T over a slice from one strip of rows of all columns after it. The part of the rest before
-/// the first slice does not count.
+/// Subtract L D L^T over a slice from one strip of rows of all columns after the slice. Before the first
+/// slice, the content of the rest is ignored.
 FRETWORK_CLONES void update_strip(const Front& front, Index row, const Slice& slice, const double* packed) {
     const Index stride = front.width + front.rows;
     const double* left = front.panel + slice.from * stride;
@@ -222,7 +225,7 @@ FRETWORK_CLONES void update_strip(const Front& front, Index row, const Slice& sl
         });
 }
 
-/// Subtract L D L^T over a slice from all columns after it.
+/// Subtract L D L^T over a slice from all columns after the slice.
 void update_later(const Front& front, const Slice& slice, double* packed, const Concurrency& concurrency) {
     const Index stride = front.width + front.rows;
     pack_later(front, slice, packed);
@@ -238,7 +241,7 @@ void update_later(const Front& front, const Slice& slice, double* packed, const 
     }
 }
 
-/// y += A x for a dense matrix by columns.
+/// Compute y += A x for a dense matrix stored by columns.
 FRETWORK_INLINE void add_products(const double* matrix, Index stride, Index rows, const double* x, int count,
                                   double* __restrict y) {
     int j = 0;
@@ -259,7 +262,7 @@ FRETWORK_INLINE void add_products(const double* matrix, Index stride, Index rows
     }
 }
 
-/// x[c] -= the products of `Count` neighbouring columns with y.
+/// Subtract the products of `Count` neighbouring columns with y from x.
 template <int Count>
 FRETWORK_INLINE void subtract_dots_of(const double* matrix, Index stride, Index rows, const double* y,
                                       double* x) {
@@ -267,7 +270,7 @@ FRETWORK_INLINE void subtract_dots_of(const double* matrix, Index stride, Index 
     for (int c = 0; c < Count; ++c) x[c] -= products.of[c];
 }
 
-/// x -= A^T y.
+/// Compute x -= A^T y.
 FRETWORK_INLINE void subtract_dots(const double* matrix, Index stride, Index rows, const double* y, int count,
                                    double* x) {
     int j = 0;
@@ -292,8 +295,8 @@ FRETWORK_CLONES void back(const Front& front, double* x, const double* below) {
         subtract_dots_of<1>(front.panel + j * stride + j + 1, stride, front.width - j - 1, x + j + 1, x + j);
 }
 
-/// Add the columns of runs[first] on and below their diagonals to columns of the next front, of which
-/// `target` is the one that the first of them comes to.
+/// Add the columns of runs[first], on and below their diagonals, to columns of the next front. `target` is
+/// the column to which the first of them is added.
 FRETWORK_INLINE void add_run(const Remainder& remainder, std::size_t first, double* target, Index stride) {
     const RowRun& own = remainder.runs[first];
     for (Index column = own.from; column < own.from + own.length; ++column, target += stride) {

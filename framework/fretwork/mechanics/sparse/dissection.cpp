@@ -15,15 +15,15 @@ namespace {
 
 using base::at;
 
-/// Cliques that are not halved any more.
+/// The largest number of cliques that are not halved any more.
 constexpr std::size_t kLeaf = 2;
-/// The smaller part has at least this share of the cliques, and a cut by the middle is worth a separator that
-/// is larger by this share.
+/// The smallest share of the cliques in the smaller half, and the share by which the separator of a cut in
+/// the middle may be larger.
 constexpr double kSmallestPart = 0.35;
 constexpr double kBalance = 1.0;
 
-/// Across which cuts are made: the rows of squares, and those of triangles and hexagons, lie along one of
-/// the lines at right angles to these.
+/// The directions across which cuts are made. The rows of squares, triangles and hexagons are normal to one
+/// of these directions.
 const Eigen::Vector3d kDirections[] = {{1.0, 0.0, 0.0},
                                        {0.0, 1.0, 0.0},
                                        {0.5, 0.5 * std::sqrt(3.0), 0.0},
@@ -46,18 +46,19 @@ class Dissection {
         std::vector<int> all(graph_.cliques.size());
         for (std::size_t clique = 0; clique < all.size(); ++clique) all[clique] = static_cast<int>(clique);
         dissect(all);
-        for (int node = 0; node < graph_.nodes; ++node) take(node);  // those of no clique
+        for (int node = 0; node < graph_.nodes; ++node) take(node);  // nodes without a clique
         return std::move(order_);
     }
 
   private:
-    /// How cliques are halved.
+    /// A cut, which halves a set of cliques.
     struct Cut {
-        std::size_t position = 0;  ///< cliques before it, in their order along the direction
+        std::size_t position = 0;  ///< number of cliques before the cut, in their order along the direction
         double cost = std::numeric_limits<double>::infinity();
     };
 
-    /// In ascending order: how an element lists its nodes changes nothing, no rounding either.
+    /// Add a clique with its nodes in ascending order, so that the order in which an element lists its nodes
+    /// changes nothing, not even rounding.
     void add_clique(std::size_t clique) {
         const std::span<const int> listed = graph_.cliques[clique];
         std::vector<int> nodes(listed.begin(), listed.end());
@@ -89,7 +90,7 @@ class Dissection {
                 direction = &next;
             }
         }
-        if (best.position == 0) return take_all(cliques);  // all at one place
+        if (best.position == 0) return take_all(cliques);  // all cliques are at one place
         sort_along(*direction, cliques);
         const std::vector<int> separator = shared_nodes(cliques, best.position, *direction);
         for (const int node : separator) is_open_[at(node)] = false;
@@ -98,7 +99,7 @@ class Dissection {
         order_.insert(order_.end(), separator.begin(), separator.end());
     }
 
-    /// Nodes of one clique before those of several.
+    /// Take all nodes of some cliques: nodes of one clique first, then nodes of several.
     void take_all(std::span<const int> cliques) {
         count_places(cliques);
         for (const bool is_shared : {false, true}) {
@@ -110,7 +111,7 @@ class Dissection {
         }
     }
 
-    /// False if all are at one place.
+    /// Sort cliques along a direction. False if all of them are at one place.
     bool sort_along(const Eigen::Vector3d& direction, std::span<int> cliques) {
         double low = std::numeric_limits<double>::infinity();
         double high = -low;
@@ -126,7 +127,7 @@ class Dissection {
         return true;
     }
 
-    /// The first and the last clique of each open node.
+    /// Find the first and the last clique of each open node.
     void count_places(std::span<const int> cliques) {
         for (const int clique : cliques) {
             for (const int node : nodes_of(clique)) first_[at(node)] = -1;
@@ -142,7 +143,8 @@ class Dissection {
     /// The cut that shares the fewest nodes between nearly equal parts.
     Cut best_cut(std::span<const int> cliques) {
         count_places(cliques);
-        change_.assign(cliques.size() + 1, 0);  // of the shared nodes from one cut to the next
+        // Change of the number of shared nodes from one cut to the next.
+        change_.assign(cliques.size() + 1, 0);
         for (std::size_t place = 0; place < cliques.size(); ++place) {
             for (const int node : nodes_of(cliques[place])) {
                 if (!is_open_[at(node)] || first_[at(node)] != static_cast<int>(place)) continue;
@@ -163,7 +165,8 @@ class Dissection {
         return best;
     }
 
-    /// In their order along the cut: neighbours then stay neighbours in the fronts.
+    /// The nodes shared across a cut, in their order along the cut, so that neighbours stay neighbours in the
+    /// fronts.
     std::vector<int> shared_nodes(std::span<const int> cliques, std::size_t position,
                                   const Eigen::Vector3d& direction) {
         count_places(cliques);
@@ -184,7 +187,7 @@ class Dissection {
 
     const NodeGraph& graph_;
     const base::Control& control_;
-    Cliques sorted_;  ///< those of the graph, the nodes of each ascending
+    Cliques sorted_;  ///< cliques of the graph, each with ascending nodes
     std::vector<bool> is_open_;
     std::vector<int> first_, last_;
     std::vector<double> along_;

@@ -8,15 +8,16 @@
 namespace fretwork::mechanics::sparse {
 namespace {
 
-/// Multiplications that a thread does in the time that it takes to start some.
+/// The number of multiplications that a thread does in the time of starting some threads.
 constexpr double kLittleWork = 5e6;
 
-/// Subtrees have at most this share of one thread's work, so that threads end at about the same time.
+/// The largest subtree, as a share of one thread's multiplications, so that threads end at about the same
+/// time.
 constexpr double kPiece = 0.25;
 
 using base::at;
 
-/// Hands out places in one piece of storage, and takes them back.
+/// An allocator of places in one piece of storage.
 class Storage {
   public:
     std::size_t take(std::size_t size) {
@@ -54,7 +55,7 @@ class Storage {
     std::size_t size_ = 0;
 };
 
-/// The multiplications of each supernode and all below it.
+/// The number of multiplications of each supernode with its subtree.
 std::vector<double> subtree_work(const SupernodeTree& tree) {
     std::vector<double> work(tree.supernodes.size(), 0.0);
     for (std::size_t s = 0; s < work.size(); ++s) {
@@ -65,7 +66,7 @@ std::vector<double> subtree_work(const SupernodeTree& tree) {
     return work;
 }
 
-/// Cuts the tree below every supernode whose subtree is more than a piece.
+/// A cut of the tree below every supernode whose subtree exceeds a piece.
 class Cut {
   public:
     Cut(const SupernodeTree& tree, int threads) : tree_(tree), task_(tree.supernodes.size(), 0) {
@@ -94,7 +95,7 @@ class Cut {
             task_[s] = static_cast<int>(parent_.size());
             parent_.push_back(parent < 0 ? -1 : task_[at(parent)]);
         }
-        // Numbered from the roots; children come first.
+        // Tasks are numbered from the roots, but children must come first.
         const int last = static_cast<int>(parent_.size()) - 1;
         for (int& task : task_) task = last - task;
         std::vector<int> turned(parent_.size());
@@ -118,11 +119,11 @@ void list_supernodes(const Cut& cut, std::size_t supernodes, EliminationPlan& pl
         plan.supernode[at(next[at(cut.task_of(s))]++)] = static_cast<int>(s);
 }
 
-/// Numbers that a supernode hands on to its parent.
+/// A function that returns the number of values that a supernode passes to its parent.
 using Handed = std::size_t (*)(const Supernode&);
 
-/// Places each supernode's share until its parent has taken it. Each task has its own storage, so tasks do
-/// not affect each other.
+/// Plan the storage of each supernode's values until its parent has taken them. Each task has its own
+/// storage, so tasks do not affect each other.
 StoragePlan plan_storage(const SupernodeTree& tree, const Cut& cut, const EliminationPlan& plan,
                          Handed handed) {
     constexpr std::size_t kCacheLine = 8;
@@ -146,7 +147,7 @@ StoragePlan plan_storage(const SupernodeTree& tree, const Cut& cut, const Elimin
 void list_levels(EliminationPlan& plan) {
     std::vector<int> level(plan.parent.size(), 0);
     int levels = 1;
-    for (std::size_t t = level.size(); t-- > 0;) {  // parents come last
+    for (std::size_t t = level.size(); t-- > 0;) {  // reversed, because parents come last
         if (plan.parent[t] >= 0) level[t] = level[at(plan.parent[t])] + 1;
         levels = std::max(levels, level[t] + 1);
     }

@@ -13,7 +13,8 @@
 namespace fretwork::mechanics::sparse {
 namespace {
 
-/// Large pages begin at multiples of their size; smaller arrays only need whole cache lines.
+/// The size of a large page. Large pages begin at multiples of this size; smaller arrays only need whole
+/// cache lines.
 constexpr std::size_t kLargePage = std::size_t{1} << 21;
 constexpr std::size_t kCacheLine = 64;
 
@@ -31,7 +32,8 @@ LargeArray make_large_array(std::size_t size) {
     void* memory = std::aligned_alloc(unit, whole);
     if (memory == nullptr) throw std::bad_alloc();
 #ifdef MADV_HUGEPAGE
-    if (unit == kLargePage) madvise(memory, whole, MADV_HUGEPAGE);  // refused, it is memory all the same
+    // If the request is refused, the memory is still valid.
+    if (unit == kLargePage) madvise(memory, whole, MADV_HUGEPAGE);
 #endif
     return LargeArray(static_cast<double*>(memory));
 }

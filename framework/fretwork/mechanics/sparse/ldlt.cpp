@@ -13,7 +13,7 @@ namespace {
 
 using base::at;
 
-/// Where each entry of the matrix comes in its column of a front.
+/// The row of each entry of the matrix in its column of a front.
 std::vector<int> entry_places(const SystemLayout& layout, const SupernodeTree& tree) {
     std::vector<int> place(at(layout.equations()));
     std::vector<int> places(layout.row().size());
@@ -79,7 +79,8 @@ Ldlt::Outcome Ldlt::factorize(std::span<const double> values, const base::Contro
 }
 
 void Ldlt::eliminate_task(std::size_t task, std::span<const double> values, const base::Control& control) {
-    // A thread's own, and kept by the caller's: small systems are factorized a thousand times a second.
+    // Each thread has its own memory and keeps it, because a thousand small systems are factorized in a
+    // second.
     thread_local std::vector<double> scratch;
     const Concurrency concurrency{analysis_->threads, control};
     for (const int supernode : analysis_->plan.supernodes_of(task)) {
@@ -88,8 +89,8 @@ void Ldlt::eliminate_task(std::size_t task, std::span<const double> values, cons
         const Supernode& own = analysis_->tree.supernodes[s];
         const Front front = front_of(s);
         const std::span<const int> children = children_of(s);
-        // The columns after a pivot that vanished are of no use; they are left out, so that results are
-        // always the same.
+        // Columns after a pivot that vanished are of no use. They are left out, so that results do not depend
+        // on threads.
         const auto failed = [&](int child) { return pivots_[at(child)].zero >= 0; };
         if (std::any_of(children.begin(), children.end(), failed)) {
             pivots_[s].zero = 0;
@@ -104,7 +105,7 @@ void Ldlt::eliminate_task(std::size_t task, std::span<const double> values, cons
     }
 }
 
-/// Start the panel with the matrix's own entries.
+/// Fill the panel with the entries of the matrix.
 void Ldlt::assemble(const Supernode& supernode, std::span<const double> values, const Front& front) const {
     const int height = supernode.height();
     for (int j = 0; j < front.width; ++j) std::fill_n(front.panel + at(j) * at(height + 1), height - j, 0.0);

@@ -9,7 +9,7 @@
 namespace fretwork::mechanics::sparse {
 namespace {
 
-/// Eigenvalues of a change below this share of A's diagonal are the rounding of its entries.
+/// The share of A's diagonal below which an eigenvalue of a change is rounding.
 constexpr double kRounding = 1e-14;
 
 /// The smallest and the largest pivot of the inner matrix with which the factors of A are good enough.
@@ -39,7 +39,7 @@ LowRankUpdate::Modes LowRankUpdate::modes_of(const Ldlt& factors, const MatrixCh
     const Eigen::VectorXd inverse = scale.cwiseInverse();
     const Eigen::MatrixXd scaled = inverse.asDiagonal() * change.values * inverse.asDiagonal();
     const geometry::SymmetricEigen eigen = geometry::symmetric_eigen(scaled);
-    const Eigen::ArrayXd values = eigen.values;  // ascending
+    const Eigen::ArrayXd values = eigen.values;  // eigenvalues, ascending
     const Eigen::Index minus = (values < -kRounding).count();
     const Eigen::Index plus = (values > kRounding).count();
     const Eigen::MatrixXd modes =
@@ -94,7 +94,7 @@ bool LowRankUpdate::factorize_inner(const Eigen::MatrixXd& form) {
         const Eigen::MatrixXd half = stiffer_->matrixL().solve(coupling_.transpose());
         softer += half.transpose() * half;
     }
-    if (!factorize(softer_, std::move(softer))) return false;  // not positive definite any more
+    if (!factorize(softer_, std::move(softer))) return false;  // the changed matrix is not positive definite
     const auto pivots = [](const Eigen::LLT<Eigen::MatrixXd>& factors) -> Eigen::ArrayXd {
         return factors.matrixLLT().diagonal().array().square();
     };
@@ -102,7 +102,7 @@ bool LowRankUpdate::factorize_inner(const Eigen::MatrixXd& form) {
            (minus_ == 0 || (pivots(*softer_) > kSoftest).all());
 }
 
-/// (S + U^T A^-1 U)^-1 times some columns, eliminated by blocks.
+/// The product of (S + U^T A^-1 U)^-1 and some columns, by block elimination.
 Eigen::MatrixXd LowRankUpdate::inner_solution(const Eigen::MatrixXd& projected) const {
     if (minus_ == 0) return stiffer_->solve(projected);
     if (plus_ == 0) return -softer_->solve(projected);

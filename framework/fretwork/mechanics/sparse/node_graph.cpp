@@ -18,7 +18,7 @@
 namespace fretwork::mechanics::sparse {
 namespace {
 
-/// CHOLMOD between its start and its end.
+/// A session of CHOLMOD, from its start to its finish.
 struct Cholmod {
     Cholmod() { cholmod_start(&common); }
     Cholmod(const Cholmod&) = delete;
@@ -27,19 +27,20 @@ struct Cholmod {
     cholmod_common common;
 };
 
-/// Beyond this many nodes nested dissection is worth its time beside minimum degree: by places, and, where
-/// these are not known, by the graph, which takes twenty times as long.
+/// The number of nodes above which nested dissection pays off in addition to minimum degree. One limit is for
+/// dissection by places; the other, for dissection by the graph, which takes twenty times as long, if places
+/// are unknown.
 constexpr std::size_t kSomeNodes = 500;
 constexpr std::size_t kManyNodes = 20000;
 
 struct Pattern {
     std::vector<int> start;
     std::vector<int> row;
-    std::vector<int> given{};  ///< an order that may be taken; empty: none
+    std::vector<int> given{};  ///< a given order as a candidate; empty: none
 };
 
-/// The upper triangle among the nodes that take part, by their new numbers. It includes the diagonal: a node
-/// without one would be taken for a dense row.
+/// The upper triangle of the graph's matrix for the nodes that take part, with their new numbers. The
+/// diagonal is included, because CHOLMOD takes a node without it as a dense row.
 Pattern upper_pattern(const NodeGraph& graph, const std::vector<int>& nodes, const std::vector<int>& number) {
     Pattern pattern{{0}, {}};
     pattern.row.reserve(graph.neighbour.size() / 2 + nodes.size());
@@ -57,10 +58,11 @@ Pattern upper_pattern(const NodeGraph& graph, const std::vector<int>& nodes, con
 
 struct Order {
     std::vector<int> nodes;
-    double multiplications = 0.0;  ///< of a factorization
+    double multiplications = 0.0;  ///< number of multiplications of a factorization
 };
 
-/// The order that a method of CHOLMOD gives, post-ordered. Of several, CHOLMOD takes the one with less fill.
+/// The order that methods of CHOLMOD give, post-ordered. From several methods, CHOLMOD takes the order with
+/// the least fill.
 Order order_by(Pattern& pattern, std::initializer_list<int> methods) {
     const std::size_t size = pattern.start.size() - 1;
     Cholmod cholmod;
@@ -95,8 +97,8 @@ std::vector<int> permutation_of(Pattern& pattern) {
     return std::move(by_place.multiplications < order.multiplications ? by_place.nodes : order.nodes);
 }
 
-/// Threads whose caller has stopped waiting for them. The program waits for them when it ends: a thread must
-/// not outlive the libraries that it works with.
+/// Threads whose callers have stopped waiting for them. The program waits for these threads when it ends,
+/// because a thread must not outlive the libraries that it uses.
 class UnawaitedThreads {
   public:
     UnawaitedThreads() = default;
@@ -115,9 +117,9 @@ class UnawaitedThreads {
     std::vector<std::thread> threads_;
 };
 
-/// The libraries that order cannot be asked to stop. So they work on their own thread, which owns all that it
-/// uses, and the caller no longer waits for it when asked to stop. If the machine refuses a thread, the
-/// caller's thread does the work, and stops after it.
+/// The permutation by CHOLMOD. The libraries that find orders cannot be stopped, so they run on a thread of
+/// their own, which owns all its data. After a request to stop, the caller no longer waits for this thread.
+/// If the machine refuses a thread, the caller's own thread computes the order, and stops afterwards.
 std::vector<int> permutation_unless_stopped(Pattern pattern, const base::Control& control) {
     constexpr auto kPause = std::chrono::milliseconds(10);
     static UnawaitedThreads unawaited;

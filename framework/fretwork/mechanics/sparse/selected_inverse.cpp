@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Selected inversion [Erisman1975], by supernodes: with L_P the unit lower triangle of a supernode's own
+// Selected inversion [Erisman1975], by supernodes. With L_P the unit lower triangle of a supernode's own
 // columns, L_R the rows below them and D the pivots, the inverse Z of the whole matrix has, on the
 // supernode's front,
 //   Z_RP = -Z_RR Y,  Z_PP = L_P^-T D^-1 L_P^-1 - Y^T Z_RP,  Y = L_R L_P^-1,
-// and Z_RR is a part of Z on the parent's front. It costs some three factorizations.
+// and Z_RR is a part of Z on the parent's front. The cost is about three factorizations.
 #include <fretwork/base/index.hpp>
 #include <fretwork/mechanics/sparse/ldlt.hpp>
 
@@ -17,7 +17,8 @@ namespace {
 using base::at;
 using Panel = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 
-/// Fills the rows and columns of a supernode in the inverse on its front; those below it are there.
+/// Fill in the supernode's own rows and columns of the inverse on its front. Pre: the rows and columns below
+/// them are filled in.
 void complete_inverse(const Front& front, Eigen::MatrixXd& inverse) {
     const Eigen::Index width = front.width;
     const Eigen::Index rows = front.rows;
@@ -66,7 +67,7 @@ std::vector<Eigen::MatrixXd> Ldlt::inverse_blocks(std::span<const std::vector<in
             std::upper_bound(tree.supernodes.begin(), tree.supernodes.end(), first, starts_after);
         cliques_at[after - tree.supernodes.begin() - 1].push_back(c);
     }
-    std::vector<Eigen::MatrixXd> inverse(count);  // on each front, as long as a child waits for it
+    std::vector<Eigen::MatrixXd> inverse(count);  // inverse on each front, kept as long as a child needs it
     std::vector<int> waiting(count);
     for (std::size_t s = 0; s < count; ++s) waiting[s] = tree.child_start[s + 1] - tree.child_start[s];
     std::vector<Eigen::MatrixXd> blocks(cliques.size());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Substitution goes through the supernodes as the factorization does: each takes what its children hand on,
-// in their order, and hands on itself. So it has the same tasks for threads, and no sum depends on them.
+// Substitution goes through the supernodes as the factorization does: each supernode takes the updates of its
+// children, in order, and passes its own update to its parent. So threads have the same tasks, and no sum
+// depends on them.
 #include <fretwork/base/index.hpp>
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/mechanics/sparse/ldlt.hpp>
@@ -12,10 +13,10 @@ namespace {
 
 using base::at;
 
-/// Numbers that the substitutions of several columns at a time hand on, at most.
+/// The largest number of values in the updates of columns that are substituted at a time.
 constexpr std::size_t kMostUpdates = 4'000'000;
 
-/// Take what a child hands on: to the supernode's own unknowns, and to what it hands on itself.
+/// Add the update of a child to the supernode's own unknowns, and to the supernode's own update.
 void take_update(std::span<const RowRun> runs, const double* update, int width, double* own, double* below) {
     for (const RowRun& run : runs) {
         const double* from = update + run.from;
@@ -49,7 +50,7 @@ void Ldlt::substitute_forward_in(std::size_t supernode, std::span<const int> chi
             const double* update = substitution.update(plan.start[at(child)], c, plan.size);
             take_update(remainder_of(at(child)).runs, update, front.width, own, below);
         }
-        // A load on a few nodes meets few supernodes on its way to the roots.
+        // A load on a few nodes reaches only few supernodes on its way to the roots.
         if (std::all_of(own, own + front.width, [](double value) { return value == 0.0; })) continue;
         substitute_forward(front, own, below);
     }

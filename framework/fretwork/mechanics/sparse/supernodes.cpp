@@ -10,10 +10,10 @@ namespace {
 
 using base::at;
 
-/// The equations of one node are a block: they have the same neighbours.
+/// The blocks of equations. The equations of one node form a block, because they have the same neighbours.
 struct Blocks {
-    std::vector<int> first;     ///< equation of each block, and the number of equations
-    std::vector<int> block_of;  ///< each equation
+    std::vector<int> first;     ///< first equation of each block, followed by the number of equations
+    std::vector<int> block_of;  ///< block of each equation
     [[nodiscard]] int count() const { return static_cast<int>(first.size()) - 1; }
     [[nodiscard]] int size(int block) const { return first[at(block) + 1] - first[at(block)]; }
 };
@@ -29,15 +29,16 @@ Blocks blocks_of(const SystemLayout& layout) {
     return blocks;
 }
 
-/// The blocks below each block's diagonal in the factor.
+/// For each block, the blocks below its diagonal in the factor.
 struct BlockFactor {
-    std::vector<std::size_t> start;  ///< blocks + 1
-    std::vector<int> row;            ///< in no order
-    std::vector<int> parent;         ///< the first block below, or -1
+    std::vector<std::size_t> start;  ///< start of each block's rows in `row`; blocks + 1 entries
+    std::vector<int> row;            ///< blocks below the diagonal, not sorted
+    std::vector<int> parent;         ///< first block below the diagonal; -1: none
     [[nodiscard]] std::size_t count(int block) const { return start[at(block) + 1] - start[at(block)]; }
 };
 
-/// A column of the factor holds the rows of the matrix and those of its children in the elimination tree.
+/// Symbolic elimination. A column of the factor has the rows of the matrix's column and of its children in
+/// the elimination tree.
 class BlockElimination {
   public:
     BlockElimination(const SystemLayout& layout, const Blocks& blocks)
@@ -88,14 +89,15 @@ class BlockElimination {
     std::vector<int> first_child_, sibling_;
 };
 
-/// Blocks [first, last], with the rows of the last.
+/// The blocks [first, last], with the rows of the last block.
 struct Group {
     int first, last;
-    long width, rows;  ///< equations
-    long zeros;        ///< entries of the panel that only merging brought in
+    long width, rows;  ///< numbers of equations
+    long zeros;        ///< number of zeros that merging has added to the panel
 };
 
-/// Whether the columns of a child may join its parent's: the fewer they are, the more zeros it may cost.
+/// True if a child should be merged with its parent. The fewer columns the merged group has, the more zeros
+/// are accepted.
 bool worth_merging(const Group& merged) {
     constexpr long kNarrow = 24;
     constexpr long kMiddling = 48;
@@ -138,7 +140,7 @@ class Grouping {
                factor_.count(block - 1) == factor_.count(block) + 1;
     }
 
-    /// Merge the last group, whose columns are all there, with the children right before it.
+    /// Merge the last group, which is complete, with the children directly before it.
     void merge_finished() {
         while (groups_.size() > 1) {
             const Group& child = groups_[groups_.size() - 2];
@@ -197,7 +199,7 @@ void place_panels(SupernodeTree& tree) {
     }
 }
 
-/// Where the rows of each supernode come in its parent's front: both are ascending.
+/// Find the place of each supernode's rows in its parent's front; both lists are ascending.
 void place_in_parents(SupernodeTree& tree) {
     tree.place.resize(tree.row.size());
     for (const Supernode& child : tree.supernodes) {

@@ -59,7 +59,7 @@ void SystemLayout::lay_out_columns(const NodeGraph& graph, std::span<const int> 
     }
 }
 
-/// The rows between the columns' own block and the coupling with another node.
+/// The number of rows between a node's diagonal block and its coupling block with another node.
 int SystemLayout::block_offset(int column_node, int row_node) const {
     const NodeUnknowns& column = unknowns_[at(column_node)];
     const auto begin = row_.begin() + column_start_[at(column.first_equation)] + column.count;
@@ -107,7 +107,7 @@ void SystemLayout::add_coupling(int offset, std::array<int, 2> nodes,
         double* target = values.data() + column_start_[at(columns.first_equation + column)] +
                          (columns.count - column) + offset;
         const int j = columns.component[at(column)];
-        if (straight) {  // the block's rows are those of the first node; it is needed transposed
+        if (straight) {  // the block's rows belong to the first node, so its transpose is needed
             for (int i = 0; i < rows.count; ++i) target[i] += block(j, rows.component[at(i)]);
         } else {
             for (int i = 0; i < rows.count; ++i) target[i] += block(rows.component[at(i)], j);

@@ -12,7 +12,7 @@ namespace {
 
 using base::at;
 
-/// All dofs, or those of the membrane or of bending: the inner ones are eliminated in one dense front.
+/// All dofs, or the dofs of the membrane or of bending, whose inner dofs are eliminated in one dense front.
 class Part {
   public:
     Part(const CondensingTask& task, const DofSet& dofs)
@@ -51,7 +51,7 @@ class Part {
         }
     }
 
-    /// Eliminate the inner dofs and write what the kept ones feel.
+    /// Eliminate the inner dofs, and write the condensed stiffness of the kept dofs.
     void condense_into(Eigen::MatrixXd& result) {
         if (inner_ > 0) eliminate_inner();
         for (std::size_t j = 0; j < kept_dof_.size(); ++j) {
@@ -99,17 +99,17 @@ class Part {
 
     const CondensingTask& task_;
     std::vector<int>
-        equation_;  ///< of dof d of node i, at 6 i + d: the inner ones first; -1: not in this part
+        equation_;  ///< equation of dof d of node i, at 6 i + d; inner dofs come first; -1: not in this part
     std::vector<NodeIndex> node_of_inner_;
-    std::vector<int> kept_dof_;  ///< rows of the result
+    std::vector<int> kept_dof_;  ///< rows of the kept dofs in the result
     int inner_ = 0;
     int equations_ = 0;
-    Eigen::MatrixXd panel_;  ///< the inner columns
-    Eigen::MatrixXd kept_;   ///< the block of the kept dofs
+    Eigen::MatrixXd panel_;  ///< columns of the inner dofs
+    Eigen::MatrixXd kept_;   ///< block of the kept dofs
     std::vector<Local> local_;
 };
 
-/// Nothing if the structure has to be split into these parts, but an element couples them.
+/// The stiffness, condensed part by part; nothing if an element couples the parts.
 std::optional<Eigen::MatrixXd> condense_parts(const CondensingTask& task, std::span<const DofSet> dofs) {
     std::vector<Part> parts;
     for (const DofSet& part : dofs) parts.emplace_back(task, part);

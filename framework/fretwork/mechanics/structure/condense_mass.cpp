@@ -8,7 +8,7 @@
 namespace fretwork::mechanics::structure {
 namespace {
 
-/// The row of each dof in matrices that have the kept dofs first; -1: held by a hinge.
+/// The row of each dof in matrices with the kept dofs first; -1: held by a hinge.
 std::vector<Eigen::Index> rows_of(const CondensingTask& task) {
     Eigen::Index next = Eigen::Index{kDofsPerNode} * task.kept_nodes;
     std::vector<Eigen::Index> rows;
@@ -55,7 +55,7 @@ Eigen::MatrixXd condense_mass(const CondensingTask& task) {
     }
     const Eigen::Index inner = size - kept;
     if (inner == 0) return mass;
-    // How the inner dofs follow the kept ones, statically.
+    // The matrix by which the inner dofs follow the kept dofs statically.
     const Eigen::LDLT<Eigen::MatrixXd> factors(stiffness.bottomRightCorner(inner, inner));
     const Eigen::MatrixXd follow = -factors.solve(stiffness.bottomLeftCorner(inner, kept));
     const Eigen::MatrixXd coupling = mass.topRightCorner(kept, inner) * follow;

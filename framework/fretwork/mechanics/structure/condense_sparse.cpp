@@ -38,8 +38,8 @@ class SparseCondensation {
     }
 
     struct Column {
-        Eigen::Index local;  ///< place of the node in the element
-        Eigen::Index slot;   ///< place of the node among the kept
+        Eigen::Index local;  ///< index of the node in the element
+        Eigen::Index slot;   ///< index of the node among the kept nodes
     };
 
     void add_kept_columns(const sparse::SystemLayout& layout, std::span<const NodeIndex> nodes, Column column,

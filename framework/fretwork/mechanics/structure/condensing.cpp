@@ -8,7 +8,7 @@
 namespace fretwork::mechanics::structure {
 namespace {
 
-/// The place of each kept node among them; -1 for the others.
+/// The index of each node among the kept nodes; -1 for other nodes.
 std::vector<int> slots_of(std::span<const NodeIndex> kept, std::size_t nodes) {
     std::vector<int> slots(nodes, -1);
     int count = 0;
@@ -29,7 +29,7 @@ CondensingTask condensing_task(const Assembly& assembly, std::span<const NodeInd
     CondensingTask task{assembly, slots_of(kept, assembly.nodes.size()), {}, static_cast<int>(kept.size())};
     task.inner.assign(assembly.nodes.size(), DofSet::all());
     for (const Support& support : assembly.supports) {
-        if (support.node.value < assembly.reported_nodes) continue;  // not a hinge's own
+        if (support.node.value < assembly.reported_nodes) continue;  // not a node of a hinge
         auto& contains = task.inner[support.node].contains;
         for (std::size_t d = 0; d < kDofsPerNode; ++d)
             contains[d] = contains[d] && !support.fixed.contains[d];

@@ -21,7 +21,7 @@ sparse::NodeGraph coupling_graph(const Assembly& assembly) {
 
 Eigen::MatrixXd reordered(const Eigen::MatrixXd& stiffness, std::span<const NodeIndex> nodes,
                           std::span<const int> wanted) {
-    std::vector<Eigen::Index> first_row;  // of each wanted node in the given stiffness
+    std::vector<Eigen::Index> first_row;  // first row of each wanted node in the given stiffness
     for (const int node : wanted)
         first_row.push_back(kDofsPerNode * (std::ranges::find(nodes, NodeIndex(node)) - nodes.begin()));
     Eigen::MatrixXd result(stiffness.rows(), stiffness.cols());

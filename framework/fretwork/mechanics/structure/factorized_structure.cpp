@@ -10,14 +10,14 @@
 namespace fretwork::mechanics::structure {
 namespace {
 
-/// The cost of a multiplication of a correction in multiplications of a factorization, whose dense kernel is
-/// faster and whose factors solve faster (bench/edits_bench: repainted).
+/// The cost of a multiplication in a correction, in multiplications of a factorization. A factorization has a
+/// faster dense kernel, and its factors solve faster (bench/edits_bench: repainted).
 constexpr double kCorrectionCost = 2.0;
 
-/// Elements that are gone through between two looks at whether to stop.
+/// The number of elements between two checks for a stop.
 constexpr std::size_t kElementsAtATime = 256;
 
-/// In whatever order they list their nodes.
+/// True if two elements have the same nodes, in any order.
 bool connect_the_same(const Element& a, const Element& b) {
     return std::ranges::is_permutation(a.nodes(), b.nodes());
 }
@@ -53,7 +53,7 @@ FactorizedStructure::FactorizedStructure(const FactorizedStructure& before, cons
     : assembly_(assembly), threads_(before.threads_), constraints_(constraints_of(assembly)) {
     const bool connected_the_same = connect_the_same(before.assembly_, assembly);
     connections_ = connected_the_same ? before.connections_ : connections_of(assembly, control);
-    // Where an element has coupled the halves, it may be the one that has gone.
+    // If an element has coupled the two problems, it may be the element that was replaced.
     const bool has_other_elements = before.assembly_.elements != assembly.elements;
     const bool may_split = !before.split_ && has_other_elements && is_flat(assembly);
     if (connected_the_same && !may_split && before.constraints_.held == constraints_.held) {
@@ -101,7 +101,7 @@ void FactorizedStructure::lay_out(Split split, const base::Control& control) {
     }
 }
 
-/// False if an element couples what was to be solved apart.
+/// Add all elements. False if an element couples the problems that were to be solved separately.
 bool FactorizedStructure::add_elements(const base::Control& control) {
     Eigen::MatrixXd stiffness;
     for (std::size_t e = 0; e < assembly_.elements.size(); ++e) {
@@ -114,7 +114,8 @@ bool FactorizedStructure::add_elements(const base::Control& control) {
     return true;
 }
 
-/// The layout may be that of an element which was replaced, and listed the same nodes in another order.
+/// Reorder a stiffness for the layout, which may come from a replaced element with another order of the same
+/// nodes.
 void FactorizedStructure::put_in_layout_order(std::size_t element, const Element& own,
                                               Eigen::MatrixXd& stiffness) const {
     const std::span<const int> listed = connections_->graph.cliques[element];
@@ -130,7 +131,7 @@ void FactorizedStructure::factorize(const base::Control& control) {
     keep_held_entries(control);
 }
 
-/// From a structure that is connected and held in the same way.
+/// Take over the factors of a structure with the same connections and supports.
 void FactorizedStructure::take_over(const FactorizedStructure& before, ElementEdit edit,
                                     const base::Control& control) {
     split_ = before.split_;
@@ -152,7 +153,7 @@ void FactorizedStructure::share(const FactorizedStructure& before) {
     last_change_ = FactorChange::Kept;
 }
 
-/// Keep the factors and correct them for the elements that differ from those factorized. False where a new
+/// Correct the factors for the elements that differ from the factorized elements. False if a new
 /// factorization is cheaper.
 bool FactorizedStructure::correct(const FactorizedStructure& before, ElementEdit edit,
                                   const base::Control& control) {
@@ -177,7 +178,8 @@ bool FactorizedStructure::correct(const FactorizedStructure& before, ElementEdit
     return true;
 }
 
-/// Whether a correction takes less time than a new factorization. Only counts: no stiffness is computed.
+/// True if a correction takes less time than a new factorization, by counts of multiplications, without
+/// computing a stiffness.
 bool FactorizedStructure::is_correction_cheaper(std::span<const Subsystem> systems,
                                                 std::span<const std::size_t> changed) const {
     double correction = 0.0;
@@ -194,8 +196,8 @@ bool FactorizedStructure::is_correction_cheaper(std::span<const Subsystem> syste
     return kCorrectionCost * correction < factorization;
 }
 
-/// The change of each system by the elements that differ from those factorized. Nothing if an element couples
-/// systems that are solved apart.
+/// The change of each system by the elements that differ from the factorized elements. Nothing if an element
+/// couples systems that are solved separately.
 std::optional<FactorizedStructure::Changes> FactorizedStructure::changes_from(
     const FactorizedStructure& before, std::span<const std::size_t> changed,
     const base::Control& control) const {

@@ -12,7 +12,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-/// The stiffness between some dofs of the inner nodes, and between them and the kept ones.
+/// The stiffness among some dofs of the inner nodes, and between these dofs and the kept dofs.
 class Blocks {
   public:
     Blocks(const CondensingTask& task, const DofSet& dofs) : task_(task) {
@@ -30,13 +30,13 @@ class Blocks {
         }
     }
 
-    /// The rows of these dofs, where `result` has six for each inner node.
+    /// Fill in the rows of these dofs in `result`, which has six rows for each inner node.
     void follow(MatrixXd& result) const {
         if (inner_.rows() == 0) return;
         const Eigen::LLT<MatrixXd> factors(inner_);
         if (factors.info() != Eigen::Success) refuse();
         const MatrixXd moved = -factors.solve(coupling_);
-        Index row = 0;  // of the result
+        Index row = 0;  // row of the result
         for (std::size_t node = 0; node < task_.slot.size(); ++node) {
             if (task_.slot[node] >= 0 || static_cast<int>(node) >= task_.assembly.reported_nodes) continue;
             for (Index d = 0; d < kDofsPerNode; ++d) {
@@ -48,7 +48,7 @@ class Blocks {
     }
 
   private:
-    /// Places in a stiffness: of inner dofs their rows, of kept ones their columns.
+    /// The place of a dof: the row of an inner dof, or the column of a kept dof.
     struct Place {
         Index inner;
         Index kept;
@@ -83,12 +83,12 @@ class Blocks {
     }
 
     const CondensingTask& task_;
-    std::vector<Index> rows_;  ///< of each dof of the structure; -1: none of these
+    std::vector<Index> rows_;  ///< row of each dof of the structure; -1: not among these dofs
     MatrixXd inner_;
     MatrixXd coupling_;
 };
 
-/// True if membrane and bending can be solved apart.
+/// True if membrane and bending can be solved separately.
 bool is_split(const Assembly& assembly) {
     if (!is_flat(assembly)) return false;
     MatrixXd own;

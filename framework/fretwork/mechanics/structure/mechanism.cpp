@@ -13,11 +13,11 @@
 namespace fretwork::mechanics::structure {
 namespace {
 
-/// The share of the load that is left unbalanced where nothing but rounding resists it. Soft structures leave
-/// less: a cantilever of the most elements 1e-5, very stiff elements beside soft ones 1e-3.
+/// The unbalanced share of the load above which only rounding resists the load. Soft structures leave less: a
+/// cantilever with the largest number of elements 1e-5, very stiff elements beside soft elements 1e-3.
 constexpr double kUnbalancedShare = 1e-2;
 
-/// For each node, whether elements lead from it to `from`.
+/// For each node, true if elements connect it with `from`.
 std::vector<bool> connected_to(const Assembly& assembly, NodeIndex from) {
     base::DisjointSets nodes(assembly.nodes.size());
     for (const auto& element : assembly.elements) {
@@ -37,7 +37,8 @@ std::string place_text(const Eigen::Vector3d& place) {
     return text.data();
 }
 
-/// Most often nothing is held at all, or not a part that was forgotten: that is said first.
+/// Throw the error. The most frequent causes are reported first: nothing is held at all, or a connected part
+/// has no support.
 [[noreturn]] void refuse(const Assembly& assembly, NodeIndex node) {
     const std::string where = node_text(assembly, node) + ", " + place_text(assembly.nodes[node]);
     const std::vector<bool> connected = connected_to(assembly, node);
@@ -69,7 +70,7 @@ void refuse_mechanisms(const Assembly& assembly, const sparse::SystemLayout& lay
     if (!outcome.positive_definite())
         refuse(assembly, NodeIndex(layout.node_of(std::max(outcome.zero_pivot, 0))));
     if (!outcome.has_weak_pivot) return;
-    // By each equation's own stiffness, so that units do not matter.
+    // Loads are scaled by the stiffness of each equation, so that units do not matter.
     Eigen::VectorXd scale(layout.equations());
     for (int i = 0; i < layout.equations(); ++i) scale[i] = std::sqrt(values[layout.column_start()[i]]);
     const Eigen::VectorXd load = scale.cwiseProduct(sparse::arbitrary_numbers(layout.equations()).col(0));

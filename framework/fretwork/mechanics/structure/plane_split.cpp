@@ -21,7 +21,7 @@ bool decouples(const Eigen::MatrixXd& stiffness) {
             for (const Eigen::Index j : kOut) {
                 for (const Eigen::Index i : kIn) {
                     const double coupling = stiffness(row + i, column + j);
-                    if (coupling == 0.0) continue;  // nearly always: saves the square root
+                    if (coupling == 0.0) continue;  // frequent case; saves the square root
                     const double scale = stiffness(row + i, row + i) * stiffness(column + j, column + j);
                     if (std::abs(coupling) > kRounding * std::sqrt(scale)) return false;
                 }

@@ -19,24 +19,25 @@ using Eigen::VectorXd;
 
 constexpr int kMostIterations = 500;
 
-/// Vectors beyond those that are wanted: what lies near them in size settles last.
+/// The number of vectors in addition to the wanted vectors, because eigenvalues near the end of the wanted
+/// range converge last.
 constexpr int kSpareVectors = 8;
 
-/// Factors this many times the least one are not looked for: they are rounding.
+/// The ratio to the smallest factor above which a factor is rounding and is not searched.
 constexpr double kReach = 1e8;
 
-/// The first slice begins at this share of the least factor. Not a round number: factors of symmetric
-/// structures are often in simple ratios, and should not lie between two slices.
+/// The start of the first slice, as a share of the smallest factor. The share is not a round number, because
+/// factors of symmetric structures often have simple ratios, and none should lie on the border of two slices.
 constexpr double kStart = 0.73;
 
-/// Vectors of unit energy of which a combination of unit size has less energy than this are dependent.
+/// The energy of a unit combination of vectors with unit energy below which the vectors are dependent.
 constexpr double kDependent = 1e-13;
 
-/// The scale of vectors that vanish, which leaves them as they are.
+/// The smallest scale of a vector; vectors that vanish stay unchanged.
 constexpr double kNothing = 1e-300;
 
-/// Whether values have come as near to their limits as they will: within the tolerance, or, where rounding
-/// keeps them from that, within what it leaves them to wander in.
+/// A test whether values have converged: within the tolerance or, if rounding prevents that, within the range
+/// in which rounding lets them wander.
 class Settling {
   public:
     Settling() = default;
@@ -58,7 +59,7 @@ class Settling {
   private:
     static constexpr double kTolerance = 1e-11;
     static constexpr double kWandering = 1e-5;
-    static constexpr int kIdle = 60;  ///< iterations in which the changes have not become half as small
+    static constexpr int kIdle = 60;  ///< number of iterations in which the changes were not halved
     VectorXd last_;
     double least_ = std::numeric_limits<double>::max();
     int idle_ = 0;
@@ -92,12 +93,12 @@ SubspaceIteration::Pairs SubspaceIteration::largest(int count) {
     return {pairs.values.head(kept), pairs.vectors.leftCols(kept)};
 }
 
-/// Factors lambda = 1 / mu in (lower, upper], all that there are.
+/// All factors lambda = 1 / mu in (lower, upper].
 struct SubspaceIteration::Slice {
     double lower;
     double upper;
     int count;
-    int size;  ///< of the subspace: with all factors in (lower / 2, lower + upper / 2] and some more
+    int size;  ///< size of the subspace, for all factors in (lower / 2, lower + upper / 2] and a few more
 
     [[nodiscard]] bool contains(double mu) const { return mu * lower < 1.0 && mu * upper >= 1.0; }
 };
@@ -112,8 +113,8 @@ SubspaceIteration::Pairs SubspaceIteration::largest_positive(int count) {
         double upper = 2.0 * lower;
         const int below_upper = count_below(upper);
         if (below_upper > below) {
-            // Values farther from the slice's middle than the slice's whole width die out by half or more in
-            // each iteration, and all nearer ones are in the subspace.
+            // Values farther from the middle of the slice than the width of the slice decay by half or more
+            // in each iteration, and all nearer values are in the subspace.
             double near = 0.5 * lower;
             double far = upper + 0.5 * lower;
             const int size = count_below(far) - count_below(near) + kSpareVectors;
@@ -126,7 +127,7 @@ SubspaceIteration::Pairs SubspaceIteration::largest_positive(int count) {
     return {found.values.head(kept), found.vectors.leftCols(kept)};
 }
 
-/// A factor below all positive ones, but not far; 0 if nothing has a factor.
+/// A factor slightly below all positive factors; 0 if there are none.
 double SubspaceIteration::find_start() {
     const Pairs extreme = largest(1);
     const double size = extreme.values.size() > 0 ? std::abs(extreme.values[0]) : 0.0;
@@ -136,7 +137,7 @@ double SubspaceIteration::find_start() {
     return start;
 }
 
-/// The number of positive factors below this one, which moves a little if it is one itself.
+/// The number of positive factors below `factor`. If `factor` is one of them, it is moved slightly.
 int SubspaceIteration::count_below(double& factor) {
     constexpr double kStepAside = 1.0 + 1e-6;
     constexpr int kMostSteps = 20;
@@ -197,8 +198,8 @@ SubspaceIteration::Pairs SubspaceIteration::step(const MatrixXd& basis, double s
     return project(std::move(image), shift);
 }
 
-/// Rayleigh and Ritz: the best approximations in the span of `vectors`, first those that grow most. Where the
-/// operand has a low rank, so has the span, and there are fewer; none where the operand vanishes.
+/// The best approximations in the span of `vectors` (Rayleigh-Ritz), in the order of their growth. If the
+/// operand has a low rank, so has the span, and there are fewer approximations; none if the operand vanishes.
 SubspaceIteration::Pairs SubspaceIteration::project(MatrixXd vectors, double shift) const {
     const VectorXd sizes = vectors.cwiseAbs().colwise().maxCoeff().cwiseMax(kNothing);
     vectors *= sizes.cwiseInverse().asDiagonal();
@@ -213,7 +214,7 @@ SubspaceIteration::Pairs SubspaceIteration::project(MatrixXd vectors, double shi
     images *= scale.asDiagonal();
     const geometry::SymmetricEigen span = geometry::symmetric_eigen(vectors.transpose() * images);
     const Eigen::Index rank = (span.values.array() > kDependent).count();
-    // Eigen does not take matrices without rows.
+    // Eigen does not accept matrices without rows.
     if (rank == 0) return {VectorXd(0), MatrixXd(vectors.rows(), 0)};
     const MatrixXd basis = vectors * span.vectors.rightCols(rank) *
                            span.values.tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();

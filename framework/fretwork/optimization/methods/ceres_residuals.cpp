@@ -11,7 +11,7 @@
 namespace fretwork::optimization {
 namespace {
 
-/// Free variables u for the points of a box: x = middle + half width * sin(u).
+/// Unbounded variables u for the points of a box: x = middle + half width * sin(u).
 class SineBox {
   public:
     explicit SineBox(const Bounds& bounds)

@@ -11,7 +11,7 @@
 namespace fretwork::optimization {
 namespace {
 
-/// A point, and the quadratic model of the smoothed objective there.
+/// A descent: a point, and the quadratic model of the smoothed objective at this point.
 class GaussNewtonDescent final : public detail::StagedDescent {
   public:
     GaussNewtonDescent(Evaluator& evaluator, const ContinuationOptions& options, Eigen::VectorXd start)
@@ -48,7 +48,8 @@ class GaussNewtonDescent final : public detail::StagedDescent {
                                               {bounds.lower - point_, bounds.upper - point_});
     }
 
-    /// Take the step if it gains, and set the damping by how well the model foresaw the gain [Nielsen1999].
+    /// Take the step if it lowers the value, and adapt the damping to the ratio of the gain to its prediction
+    /// by the model [Nielsen1999].
     void judge(const Eigen::VectorXd& step, const CurvatureEvaluation& trial, double gain_ratio) {
         if (gain_ratio > 1e-4) {
             point_ = evaluator_->bounds().clamp(point_ + step);

@@ -16,7 +16,7 @@ namespace {
 using detail::Evolution;
 using detail::EvolutionTask;
 
-/// pagmo refuses populations below this.
+/// The smallest population that pagmo accepts.
 constexpr std::size_t kSmallestPopulation = 5;
 
 Evolution cma_es(const PagmoOptions& options, const EvolutionTask& task) {

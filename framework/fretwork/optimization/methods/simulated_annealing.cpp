@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kWantedAcceptance = 0.44;
 
-/// Fold a share back into [0, 1] as if mirrors stood at both ends.
+/// Reflect a share at 0 and 1 until it lies in [0, 1].
 double reflected(double share) {
     const double folded = std::fmod(std::abs(share), 2.0);
     return folded > 1.0 ? 2.0 - folded : folded;
@@ -87,7 +87,8 @@ class Annealing {
         return options_.bounds == AnnealingBounds::Reflect ? reflected(share) : std::clamp(share, 0.0, 1.0);
     }
 
-    /// A move of the present point, by `wanted` in one variable. Nothing, once the budget is spent.
+    /// The objective after a move of the present point by `wanted` in one variable; nothing once the budget
+    /// is spent.
     std::optional<double> energy_of(double wanted) {
         const bool is_outside = wanted < 0.0 || wanted > 1.0;
         if (is_outside && options_.bounds == AnnealingBounds::Reject) {

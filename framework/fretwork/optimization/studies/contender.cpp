@@ -7,7 +7,7 @@
 namespace fretwork::optimization::study {
 namespace {
 
-/// How many starts a method gets, where it is not one.
+/// The number of starts of a method, if it is not one.
 struct Starts {
     std::string_view method;
     int starts;

@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kRecordDigits = 7;
 
-/// A point is kept if what the run still has to gain until its end is a fifth less than at the last one: so
-/// closely the cost of hitting a target is known, whatever the target.
+/// The trace, thinned. A point is kept if the remaining gain until the end of the run is a fifth less than at
+/// the last kept point. So the cost at which a run hits any target is known to this accuracy.
 std::string thinned(const std::vector<optimization::TracePoint>& trace) {
     constexpr double kShareLeft = 0.8;
     constexpr int kDigits = 12;
@@ -64,7 +64,7 @@ std::string row_fault(const std::vector<std::string>& cells) {
     return is_trace(cells[17]) ? "" : "its trace is not a list of cost:value";
 }
 
-/// Under which other condition a row's run was made; empty if under the same ones.
+/// The condition in which a row's run differs from the study; empty if all conditions are equal.
 std::string other_condition(const std::vector<std::string>& cells, const RunKey& key,
                             const RunConditions& conditions, std::span<const Contender> contenders) {
     const auto contender = std::ranges::find(contenders, key.optimizer,

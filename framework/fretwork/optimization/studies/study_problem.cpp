@@ -23,7 +23,7 @@ StudyProblem analytic_problem(const std::string& id, const std::string& name) {
     throw base::InputError(base::unknown_name_message("analytic problem", name, names));
 }
 
-/// N of a family, or all of it, for "family", "family:N".
+/// Choose all problems of a family ("family") or N of them ("family:N").
 void choose_family(const std::vector<std::string>& ids, const std::string& word,
                    std::set<std::string>& chosen) {
     const auto parts = base::split(word, ':');

@@ -17,11 +17,12 @@ Point2 at(const Bezier& curve, double t) {
     return s * s * s * curve[0] + 3 * s * s * t * curve[1] + 3 * s * t * t * curve[2] + t * t * t * curve[3];
 }
 
-/// A curve with more pieces is kilometres long.
+/// The largest number of pieces; a curve with more pieces is kilometres long.
 constexpr double kMostPieces = 1e5;
 
-/// A chord over a parameter step h is off by at most h^2 / 8 times the largest second derivative, and that is
-/// 6 times the larger second difference of the control points.
+/// The number of pieces that keeps the error below the tolerance. The error of a chord over a parameter step
+/// h is at most h^2 / 8 times the largest second derivative, which is 6 times the larger second difference of
+/// the control points.
 int pieces_for_tolerance(const Bezier& curve, double tolerance) {
     const double bend =
         std::max(length(curve[0] - 2.0 * curve[1] + curve[2]), length(curve[1] - 2.0 * curve[2] + curve[3]));

@@ -14,26 +14,27 @@ struct Affine {
     [[nodiscard]] geometry::Point2 operator()(geometry::Point2 p) const {
         return {a * p.x + c * p.y + e, b * p.x + d * p.y + f};
     }
-    /// First `inner`, then this.
+    /// The map that applies `inner` first, and then this map.
     [[nodiscard]] Affine after(const Affine& inner) const {
         return {a * inner.a + c * inner.b, b * inner.a + d * inner.b,     a * inner.c + c * inner.d,
                 b * inner.c + d * inner.d, a * inner.e + c * inner.f + e, b * inner.e + d * inner.f + f};
     }
 };
 
-/// A cubic Bezier curve by its control points; a straight piece has them on a line.
+/// A cubic Bezier curve, given by its control points. The control points of a straight piece lie on a line.
 using Bezier = std::array<geometry::Point2, 4>;
 
-/// A row of curves, each beginning where the one before ends.
+/// A chain of curves; each curve begins at the end of the curve before it.
 struct Subpath {
     std::vector<Bezier> pieces;
-    bool is_closed = false;  ///< said to be; its ends may still meet otherwise
+    /// True if the file closes the subpath; the ends of an open subpath may still meet.
+    bool is_closed = false;
 };
 
 Bezier straight(geometry::Point2 from, geometry::Point2 to);
 
 /// An elliptic arc around `center`: the image of the unit circle's arc under x = axes[0] cos t + axes[1] sin
-/// t, cut into pieces of at most 30 degrees, which are off by less than a millionth of the radius.
+/// t, cut into pieces of at most 30 degrees, whose error is less than a millionth of the radius.
 struct Arc {
     geometry::Point2 center;
     std::array<geometry::Point2, 2> axes;
@@ -42,7 +43,7 @@ struct Arc {
 };
 std::vector<Bezier> beziers_of(const Arc& arc);
 
-/// How near a polygon stays to its curve.
+/// The accuracy to which a polygon follows its curve.
 struct Flattening {
     Affine to_metres{};
     double tolerance;  ///< metres

@@ -16,7 +16,7 @@ struct ColouredPicture {
     std::vector<std::string> colours;
 };
 
-/// Throws as read_outline_file.
+/// Read the filled shapes of an SVG file. Throws as read_outline_file.
 ColouredPicture read_svg_colours(const std::filesystem::path& path);
 
 }  // namespace fretwork::outlines::detail

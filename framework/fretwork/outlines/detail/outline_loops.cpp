@@ -16,7 +16,7 @@ Outline outline_of(std::vector<Loop> loops) {
     const auto largest = std::max_element(loops.begin(), loops.end(),
                                           [&](const Loop& a, const Loop& b) { return size(a) < size(b); });
     std::rotate(loops.begin(), largest, largest + 1);
-    std::string names;  // make_outline speaks of holes by number
+    std::string names;  // make_outline() names holes by number
     std::vector<geometry::Polygon> holes;
     for (std::size_t i = 1; i < loops.size(); ++i) {
         names += "; hole " + std::to_string(i - 1) + " is " + loops[i].place;

@@ -10,11 +10,11 @@
 /// One reader for each kind of outline file.
 namespace fretwork::outlines::detail {
 
-/// Curves become polygons that stay within this distance of them, metres; within less in small drawings.
+/// The largest distance of a polygon from its curve, m; small drawings have a smaller one.
 inline constexpr double kFlatteningTolerance = 2e-5;
-/// Points of a curve nearer than this share of that distance to each other are one point.
+/// The distance, as a share of the flattening tolerance, below which two points of a curve are one point.
 inline constexpr double kClosingShare = 0.05;
-/// A drawing is small if its extent is below this many times the distance.
+/// The extent of a drawing, as a multiple of the flattening tolerance, below which the drawing is small.
 inline constexpr double kDetail = 25'000;
 
 inline double flattening_tolerance(double extent) {
@@ -24,7 +24,7 @@ inline double flattening_tolerance(double extent) {
 OutlineFile read_svg_outlines(const std::filesystem::path& path);
 OutlineFile read_dxf_outlines(const std::filesystem::path& path);
 
-/// A closed curve of a mesh, in metres, and where it stands there.
+/// A closed curve of a mesh, in metres, and its place in the mesh.
 struct Loop {
     geometry::Polygon points;
     std::string place;  ///< such as "the rim at vertex 12"
@@ -34,8 +34,8 @@ std::vector<Loop> read_obj_loops(const std::filesystem::path& path);
 std::vector<Loop> read_ply_loops(const std::filesystem::path& path);
 std::vector<Loop> read_off_loops(const std::filesystem::path& path);
 
-/// The outermost loop is the boundary, those inside it are holes. Throws GeometryError that names the loops
-/// if two of them lie side by side, or one lies in a hole.
+/// The outline with the outermost loop as its boundary, and the loops inside as holes. Throws GeometryError
+/// that names the loops if two loops lie side by side, or if one lies in a hole.
 Outline outline_of(std::vector<Loop> loops);
 
 }  // namespace fretwork::outlines::detail

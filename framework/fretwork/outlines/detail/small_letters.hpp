@@ -6,7 +6,7 @@
 
 namespace fretwork::outlines::detail {
 
-/// Names in files that may be written in capitals: ASCII letters made small, whatever the locale.
+/// A name from a file with ASCII letters in lower case, independent of the locale.
 inline std::string in_small_letters(std::string_view text) {
     std::string small(text);
     for (char& c : small) {

@@ -18,14 +18,14 @@ Point2 point(const DxfFile& file, const DxfEntity& entity, int code) {
     return {file.value(entity, code), file.value(entity, code + 10)};
 }
 
-/// From `start` counterclockwise to `end`, more than nothing and at most a whole turn.
+/// The counterclockwise sweep from `start` to `end`, above zero and at most a whole turn.
 double sweep_of(double start, double end) {
     const double sweep = std::fmod(end - start, kTurn);
     return sweep <= 0 ? sweep + kTurn : sweep;
 }
 
 DxfDrawn closed(Polygon points) {
-    points.pop_back();  // the first again
+    points.pop_back();  // equal to the first point
     return {DxfCurve{std::move(points), DxfCurve::Ends::Closed}, ""};
 }
 
@@ -44,7 +44,8 @@ DxfDrawn draw_arc(const DxfFile& file, const DxfEntity& entity, const Flattening
     return {DxfCurve{std::move(points), DxfCurve::Ends::Open}, ""};
 }
 
-/// The second axis is the first one turned left and shortened; seen from below, turned right.
+/// Draw an ellipse. Its second axis is the first axis, shortened and turned to the left; seen from below, to
+/// the right.
 DxfDrawn draw_ellipse(const DxfFile& file, const DxfEntity& entity, const Flattening& how) {
     const Point2 major = point(file, entity, 11);
     const double ratio = file.value(entity, 40) * (file.value_or(entity, 230, 1) < 0 ? -1 : 1);
@@ -52,7 +53,7 @@ DxfDrawn draw_ellipse(const DxfFile& file, const DxfEntity& entity, const Flatte
     const Point2 minor = ratio * Point2{-major.y, major.x};
     const double start = file.value_or(entity, 41, 0);
     const double end = file.value_or(entity, 42, kTurn);
-    constexpr double kRounding = 1e-6;  // rad; files round 2 pi
+    constexpr double kRounding = 1e-6;  // rad, because files round 2 pi
     const double sweep = std::abs(std::abs(end - start) - kTurn) < kRounding ? kTurn : sweep_of(start, end);
     Polygon points =
         flatten({beziers_of(Arc{point(file, entity, 10), {major, minor}, start, sweep}), false}, how);
@@ -60,13 +61,14 @@ DxfDrawn draw_ellipse(const DxfFile& file, const DxfEntity& entity, const Flatte
     return {DxfCurve{std::move(points), DxfCurve::Ends::Open}, ""};
 }
 
-/// A vertex of a polyline; the side behind it is an arc whose quarter angle has the tangent `bulge`.
+/// A vertex of a polyline. The side after the vertex is an arc; `bulge` is the tangent of a quarter of the
+/// arc's angle.
 struct Vertex {
     Point2 place;
     double bulge = 0.0;
 };
 
-/// Group 90 says how many vertices there are.
+/// Check the number of vertices, which group 90 states.
 void check_count(const DxfFile& file, const DxfEntity& entity, std::size_t vertices) {
     const DxfGroup* group = file.find(entity, 90);
     if (!group || file.whole_number(*group) == static_cast<long>(vertices)) return;
@@ -86,7 +88,8 @@ std::vector<Vertex> light_vertices(const DxfFile& file, const DxfEntity& entity)
     return vertices;
 }
 
-/// Flag 16 marks the control points of a curve that the other vertices are points of.
+/// The vertices of an old-style polyline. Flag 16 marks control points of a curve, which are left out,
+/// because the other vertices lie on this curve.
 std::vector<Vertex> heavy_vertices(const DxfFile& file, std::span<const DxfEntity> from) {
     std::vector<Vertex> vertices;
     for (std::size_t i = 1; i < from.size() && from[i].name == "VERTEX"; ++i)
@@ -129,7 +132,7 @@ DxfDrawn draw_heavy_polyline(const DxfFile& file, std::span<const DxfEntity> fro
     return draw_polyline(file, from.front(), heavy_vertices(file, from), how);
 }
 
-/// Entities whose coordinates are those of the drawing, whatever their extrusion.
+/// True for entities whose coordinates are the drawing's coordinates, whatever their extrusion.
 bool is_in_world_coordinates(std::string_view name) {
     return name == "LINE" || name == "ELLIPSE" || name == "SPLINE";
 }

@@ -11,7 +11,7 @@
 namespace fretwork::outlines::detail {
 namespace {
 
-constexpr std::size_t kMostShown = 40;  // characters of a value in a message
+constexpr std::size_t kMostShown = 40;  // largest number of characters of a value in a message
 
 std::string_view trimmed_line(std::string_view text) {
     const auto first = text.find_first_not_of(" \t\r");
@@ -30,7 +30,7 @@ std::string quoted(std::string_view value) {
     return "'" + base::shortened(base::printable(value), kMostShown) + "'";
 }
 
-/// The entities in a row of groups: each begins with code 0.
+/// The entities in a sequence of groups. Each entity begins with code 0.
 std::vector<DxfEntity> entities_in(std::span<const DxfGroup> groups) {
     std::vector<DxfEntity> entities;
     std::size_t begin = 0;
@@ -109,7 +109,7 @@ void DxfFile::read_header(std::span<const DxfGroup> section) {
         if (section[i].code == 9 && section[i].value == "$INSUNITS") units_ = section[i + 1];
 }
 
-/// Flag 1 says frozen; a color below zero says off.
+/// Read the states of the layers. Flag 1 means frozen; a color below zero means off.
 void DxfFile::read_layers(std::span<const DxfGroup> section) {
     for (const DxfEntity& entity : entities_in(section)) {
         if (entity.name != "LAYER") continue;

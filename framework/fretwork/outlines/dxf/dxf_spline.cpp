@@ -11,7 +11,7 @@ using geometry::Point2;
 using geometry::Polygon;
 
 constexpr long kMostDegree = 30;
-constexpr int kFirstPieces = 4;  // of a knot span, so that no inflection is overlooked
+constexpr int kFirstPieces = 4;  // pieces of a knot span at the start, so that no inflection is overlooked
 constexpr int kMostHalvings = 12;
 
 struct Spline {

@@ -4,13 +4,13 @@
 namespace fretwork::outlines::detail {
 namespace {
 
-/// A face, and how many vertices stand before it: negative numbers count back from there.
+/// A face, and the number of vertices before it in the file, from which negative numbers count back.
 struct ObjFace {
     TextLine line;
     std::size_t vertices_before;
 };
 
-/// The vertex of a corner such as "3", "-1" or "3/2/1", from 0 on. Vertices are numbered from 1 in the file.
+/// The index, from 0, of the vertex of a corner such as "3", "-1" or "3/2/1". Files number vertices from 1.
 long long vertex_of(const MeshText& text, const ObjFace& face, std::string_view corner, std::size_t count) {
     const long long number = text.whole_number(face.line, corner.substr(0, corner.find('/')));
     const auto before = static_cast<long long>(face.vertices_before);

@@ -6,8 +6,9 @@
 namespace fretwork::outlines::detail {
 namespace {
 
-/// The line with the numbers of vertices, faces and edges: behind the keyword, or on the next line. Values
-/// that a prefix adds to a vertex (texture, colour, normal) stand behind its coordinates and are skipped.
+/// Read the numbers of vertices, faces and edges, which follow the keyword on its line or on the next line. A
+/// prefix of the keyword adds values to each vertex (texture, colour, normal); they follow the coordinates
+/// and are skipped.
 TextLine read_header(MeshText& text) {
     TextLine line = text.need_line("the keyword OFF");
     constexpr std::array<std::string_view, 8> kKeywords = {"OFF",   "COFF",   "NOFF",   "CNOFF",

@@ -11,7 +11,7 @@
 namespace fretwork::outlines::detail {
 namespace {
 
-/// A type of number, and how many bytes it takes.
+/// A type of number, and its size in bytes.
 struct Scalar {
     enum class Kind { Signed, Unsigned, Real } kind;
     std::size_t bytes;
@@ -42,10 +42,10 @@ constexpr std::array<NamedScalar, 16> kScalars = {{{"char", {Kind::Signed, 1}},
 struct Property {
     std::string name;
     Scalar type{};
-    std::optional<Scalar> count_type{};  ///< of a list
+    std::optional<Scalar> count_type{};  ///< type of a list's length; none: not a list
 };
 
-/// A table of the file.
+/// A table in the file.
 struct Element {
     std::string name;
     std::size_t count = 0;
@@ -59,7 +59,7 @@ double value_of(const char* bytes) {
     return static_cast<double>(value);
 }
 
-/// A number in the byte order of this machine.
+/// The value of bytes in the byte order of this machine.
 double decode(Scalar type, const char* bytes) {
     if (type.kind == Kind::Real) return type.bytes == 4 ? value_of<float>(bytes) : value_of<double>(bytes);
     const bool has_sign = type.kind == Kind::Signed;
@@ -217,10 +217,10 @@ class PlyReader {
     Format format_ = Format::Ascii;
     std::vector<Element> elements_;
     MeshFile mesh_;
-    std::string place_;       // of the row, for messages
-    TextLine line_;           // of the row, if ASCII
-    std::size_t word_ = 0;    // the next one of it
-    std::string_view bytes_;  // what is still to be read, if binary
+    std::string place_;       // place of the row in messages
+    TextLine line_;           // line of the row, in an ASCII file
+    std::size_t word_ = 0;    // index of the next word in the line
+    std::string_view bytes_;  // bytes that are not read yet, in a binary file
 };
 
 }  // namespace

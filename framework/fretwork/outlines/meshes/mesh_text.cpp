@@ -11,8 +11,8 @@
 namespace fretwork::outlines::detail {
 namespace {
 
-/// More than a surface of tiles can have that is simulated, and far more than the rim of an outline needs;
-/// reading them takes a second.
+/// The largest number of faces, which take a second to read: more than a simulated surface of tiles can have,
+/// and far more than the rim of an outline needs.
 constexpr std::size_t kMostFaces = 250'000;
 
 std::string too_many_faces() {

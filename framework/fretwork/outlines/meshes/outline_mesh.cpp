@@ -20,7 +20,7 @@ struct DoubleTraits : OpenMesh::DefaultTraits {
 };
 using Mesh = OpenMesh::PolyMesh_ArrayKernelT<DoubleTraits>;
 
-/// OpenMesh writes warnings to its own stream; here an exception says what is wrong.
+/// Silences OpenMesh, which writes warnings to its own stream; an exception reports the error instead.
 class QuietOpenMesh {
   public:
     QuietOpenMesh() : was_enabled_(omerr().is_enabled()) { omerr().disable(); }
@@ -34,7 +34,7 @@ class QuietOpenMesh {
     bool was_enabled_;
 };
 
-/// All points must have the same z, up to rounding.
+/// Check that all points have the same z, up to rounding.
 void check_flat(const MeshFile& file, const std::filesystem::path& path) {
     if (file.faces.empty()) throw base::InputError(path.string(), "", "has no face");
     std::array<double, 3> low = file.points.front();
@@ -45,7 +45,7 @@ void check_flat(const MeshFile& file, const std::filesystem::path& path) {
             high[i] = std::max(high[i], point[i]);
         }
     }
-    constexpr double kFlat = 1e-6;  // of the size: what single-precision files can hold
+    constexpr double kFlat = 1e-6;  // share of the size, the precision of single-precision files
     const double size = std::max(high[0] - low[0], high[1] - low[1]);
     for (std::size_t vertex = 0; vertex < file.points.size(); ++vertex) {
         if (const double z = file.points[vertex][2]; std::abs(z - low[2]) > kFlat * size)

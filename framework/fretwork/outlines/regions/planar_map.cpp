@@ -21,7 +21,7 @@ int direction_of(const geometry::Point2& from, const geometry::Point2& to) {
     return from.x < to.x || (from.x == to.x && from.y < to.y) ? 1 : -1;
 }
 
-/// A way into a face: through which halfedge (on its own side) it is entered.
+/// The halfedge, on the face's own side, through which a face is entered.
 struct Entry {
     Face face;
     Halfedge through;
@@ -35,7 +35,7 @@ class FaceWalk {
             face->data().number = -1;
     }
 
-    /// Depth first, so that each step back undoes the crossing of the step there.
+    /// Visit faces depth first, so that each step back undoes the crossing of its step forward.
     void run() {
         enter(lines_.map.unbounded_face());
         while (!stack_.empty()) {
@@ -60,7 +60,7 @@ class FaceWalk {
             if (other->data().number < 0) stack_.push_back({other, halfedge->twin()});
         }
     }
-    /// From the right of a halfedge to its left, `sign` times.
+    /// Cross a halfedge from its right to its left, `sign` times.
     void cross(Halfedge halfedge, int sign) {
         const int along = halfedge->direction() == CGAL::ARR_LEFT_TO_RIGHT ? 1 : -1;
         for (const int side : halfedge->curve().data()) {
@@ -83,12 +83,12 @@ void add_around(Circulator first, std::vector<Halfedge>& halfedges) {
     } while (++next != first);
 }
 
-/// More crossings are no drawing of a shape, and would take minutes.
+/// The largest number of crossings. Drawings of shapes have fewer, and more would take minutes.
 constexpr std::size_t kMostCrossings = 100'000;
-/// The limit of sides that come near each other.
+/// The largest number of pairs of sides that are near each other.
 constexpr std::size_t kMostNear = 20'000'000;
 
-/// Twice the area of a triangle; its sign may be wrong by rounding, which does not matter for a count.
+/// Twice the area of a triangle. Its sign may be wrong by rounding, which does not matter for a count.
 double doubled_area(const geometry::Point2& a, const geometry::Point2& b, const geometry::Point2& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
@@ -117,8 +117,8 @@ void check_crossings(const std::vector<std::array<geometry::Point2, 2>>& sides) 
     });
 }
 
-/// The sides of all lines, each place once: drawings hold the same shape many times over, and the time to lay
-/// equal segments over each other grows with the square of their number.
+/// The sides of all lines, with equal sides stored once. Drawings contain the same shape many times, and
+/// inserting equal segments takes time that grows with the square of their number.
 class DrawnSides {
   public:
     void add(const geometry::Point2& from, const geometry::Point2& to, int side) {
@@ -135,7 +135,7 @@ class DrawnSides {
         std::vector<Curve> curves;
         curves.reserve(places_.size());
         std::map<std::array<double, 2>, ExactKernel::Point_2>
-            exact;  // one object for each point: equality is then seen at once
+            exact;  // one object for each point, for a fast test of equality
         const auto exact_point = [&](const geometry::Point2& point) {
             return exact.try_emplace({point.x, point.y}, point.x, point.y).first->second;
         };
@@ -147,7 +147,7 @@ class DrawnSides {
   private:
     std::map<std::array<double, 4>, std::size_t> number_;
     std::vector<std::array<geometry::Point2, 2>> places_;
-    std::vector<std::vector<int>> sides_;  ///< at each place
+    std::vector<std::vector<int>> sides_;  ///< indices of the sides at each place
 };
 
 }  // namespace

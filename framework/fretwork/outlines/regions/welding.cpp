@@ -18,7 +18,7 @@ namespace {
 using geometry::Point2;
 using geometry::Polygon;
 
-/// Sides that leave a corner at a smaller angle are a slit or a needle for much of their length.
+/// The angle between two sides at a corner below which they form a slit or a needle for much of their length.
 constexpr double kSharpest = 4e-3;  // radians
 
 struct ByPlace {
@@ -27,12 +27,12 @@ struct ByPlace {
 
 struct LoopSide {
     std::size_t loop;
-    std::size_t index;  // of its first point
+    std::size_t index;  // index of its first point
     Point2 from;
     Point2 to;
 };
 
-/// A corner near a side: where it is, and how far along the side.
+/// A corner near a side: its place, and its distance along the side.
 struct Beside {
     std::size_t loop;
     std::size_t side;
@@ -44,9 +44,9 @@ struct Beside {
     }
 };
 
-/// Corners and sides that are nearer to each other than a width.
+/// Pairs of corners, and of corners and sides, that are nearer to each other than a width.
 struct NearThings {
-    std::map<Point2, Point2, ByPlace> corners;  // each to one that comes before it by place
+    std::map<Point2, Point2, ByPlace> corners;  // each corner with a corner that comes before it by place
     std::set<Beside> beside;
     [[nodiscard]] bool empty() const { return corners.empty() && beside.empty(); }
 };
@@ -61,7 +61,7 @@ std::vector<LoopSide> loop_sides_of(const std::vector<Polygon*>& loops) {
     return sides;
 }
 
-/// Note a corner if it is near to a side that is not its own.
+/// Record a corner if it is near to a side that does not end at it.
 void look(Point2 corner, const LoopSide& side, double width, NearThings& near) {
     if (corner == side.from || corner == side.to) return;
     const Point2 nearest = nearest_on_segment(side.from, side.to, corner);
@@ -83,7 +83,7 @@ NearThings near_things(const std::vector<Polygon*>& loops, double width) {
     for (const LoopSide& side : sides)
         boxes.emplace_back(geometry::box_around(side.from, side.to, 0.5 * width), &side);
     NearThings near;
-    // Each corner begins one side.
+    // Each corner is the start of one side.
     CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
         look(a.handle()->from, *b.handle(), width, near);
         look(b.handle()->from, *a.handle(), width, near);
@@ -91,8 +91,8 @@ NearThings near_things(const std::vector<Polygon*>& loops, double width) {
     return near;
 }
 
-/// Cut off a sharp corner where its sides are twice `width` apart, or at the end of the shorter one. Returns
-/// how many there were; sides so short that they are less apart are left.
+/// Cut off each sharp corner where its sides are twice `width` apart, or else at the end of the shorter side.
+/// A corner stays if its sides are nearer to each other even there. Returns the number of corners cut off.
 int blunt(Polygon& points, double width) {
     Polygon blunted;
     int count = 0;

@@ -16,7 +16,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
 }
 
-/// Without /* comments */ and the <!-- --> that hide a sheet from old programs.
+/// A sheet without /* comments */ and without the <!-- --> that hide it from old programs.
 std::string without_comments(std::string_view text) {
     std::string kept;
     while (!text.empty()) {
@@ -31,7 +31,7 @@ std::string without_comments(std::string_view text) {
     return kept;
 }
 
-/// Where a sign stands, outside of quotes and brackets; the end if nowhere.
+/// The position of a sign outside of quotes and brackets; the end of the text if there is none.
 std::size_t find_outside(std::string_view text, char sign) {
     int depth = 0;
     char quote = 0;
@@ -52,7 +52,7 @@ std::size_t find_outside(std::string_view text, char sign) {
     return text.size();
 }
 
-/// The end of a block that begins with a brace, behind its closing one.
+/// The position after the closing brace of a block that begins with a brace.
 std::size_t end_of_block(std::string_view text) {
     int depth = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -77,7 +77,7 @@ CssDeclaration declaration_of(std::string_view name, std::string_view value) {
     return declaration;
 }
 
-/// The word by which the rules for an element are found: the most telling one of the last compound.
+/// The key under which a rule is stored: the most selective word of its last compound.
 std::string key_of(const CssSelector& selector) {
     const CssCompound& last = selector.compounds.back();
     for (const auto& attribute : last.attributes)
@@ -105,7 +105,7 @@ std::vector<CssDeclaration> parse_css_declarations(std::string_view text) {
 
 void CssRules::add(std::string_view text) {
     const std::string plain = without_comments(text);
-    std::vector<std::string_view> rest{plain};  // the insides of @media blocks come in their place
+    std::vector<std::string_view> rest{plain};  // the content of @media blocks is added in their place
     while (!rest.empty()) {
         std::string_view& sheet = rest.back();
         sheet = trimmed(sheet);

@@ -9,7 +9,8 @@ namespace {
 
 constexpr long kMostLooks = 10'000'000;
 constexpr std::size_t kMostCompounds = 32;
-// Ids weigh more than any number of classes, and these more than any number of names.
+// Weights of specificity. An id weighs more than any number of classes, and a class more than any number of
+// names.
 constexpr int kId = 1'000'000;
 constexpr int kClass = 1'000;
 
@@ -168,7 +169,7 @@ bool is_chosen(const CssCompound& compound, pugi::xml_node node) {
            std::ranges::all_of(compound.attributes, [&](const auto& wanted) { return holds(wanted, node); });
 }
 
-/// Whether compounds 0 .. last choose the element, with compound `last` on it.
+/// True if the compounds 0 .. last match, with compound `last` on the element.
 bool matches_up_to(const CssSelector& selector, std::size_t last, pugi::xml_node node, long& looks) {
     if (++looks > kMostLooks) throw base::InputError("its style sheets are too intricate");
     if (node.type() != pugi::node_element || !is_chosen(selector.compounds[last], node)) return false;

@@ -22,7 +22,7 @@ bool is_near_edge(const FilledShape& shape, Point2 point, double margin) {
     return false;
 }
 
-/// Whether two points lie on the two sides of a line, farther from it than a margin.
+/// True if two points lie on different sides of a line, each farther from it than a margin.
 bool are_parted(Point2 from, Point2 to, std::array<Point2, 2> points, double margin) {
     const double least = margin * distance(from, to);
     const double first = cross(to - from, points[0] - from);

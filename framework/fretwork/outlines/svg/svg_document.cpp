@@ -29,7 +29,7 @@ std::string replaced(const std::string& source, std::string text) {
     return base::located(source, "", [&] { return with_entities_replaced(std::move(text)); });
 }
 
-/// Every element, in the order of the file.
+/// Visits every element in the order of the file.
 struct Elements : pugi::xml_tree_walker {
     std::vector<pugi::xml_node> found;
     bool for_each(pugi::xml_node& node) override {

@@ -57,7 +57,7 @@ class SvgDocument {
     std::string source_;
     std::string text_;
     pugi::xml_document document_;
-    std::string prefix_;  // of SVG's elements, with its colon
+    std::string prefix_;  // prefix of SVG's elements, with its colon
     std::unordered_map<std::string_view, pugi::xml_node> ids_;
     CssRules rules_;
 };

@@ -21,7 +21,8 @@ double whole_of(SvgElement::Axis axis, const SvgMeasure& measure) {
     }
 }
 
-/// "xMin", "xMid" and "xMax" put the rest of the space to the right, to both sides, to the left.
+/// The share of the free space before the content: "xMin" leaves the space after the content, "xMid" on both
+/// sides, "xMax" before it.
 double share_before(std::string_view alignment, std::string_view axis) {
     if (alignment.find(std::string(axis) + "Min") != std::string_view::npos) return 0;
     return alignment.find(std::string(axis) + "Max") != std::string_view::npos ? 1 : 0.5;
@@ -125,7 +126,7 @@ std::vector<Subpath> SvgElement::ellipse(std::string_view shape, const SvgMeasur
     const double r = is_circle ? size_or("r", Axis::Both, measure, 0) : 0;
     const double given_x = is_circle ? r : size_or("rx", Axis::X, measure, 0);
     const double given_y = is_circle ? r : size_or("ry", Axis::Y, measure, 0);
-    // An ellipse with one radius that is not given, or "auto", has the other one twice.
+    // If one radius of an ellipse is missing or "auto", it equals the other radius.
     const bool lacks_x = !is_circle && (properties_.find("rx").empty() || properties_.find("rx") == "auto");
     const bool lacks_y = !is_circle && (properties_.find("ry").empty() || properties_.find("ry") == "auto");
     const double rx = lacks_x ? given_y : given_x;
@@ -135,7 +136,8 @@ std::vector<Subpath> SvgElement::ellipse(std::string_view shape, const SvgMeasur
     return {{beziers_of(Arc{center, {Point2{rx, 0}, Point2{0, ry}}, 0, 2 * std::numbers::pi}), true}};
 }
 
-/// Rounded if it has rx or ry; one that is missing equals the other, and neither exceeds half the side.
+/// The outline of a rectangle, rounded if it has rx or ry. A missing radius equals the other radius, and no
+/// radius exceeds half of the side.
 std::vector<Subpath> SvgElement::rectangle(const SvgMeasure& measure) const {
     const double width = size_or("width", Axis::X, measure, 0);
     const double height = size_or("height", Axis::Y, measure, 0);

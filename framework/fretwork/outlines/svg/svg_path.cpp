@@ -28,8 +28,9 @@ std::vector<Bezier> beziers_of(const EndpointArc& arc) {
     const Point2 x_axis{std::cos(arc.rotation), std::sin(arc.rotation)};
     const Point2 y_axis{-x_axis.y, x_axis.x};
     const Point2 half = 0.5 * (arc.from - arc.to);
-    Point2 start{dot(half, x_axis) / rx, dot(half, y_axis) / ry};  // where the ellipse is the unit circle
-    if (const double reach = length(start); reach > 1) {           // too small to reach: as large as needed
+    // In coordinates in which the ellipse is the unit circle.
+    Point2 start{dot(half, x_axis) / rx, dot(half, y_axis) / ry};
+    if (const double reach = length(start); reach > 1) {  // radii too small to reach the end are enlarged
         rx *= reach;
         ry *= reach;
         start = (1 / reach) * start;
@@ -61,7 +62,7 @@ class PathParser {
             if (!repeats) {
                 command = text_.letter();
             } else if (command == 'M' || command == 'm') {
-                command = command == 'M' ? 'L' : 'l';  // further points of a moveto are lines
+                command = command == 'M' ? 'L' : 'l';  // further points of a moveto mean lines
             } else if (command == 'Z' || command == 'z') {
                 text_.fail("a command is expected");
             }
@@ -130,7 +131,7 @@ class PathParser {
         if (++pieces_ > kMostPieces)
             text_.fail("more than " + std::to_string(kMostPieces) +
                        " pieces of a path are more than an outline can use;");
-        if (subpaths_.back().is_closed) subpaths_.emplace_back();  // drawing on after Z
+        if (subpaths_.back().is_closed) subpaths_.emplace_back();  // drawing continues after Z
         subpaths_.back().pieces.push_back(piece);
         here_ = piece[3];
     }

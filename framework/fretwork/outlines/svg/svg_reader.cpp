@@ -13,13 +13,14 @@ using geometry::Point2;
 using geometry::Polygon;
 
 constexpr int kDeepest =
-    256;  // of groups and copies: no drawing needs more, and the reader's stack has an end
+    256;  // depth of groups and copies: no drawing needs more, and the reader's stack is limited
 constexpr int kMostElements = 200'000;        // copies of copies grow fast
-constexpr std::size_t kMostPoints = 200'000;  // of which crossings are looked for
-/// A curve that reaches out of the drawing by more than this many times its size is a slip.
+constexpr std::size_t kMostPoints = 200'000;  // points whose lines are tested for crossings
+/// The distance by which a curve may leave the drawing, as a multiple of the drawing's size; a larger
+/// distance is a slip.
 constexpr double kFarthestOutside = 10;
 
-/// Elements that are never drawn by themselves.
+/// The elements that are never drawn by themselves.
 constexpr std::array<std::string_view, 21> kNotDrawn = {
     "defs",     "title",  "desc",           "metadata",         "style",         "script", "symbol",
     "clipPath", "mask",   "linearGradient", "radialGradient",   "pattern",       "marker", "filter",
@@ -79,7 +80,7 @@ void SvgReader::read_element(pugi::xml_node node, const Surroundings& outer) {
 
 void SvgReader::read_kind(std::string_view name, const SvgElement& element, const Surroundings& around) {
     const bool is_group = name == "g" || name == "a" || name == "switch" || name == "svg";
-    if (is_group && purpose_ == Purpose::Clip) return;  // a clip has shapes and copies of shapes
+    if (is_group && purpose_ == Purpose::Clip) return;  // a clip consists of shapes and copies of shapes
     if (name == "g" || name == "a") return read_children(element.node(), around);
     if (name == "switch") return read_switch(element.node(), around);
     if (name == "svg") return read_viewport(element, element, around);

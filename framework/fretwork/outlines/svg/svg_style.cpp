@@ -19,11 +19,11 @@ std::optional<double> share_of(std::string_view text) {
             return std::nullopt;
         return std::clamp(length.value, 0.0, 1.0);
     } catch (const base::InputError&) {
-        return std::nullopt;  // a declaration that cannot be read does not count, says CSS
+        return std::nullopt;  // CSS ignores a declaration that cannot be read
     }
 }
 
-/// rgba(0, 0, 0, 0), rgb(0 0 0 / 0%), #0000, #00000000.
+/// True for a colour with alpha zero: rgba(0, 0, 0, 0), rgb(0 0 0 / 0%), #0000, #00000000.
 bool has_alpha_zero(std::string_view color) {
     if (color.starts_with('#')) {
         return (color.size() == 5 && color.back() == '0') || (color.size() == 9 && color.ends_with("00"));
@@ -36,7 +36,7 @@ bool has_alpha_zero(std::string_view color) {
     return at != std::string_view::npos && share_of(inside.substr(at + 1)) == 0.0;
 }
 
-/// A gradient without stops paints nothing; nor does one whose stops are all transparent.
+/// False for a gradient without stops, or with transparent stops alone, which paints nothing.
 bool paints(pugi::xml_node server, const SvgDocument& document) {
     if (!server) return false;
     const std::string_view name = document.name_of(server);
@@ -73,7 +73,7 @@ SvgStyle::Paint paint_of(std::string_view text, SvgStyle::Paint outer, const Svg
     return value.substr(fallback) == "none" ? Paint::None : Paint::Some;
 }
 
-/// The colour that a property asks for; that of the surroundings where it asks for none.
+/// The colour that a property states; the inherited colour if the property states none.
 std::string colour_of(std::string_view text, const std::string& outer, const std::string& current) {
     const std::string value = in_small_letters(text);
     if (value.empty() || value == "inherit" || value == "unset") return outer;
@@ -86,7 +86,7 @@ FillRule rule_of(std::string_view text, FillRule outer) {
     return text == "nonzero" ? FillRule::Nonzero : outer;
 }
 
-/// A width below zero, or one that cannot be read, does not count.
+/// The stroke width that a property states. A width that is below zero or cannot be read is ignored.
 SvgStyle::StrokeWidth stroke_width_of(std::string_view text, SvgStyle::StrokeWidth outer) {
     if (text.empty()) return outer;
     try {
@@ -115,7 +115,7 @@ double font_size_of(std::string_view text, double outer) {
     }
 }
 
-/// Whether one of the languages in a list, such as "de, en-GB", is English.
+/// True if a list of languages, such as "de, en-GB", contains English.
 bool names_english(std::string_view list) {
     for (std::string word : base::split(list, ',')) {
         std::erase(word, ' ');

@@ -25,7 +25,8 @@ bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// Style sheets give transforms units; lengths become pixels, angles degrees.
+/// The factor of a unit, which transforms in style sheets have. Lengths become pixels, and angles become
+/// degrees.
 double factor_of_unit(std::string_view unit, const SvgText& text) {
     if (unit.empty() || unit == "px" || unit == "deg") return 1;
     if (unit == "rad") return 1 / kDegree;
@@ -58,7 +59,7 @@ Affine shift(double x, double y) {
     return {1, 0, 0, 1, x, y};
 }
 
-/// A function of a transform with this number of arguments.
+/// A function of a transform, with its number of arguments.
 struct TransformFunction {
     std::string_view name;
     std::size_t count;
@@ -83,7 +84,7 @@ constexpr TransformFunction kFunctions[] = {
     {"skewY", 1, [](const Numbers& v) { return Affine{1, std::tan(v[0] * kDegree), 0, 1, 0, 0}; }},
 };
 
-/// The map of a function; nothing if no function of that name has this number of arguments.
+/// The map of a function; nothing if no function with this name takes this number of arguments.
 std::optional<Affine> function_map(std::string_view name, const Numbers& v) {
     const auto* const found = std::ranges::find_if(kFunctions, [&](const TransformFunction& function) {
         return function.name == name && function.count == v.size();

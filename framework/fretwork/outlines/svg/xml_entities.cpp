@@ -10,10 +10,10 @@
 namespace fretwork::outlines::detail {
 namespace {
 
-/// A document may grow to this many times its length, and a little more if it is short.
+/// The factor by which a document may grow; a short document may grow a little more.
 constexpr std::size_t kMostGrowth = 10;
 constexpr std::size_t kLittle = 100'000;
-constexpr int kDeepestEntity = 16;  // entities in entities
+constexpr int kDeepestEntity = 16;  // depth of entities in entities
 
 constexpr std::string_view kSpace = " \t\r\n";
 
@@ -23,7 +23,7 @@ std::string_view without_leading_space(std::string_view text) {
     return text.substr(std::min(text.find_first_not_of(kSpace), text.size()));
 }
 
-/// The text between quotes at the beginning of a text.
+/// The quoted text at the beginning of a text; nothing if there is none.
 std::optional<std::string_view> quoted(std::string_view text) {
     if (text.empty() || (text.front() != '"' && text.front() != '\'')) return std::nullopt;
     const std::size_t end = text.find(text.front(), 1);
@@ -31,7 +31,7 @@ std::optional<std::string_view> quoted(std::string_view text) {
     return text.substr(1, end - 1);
 }
 
-/// The declarations of a document's own entities: <!ENTITY name "value">.
+/// The entities that a document declares: <!ENTITY name "value">.
 Entities declared_in(std::string_view doctype) {
     constexpr std::string_view kBegin = "<!ENTITY";
     Entities entities;
@@ -42,7 +42,7 @@ Entities declared_in(std::string_view doctype) {
         if (!value || name == "%") continue;
         std::string in_one_line(*value);
         std::ranges::replace(in_one_line, '\n', ' ');
-        entities.emplace(name, std::move(in_one_line));  // the first declaration counts
+        entities.emplace(name, std::move(in_one_line));  // the first declaration of a name is valid
     }
     return entities;
 }

@@ -15,11 +15,11 @@ namespace {
 
 using Float = boost::multiprecision::cpp_bin_float_100;
 
-/// An angle whose cosine has a rational square; by Niven's theorem there are no others that are rational in
-/// degrees.
+/// An angle whose cosine has a rational square. By Niven's theorem, no other angle that is rational in
+/// degrees has this property.
 struct RationalCosine {
     int degrees;
-    int numerator;  ///< of the signed square of the cosine, in quarters
+    int numerator;  ///< signed square of the cosine, in quarters
 };
 constexpr RationalCosine kRationalCosines[] = {{0, 4},    {30, 3},   {45, 2},   {60, 1},  {90, 0},
                                                {120, -1}, {135, -2}, {150, -3}, {180, -4}};

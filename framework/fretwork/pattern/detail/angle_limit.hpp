@@ -7,14 +7,15 @@ namespace fretwork::pattern::detail {
 
 /// The smallest angle that two beams may enclose, for exact comparisons in the regular hexagon.
 ///
-/// The cosine of an angle between rational directions of the hexagon has a rational square q (with the sign
-/// of the cosine, it falls as the angle grows from 0 to 180 degrees). The square of the limit's cosine is
-/// rational only at multiples of 30 and 45 degrees, where it is compared exactly; elsewhere it is enclosed
-/// between two rationals 1e-40 apart, and a q between these two, which has never been met, is an error.
+/// The cosine of an angle between rational directions of the hexagon has a rational square. Let q be this
+/// square with the sign of the cosine; q falls as the angle grows from 0 to 180 degrees. The square of the
+/// limit's cosine is rational only at multiples of 30 and 45 degrees, where the comparison is exact. At any
+/// other limit, the square is enclosed between two rationals 1e-40 apart. A q between these two rationals is
+/// an error, which has never occurred.
 class AngleLimit {
   public:
-    /// @param radians  from 0 to pi; within 1e-12 of a multiple of 30 or 45 degrees it is taken for that.
-    /// Throws InputError.
+    /// @param radians  the limit, from 0 to pi; a limit within 1e-12 of a multiple of 30 or 45 degrees is
+    /// taken as that multiple. Throws InputError.
     explicit AngleLimit(double radians);
 
     /// True if the two directions enclose less than the limit. They are in affine coordinates of the base

@@ -10,7 +10,7 @@
 namespace fretwork::pattern::detail {
 namespace {
 
-/// nauty keeps memory for each thread, and gives it back only when asked.
+/// The memory that nauty keeps for each thread and frees only on request.
 struct MemoryOfThread {
     MemoryOfThread() = default;
     MemoryOfThread(const MemoryOfThread&) = delete;
@@ -37,7 +37,7 @@ struct Workspace {
     std::vector<int> orbits;
 };
 
-/// Interface nodes, which come first in a fan, are the first colour, all others the second.
+/// Give interface nodes, which come first in a fan, the first colour, and all other nodes the second.
 void colour(Workspace& work, int interface_node_count) {
     std::iota(work.labels.begin(), work.labels.end(), 0);
     std::fill(work.cells.begin(), work.cells.end(), 1);

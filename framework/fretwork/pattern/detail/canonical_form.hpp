@@ -7,8 +7,8 @@
 
 namespace fretwork::pattern::detail {
 
-/// A text of bytes that two fans share exactly if they are isomorphic as graphs whose interface nodes have
-/// their own colour.
+/// A string of bytes. The strings of two fans are equal exactly if the fans are isomorphic as graphs whose
+/// interface nodes have their own colour.
 std::string canonical_form(const Fan& fan);
 
 }  // namespace fretwork::pattern::detail

@@ -10,7 +10,7 @@ namespace fretwork::pattern::detail {
 
 using ExactNumber = CGAL::Exact_rational;
 /// Affine coordinates of the base triangle: v0 is the origin, v1 = (1, 0), v2 = (0, 1). Crossing and
-/// collinearity are affine invariants, so what holds here holds in every triangle.
+/// collinearity are affine invariants, so a result in these coordinates holds in every triangle.
 using ExactKernel = CGAL::Simple_cartesian<ExactNumber>;
 using ExactPoint = ExactKernel::Point_2;
 using ExactVector = ExactKernel::Vector_2;

@@ -24,7 +24,7 @@ Graph beam_graph(const Fan& fan) {
     return graph;
 }
 
-/// The beams, and after them the edges of the outside; a hub is one more vertex.
+/// The beams, followed by the edges of the outside; a hub is one more vertex.
 Graph graph_with_outside(const Fan& fan, Outside outside) {
     Graph graph = beam_graph(fan);
     const std::size_t count = fan.interface_node_count;

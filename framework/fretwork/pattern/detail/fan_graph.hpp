@@ -7,11 +7,12 @@
 
 namespace fretwork::pattern::detail {
 
-// Connectivity of the fan itself, by Boost.Graph: the definition of the graph rules, and the judge of the
-// faster test that the search uses.
+// Connectivity of the fan itself, by Boost.Graph: the definition of the graph rules, and the reference for
+// the faster test that the search uses.
 
-/// How neighbouring tiles tie a fan's interface nodes together: in a ring around the polygon, or all to one
-/// hub that is not a node of the fan. Both have the same articulation points among the fan's nodes.
+/// The way in which neighbouring tiles connect a fan's interface nodes: in a ring around the polygon, or all
+/// to one hub that is not a node of the fan. Both ways give the same articulation points among the fan's
+/// nodes.
 enum class Outside { Ring, Hub };
 
 /// The component of each fan node; -1 for interface nodes that no beam uses.
@@ -24,8 +25,8 @@ FanComponents fan_components(const Fan& fan);
 /// The articulation points of the fan with its outside, ascending.
 std::vector<FanNodeIndex> articulation_nodes(const Fan& fan, Outside outside = Outside::Ring);
 
-/// The beams (positions in Fan::edges) that lie in no block (biconnected component) with the outside: they
-/// hang on an articulation point, or on nothing, and bear no load.
+/// The beams (positions in Fan::edges) that share no block (biconnected component) with the outside. Such
+/// beams are connected to the rest at one articulation point at most, and bear no load.
 std::vector<std::size_t> dangling_beams(const Fan& fan);
 
 }  // namespace fretwork::pattern::detail

@@ -6,7 +6,7 @@
 namespace fretwork::pattern::detail {
 namespace {
 
-/// The number of a node of the fan: that of its orbit, then its sector; all copies of the center are one.
+/// The number of a node of the fan, by orbit and then by sector; all copies of the center are one node.
 int fan_node_number(const Quotient::Place& place, int sector, const Quotient& quotient) {
     const bool is_center = place.orbit == quotient.center();
     return place.orbit * kReferenceSides + (is_center ? 0 : (sector + place.shift) % kReferenceSides);

@@ -23,7 +23,7 @@ inline ExactPoint next_sector(const ExactPoint& point) {
 struct PlacedEdge {
     EdgeIndex edge;
     int sector = 0;
-    std::array<int, 2> fan_nodes{};      ///< equal numbers: the same node of the fan
+    std::array<int, 2> fan_nodes{};      ///< numbers of the ends; equal numbers mean the same node of the fan
     std::array<ExactPoint, 2> points{};  ///< in the coordinates of sector 0
 };
 

@@ -9,10 +9,10 @@ namespace {
 using Fault = std::optional<LayoutFault>;
 using Place = std::array<Rational, 3>;
 
-/// Keeps every sum of three coordinates within 64 bits.
+/// The largest denominator with which every sum of three coordinates stays within 64 bits.
 constexpr std::int64_t kLargestDenominator = 1'000'000;
 
-/// The limit, so that a set of nodes fits into a machine word.
+/// The largest number of nodes whose sets fit into a machine word.
 constexpr std::size_t kMostNodes = 64;
 
 std::string indexed(const char* key, std::size_t i) {
@@ -23,7 +23,7 @@ std::string node_name(std::size_t number) {
     return "node n" + std::to_string(number);
 }
 
-/// Shares along a side: strictly between its ends, each larger than the one before.
+/// Check shares along a side: they lie strictly between the ends of the side, and ascend.
 Fault check_shares(const std::vector<Rational>& shares, const char* key, std::size_t first_number) {
     for (std::size_t i = 0; i < shares.size(); ++i) {
         const std::string subject = node_name(first_number + i) + " at " + shares[i].text() + " ";

@@ -12,8 +12,8 @@ namespace fretwork::pattern::detail {
 /// The reference fan divided by its rotation: one node for each orbit of fan nodes, one edge for each
 /// candidate edge, with the number of sectors by which it advances (its gain).
 ///
-/// The fan is the covering graph of this: node (orbit, sector) is joined to (orbit', sector + gain). Only the
-/// center is its own whole orbit.
+/// The fan is the covering graph of the quotient: node (orbit, sector) is connected to (orbit', sector +
+/// gain). The center is the only node that is a whole orbit.
 class Quotient {
   public:
     /// A node of the layout as (orbit, sector) of sector 0.

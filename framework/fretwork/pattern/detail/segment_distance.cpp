@@ -9,7 +9,8 @@
 namespace fretwork::pattern::detail {
 namespace {
 
-/// Distances between segments, in any number type. Affine coordinates of the base triangle, hexagon metric.
+/// Distances between segments in the metric of the hexagon, from affine coordinates of the base triangle, in
+/// any number type.
 template <class Number>
 struct Segments {
     using Vector = std::array<Number, 2>;
@@ -26,7 +27,8 @@ struct Segments {
         const Vector rest{away[0] - share * along[0], away[1] - share * along[1]};
         return dot(rest, rest);
     }
-    /// The distance of segments that do not cross: an end of one is nearest to the other.
+    /// The squared distance of two segments that do not cross; it is the distance of an end of one segment
+    /// from the other segment.
     static Number square_between_ends(const std::array<Vector, 2>& left, const std::array<Vector, 2>& right) {
         return std::min({square_from_point(left[0], right), square_from_point(left[1], right),
                          square_from_point(right[0], left), square_from_point(right[1], left)});

@@ -14,7 +14,7 @@ using detail::ExactNumber;
 using detail::ExactVector;
 using detail::hexagon_dot;
 
-/// Forbid every edge whose length, as `tile_side` makes it, does not please.
+/// Forbid every edge with a wrong length in a hexagon with side `tile_side`.
 template <class IsWrong>
 ConflictRule forbid_by_length(const NodeLayout& layout, const FabricationScale& scale,
                               const IsWrong& is_wrong) {

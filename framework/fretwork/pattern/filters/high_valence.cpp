@@ -12,8 +12,9 @@ namespace {
 
 using detail::Quotient;
 
-/// Beams that one candidate edge, repeated over the fan, brings to a node of an orbit. The center meets every
-/// copy; an interface node counts double, since the neighbour's tile brings as many again.
+/// The number of beams that one candidate edge, repeated over the fan, adds at a node of an orbit. Every copy
+/// of the edge meets the center. An interface node counts double, because the neighbouring tile adds the same
+/// number.
 int ends_at(const Quotient& quotient, const Quotient::Link& link, int orbit) {
     const int ends = (link.first == orbit ? 1 : 0) + (link.second == orbit ? 1 : 0);
     if (orbit == quotient.center()) return ends * kReferenceSides;

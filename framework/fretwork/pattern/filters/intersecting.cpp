@@ -19,7 +19,7 @@ bool leave_alike(const ExactPoint& shared, const ExactPoint& first, const ExactP
            !CGAL::collinear_are_strictly_ordered_along_line(first, shared, second);
 }
 
-/// True if two edges meet anywhere but in a node that is an end of both.
+/// True if two edges meet at a point other than a common end.
 bool intersect(const NodeLayout& layout, const Edge& left, const Edge& right) {
     const auto point = [&](LayoutNodeIndex node) { return exact_point(layout.nodes()[node]); };
     if (left.first == right.first)
@@ -36,8 +36,8 @@ bool intersect(const NodeLayout& layout, const Edge& left, const Edge& right) {
 
 }  // namespace
 
-// Sectors have no point in common but on the radial sides, and along those only left-hand edges run: what
-// crosses, crosses inside one base triangle.
+// Two sectors share only the points of a radial side, and no candidate edge runs along the right one. So all
+// crossings lie inside one base triangle.
 Rule make_intersecting(const NodeLayout& layout, double, const FabricationScale&) {
     ConflictTable table(layout);
     const auto& edges = layout.candidate_edges();

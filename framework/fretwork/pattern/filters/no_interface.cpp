@@ -3,8 +3,8 @@
 
 namespace fretwork::pattern::filters {
 
-// Paper, Section 4.2, "Interface connectivity"; with several interface nodes on a side, every one of them is
-// used, because the neighbour's pattern uses it.
+// Paper, Section 4.2, "Interface connectivity". With several interface nodes on a side, a pattern must use
+// every one of them, because the neighbour's pattern does.
 Rule make_no_interface(const NodeLayout& layout, double, const FabricationScale&) {
     CoverRule rule{{}, "no beam ends at"};
     for (const LayoutNodeIndex node : layout.interface_nodes()) {

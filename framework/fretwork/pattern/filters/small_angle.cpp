@@ -26,7 +26,7 @@ struct Departure {
     ExactVector direction;
 };
 
-/// Every departure at one node of each orbit; the others are rotations of these.
+/// Every departure at one node of each orbit; all other departures are rotations of these.
 std::map<int, std::vector<Departure>> departures_by_node(const NodeLayout& layout) {
     std::map<int, std::vector<Departure>> departures;
     for (const PlacedEdge& placed : place_candidates_in_hexagon(layout)) {
@@ -39,7 +39,7 @@ std::map<int, std::vector<Departure>> departures_by_node(const NodeLayout& layou
     return departures;
 }
 
-/// Rounded: 15 degrees come back from radians as 14.999999999999998.
+/// The angle in degrees, rounded, because 15 degrees return from radians as 14.999999999999998.
 std::string degrees_text(double radians) {
     constexpr double kDigits = 1e9;
     return base::format_number(std::round(radians * 180.0 / std::numbers::pi * kDigits) / kDigits);

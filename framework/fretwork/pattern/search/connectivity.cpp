@@ -51,7 +51,7 @@ Potentials potentials(std::span<const Quotient::Link> links, Orbits part) {
 
 }  // namespace
 
-/// Everything that can be reached from the seeds.
+/// All orbits that can be reached from the seeds.
 Orbits Connectivity::flood(Orbits seeds, Orbits within) const {
     Orbits reached = seeds & within;
     for (Orbits front = reached; front != 0;) {
@@ -63,14 +63,14 @@ Orbits Connectivity::flood(Orbits seeds, Orbits within) const {
     return reached;
 }
 
-/// The same, where the outside joins all interface nodes.
+/// All orbits that can be reached from the seeds if the outside connects all interface nodes.
 Orbits Connectivity::flood_with_outside(Orbits seeds, Orbits within) const {
     const Orbits reached = flood(seeds, within);
     const Orbits interface = quotient_->interface_orbits();
     return (reached & interface) != 0 ? flood(reached | interface, within) : reached;
 }
 
-/// Into how many components of the fan a connected part of the quotient lifts; the outside is not there.
+/// The number of components of the fan, without the outside, to which a connected part of the quotient lifts.
 int Connectivity::lifted_components(Orbits part) const {
     if ((part & center_bit()) != 0) return 1;
     return potentials(std::span(links_).first(link_count_), part).cycle_gain;
@@ -122,7 +122,7 @@ bool Connectivity::orbit_is_articulation(int orbit, Orbits component) const {
     return false;
 }
 
-/// True if each lifted component of a part without roots has links to one copy of the orbit only.
+/// True if each lifted component of a part without roots has links to a single copy of the orbit.
 bool Connectivity::hangs_on_one_copy(Orbits part, int orbit) const {
     const std::span<const Quotient::Link> links = std::span(links_).first(link_count_);
     const Potentials inside = potentials(links, part);

@@ -49,7 +49,7 @@ IndependentSets<Word>::IndependentSets(std::vector<Word> conflicts, Word edges, 
     numbers_.clear();
 }
 
-/// The edges that chains of conflicts join with the lowest one.
+/// The edges that chains of conflicts connect with the lowest edge.
 template <class Word>
 Word IndependentSets<Word>::part_of_lowest(Word edges) const {
     Word part = edges & (~edges + 1);
@@ -111,7 +111,8 @@ Word IndependentSets<Word>::draw(int size, WideRandom& random) const {
     return draw_from(all_, size, random);
 }
 
-/// Share the members out between each part and those after it, by how many sets each share allows.
+/// Divide the members between each part and the parts after it, with probabilities proportional to the number
+/// of sets that each division allows.
 template <class Word>
 Word IndependentSets<Word>::draw_from(const Forest& forest, int size, WideRandom& random) const {
     Word chosen = 0;

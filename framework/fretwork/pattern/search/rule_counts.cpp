@@ -10,7 +10,7 @@
 namespace fretwork::pattern::detail {
 namespace {
 
-// The most cached results; each is some hundred bytes.
+// The largest number of cached results, each of a few hundred bytes.
 constexpr std::size_t kMostParts = 300'000;
 constexpr std::size_t kMostStates = 200'000;
 constexpr std::size_t kMostGroups = 16;
@@ -27,7 +27,8 @@ std::optional<CountsBySize> count(const ConflictRule& rule, int edge_count) {
     return sets.counts();
 }
 
-/// The number of sets that meet every group: all sets, less those that miss one, plus those that miss two, ..
+/// The number of sets that meet every group, by inclusion and exclusion: all sets, less the sets that miss
+/// one group, plus the sets that miss two, ..
 std::optional<CountsBySize> count(const CoverRule& rule, int edge_count) {
     if (rule.groups.size() > kMostGroups) return std::nullopt;
     CountsBySize counts(edge_count + 1);
@@ -44,11 +45,11 @@ std::optional<CountsBySize> count(const CoverRule& rule, int edge_count) {
     return counts;
 }
 
-/// Edge by edge, a table from the loads on the resources so far to the counts of sets that lead there. A
-/// resource that no later edge loads is forgotten.
+/// A table that grows edge by edge, from loads on the resources to the numbers of sets with these loads. A
+/// resource that no later edge loads is dropped.
 class LoadTable {
   public:
-    /// @param order  in which edges will be offered
+    /// @param order  the order in which edges will be offered
     LoadTable(const CapacityRule& rule, const std::vector<int>& order)
         : rule_(&rule), last_edge_(rule.resources.size(), -1) {
         for (std::size_t r = 0; r < rule.resources.size(); ++r) {
@@ -106,8 +107,8 @@ class LoadTable {
     Table table_;
 };
 
-/// All edges that load the first resource, then the others that load the second, and so on: resources are
-/// done with one by one, and the table stays small.
+/// An order of the edges that keeps the table small: all edges that load the first resource, then the
+/// remaining edges that load the second, and so on. Resources are then dropped one by one.
 std::vector<int> elimination_order(const CapacityRule& rule, int edge_count) {
     const auto first_resource = [&](int edge) {
         const auto loaded = std::find_if(rule.resources.begin(), rule.resources.end(),

@@ -77,7 +77,7 @@ template <class Word>
 Search<Word>::Search(const SearchProblem<Word>& problem, const base::Control& control)
     : problem_(&problem), control_(&control), connectivity_(problem.quotient) {}
 
-/// Take over the state that the edges chosen so far have led to.
+/// Enter a node: set the state to which its chosen edges lead.
 template <class Word>
 void Search<Word>::enter(const SearchNode<Word>& node) {
     capacity_left_.clear();
@@ -89,7 +89,7 @@ void Search<Word>::enter(const SearchNode<Word>& node) {
     });
 }
 
-/// Load an edge onto its resources; what remains available is returned.
+/// Load an edge onto its resources. Returns the edges that remain available.
 template <class Word>
 Word Search<Word>::take(int edge, Word available) {
     available &= ~problem_->conflicts[edge];
@@ -114,8 +114,9 @@ typename Search<Word>::Ends Search<Word>::with_edge(int edge) const {
     return {ends_.once | met, ends_.twice | (ends_.once & met) | problem_->double_ends[edge]};
 }
 
-/// False if no valid pattern lies below a node: a group without an edge, or a loose end that none can be tied
-/// to. A node inside the tile where only one beam ends hangs on the other end of that beam.
+/// False if no valid pattern can lie below a node, because a group has no edge, or because no available edge
+/// can meet a loose end. A loose end is a node inside the tile where only one beam ends; the other end of
+/// that beam is an articulation point.
 template <class Word>
 bool Search<Word>::is_hopeful(Word chosen, Word available) const {
     for (const Word group : problem_->groups) {

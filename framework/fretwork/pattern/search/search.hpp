@@ -29,10 +29,10 @@ class SearchProblem {
     SearchProblem(const NodeLayout& layout, std::span<const Filter> filters, const EdgeRange& range);
 
     EdgeRange range;
-    Word candidates = 0;          ///< edges that no rule forbids outright
+    Word candidates = 0;          ///< edges that no rule forbids by themselves
     std::vector<Word> conflicts;  ///< the conflicts of each edge
     std::vector<Resource> resources;
-    std::vector<std::vector<Load>> loads;  ///< the conflicts of each edge
+    std::vector<std::vector<Load>> loads;  ///< the loads of each edge on resources
     std::vector<Word> groups;              ///< a pattern has at least one edge of each group
     std::vector<const PredicateRule*> predicates;
     bool must_be_connected = false;

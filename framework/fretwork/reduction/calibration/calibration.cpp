@@ -13,7 +13,7 @@ namespace {
 
 std::vector<std::string> parameters_at_bound(const optimization::Bounds& bounds, const Eigen::VectorXd& point,
                                              const TileModel& model) {
-    /// As a share of the range: nearer than this is at the bound.
+    /// The distance to a bound, as a share of the range, below which a parameter counts as at the bound.
     constexpr double kNear = 1e-9;
     std::vector<std::string> names;
     for (Eigen::Index i = 0; i < point.size(); ++i) {
@@ -43,7 +43,8 @@ Calibration evaluate(const TileModel& model, const CalibrationInput& input, cons
     return result;
 }
 
-/// If no start went anywhere, the best of their points is no calibration.
+/// Throw NumericalError if no start gave a descent, because the best of the starting points is not a
+/// calibration.
 void require_descent(const optimization::OptimizationReport& report, const TileModel& model,
                      const CalibrationOptions& options) {
     if (report.ending != optimization::Ending::Invalid) return;

@@ -10,8 +10,8 @@
 namespace fretwork::reduction {
 namespace {
 
-/// As a share of the distance between a variable's bounds: balances the rounding of condensed tiles (some
-/// 1e-12) and the third derivative.
+/// The step of the differences, as a share of the distance between a variable's bounds. This step balances
+/// the rounding of condensed tiles (about 1e-12) and the error by the third derivative.
 constexpr double kStep = 1e-5;
 
 bool is_logarithmic(const TileParameter& parameter) {
@@ -70,7 +70,7 @@ UnitDisplacements DifferenceProblem::displacements(const Eigen::VectorXd& point)
     }
 }
 
-/// Central differences; at a bound, one-sided ones.
+/// Derivatives by central differences; at a bound, by one-sided differences.
 UnitDisplacementsAndDerivatives DifferenceProblem::derivatives(const Eigen::VectorXd& point) const {
     UnitDisplacementsAndDerivatives result{displacements(point), {}};
     for (const auto& rows : result.displacements) result.derivatives.emplace_back(rows.size(), point.size());

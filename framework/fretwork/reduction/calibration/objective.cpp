@@ -14,11 +14,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Which samples of a scenario the sample policy leaves in.
+/// The samples of a response that the sample policy keeps.
 std::vector<const Response::Sample*> used_samples(const Response& response, const Setting& setting) {
     std::vector<const Response::Sample*> used;
     for (const Response::Sample& sample : response.samples) {
-        // A path that has lost its stability is not what a specimen follows, even where it is stable again.
+        // A specimen leaves a path that has lost its stability, so later samples are left out even if the
+        // path is stable again.
         if (setting.sample_policy == SamplePolicy::Stable && sample.converged && !sample.stable) break;
         if (sample.converged) used.push_back(&sample);
     }
@@ -63,7 +64,7 @@ Objective::Objective(const std::vector<Response>& responses, const Setting& sett
     first_samples_.push_back(samples_.size());
 }
 
-/// Equal steps differ by the rounding of the magnitudes alone.
+/// Set the steps between magnitudes. Steps that differ only by the rounding of the magnitudes count as equal.
 void Objective::set_steps(std::span<Sample> samples) {
     constexpr double kRoundOff = 4.0 * std::numeric_limits<double>::epsilon();
     double magnitude = 0.0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The derivatives of E: by the displacements of a linear model, and by the parameters that these depend on.
+// The derivatives of E with respect to the displacements of a linear model, and to the parameters of these
+// displacements.
 #include <fretwork/geometry/rotation.hpp>
 #include <fretwork/reduction/detail/node_motion.hpp>
 
@@ -12,19 +13,19 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// |a| with its kink rounded off, and what that does to first and second derivatives.
+/// |a| with its kink rounded, and its first and second derivatives.
 struct SmoothNorm {
     SmoothNorm(const Vector3d& a, double rounding)
         : value(std::max(std::sqrt(a.squaredNorm() + rounding * rounding), 1e-300)), slope(a / value) {}
     double value;
-    Vector3d slope;  ///< by a
-    /// By a, twice: positive semidefinite.
+    Vector3d slope;  ///< derivative with respect to a
+    /// The second derivative with respect to a, positive semidefinite.
     [[nodiscard]] Matrix3d bend() const { return (Matrix3d::Identity() - slope * slope.transpose()) / value; }
 };
 
 }  // namespace
 
-/// One interface node in one sample: how its two smoothed norms depend on the six components of its unit
+/// One interface node in one sample: its two smoothed norms as functions of the six components of its unit
 /// displacement.
 struct Objective::NodeTerm {
     NodeTerm(const Sample& sample, std::size_t node, const NodeMotion& motion,
@@ -34,9 +35,9 @@ struct Objective::NodeTerm {
 
     double exact;                       ///< the node's part of e
     double smoothed;                    ///< the same with smoothed norms
-    Eigen::Matrix<double, 6, 1> slope;  ///< of the smoothed part
+    Eigen::Matrix<double, 6, 1> slope;  ///< derivative of the smoothed part
 
-    /// Second derivatives of the smoothed part.
+    /// Second derivatives of the smoothed part with respect to the translation.
     [[nodiscard]] Matrix3d translation_bend(const Sample& sample) const {
         return sample.translation_factor * sample.magnitude * sample.magnitude * translation_.bend();
     }
@@ -58,8 +59,9 @@ struct Objective::NodeTerm {
 
     SmoothNorm translation_;
     SmoothNorm rotation_;
-    // The rotation vector that is missed changes by J_r(itself)^-1 J_r(turn) m du. It is itself a fixed
-    // vector of the first factor, so the slope is exact without it; the curvature takes it as the identity.
+    // The missed rotation vector changes by J_r(itself)^-1 J_r(turn) m du. The first factor leaves the missed
+    // rotation vector unchanged, so the slope is exact without this factor; the curvature takes it as the
+    // identity.
     Matrix3d rate_;
 };
 
@@ -101,7 +103,7 @@ class Objective::SampleTerms {
 /// the magnitudes before they meet the model's derivatives, which all magnitudes share.
 class Objective::Differentiation {
   public:
-    /// Whether second derivatives are wanted, too.
+    /// The choice whether second derivatives are computed, too.
     enum class Bends { LeftOut, Summed };
 
     Differentiation(const Objective& owner, const UnitDisplacementsAndDerivatives& model, double smoothing,
@@ -118,7 +120,7 @@ class Objective::Differentiation {
         for (std::size_t s = 0; s < bends_.size(); ++s) add_scenario(s);
     }
 
-    /// Sum over nodes of the parts of the curvature that come from the norms.
+    /// The sum over the nodes of the curvature that comes from the norms.
     [[nodiscard]] Eigen::MatrixXd norm_curvature() const {
         Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(jacobian.cols(), jacobian.cols());
         Eigen::MatrixXd bent;
@@ -137,9 +139,9 @@ class Objective::Differentiation {
     }
 
     double objective = 0.0;    ///< E itself
-    double value = 0.0;        ///< with smoothed norms
-    Eigen::VectorXd errors;    ///< sqrt(w) e, smoothed, one a sample
-    Eigen::MatrixXd jacobian;  ///< of these
+    double value = 0.0;        ///< E with smoothed norms
+    Eigen::VectorXd errors;    ///< sqrt(w) e, smoothed, one for each sample
+    Eigen::MatrixXd jacobian;  ///< derivatives of `errors`
 
   private:
     struct NodeBend {
@@ -174,7 +176,7 @@ class Objective::Differentiation {
         errors[row] = root * terms_.smoothed();
     }
 
-    /// `error`: sqrt(w) e.
+    /// @param error  sqrt(w) e of the sample
     void add_bends(const Sample& sample, std::vector<NodeBend>& bends, double error) {
         const double factor = 2.0 * std::sqrt(sample.weight) * error;
         for (std::size_t node = 0; node < bends.size(); ++node) {
@@ -188,7 +190,8 @@ class Objective::Differentiation {
     SampleTerms terms_;
     Bends wanted_;
     std::vector<std::vector<NodeBend>> bends_;
-    Eigen::MatrixXd slopes_;  ///< of sqrt(w) e by the unit displacements, one column a sample
+    /// Derivatives of sqrt(w) e with respect to the unit displacements, one column for each sample.
+    Eigen::MatrixXd slopes_;
 };
 
 DisplacementGradient Objective::gradient(const UnitDisplacements& model, double smoothing) const {
@@ -214,7 +217,8 @@ DisplacementGradient Objective::smoothed_gradient(const UnitDisplacements& model
     return result;
 }
 
-/// Without smoothing a norm's slope is a direction: no node's angle is needed, only their sum.
+/// The gradient without smoothing. The slope of a norm is then a direction, so the angles of single nodes are
+/// not needed, only their sum.
 DisplacementGradient Objective::exact_gradient(const UnitDisplacements& model) const {
     DisplacementGradient result{0.0, 0.0, {}};
     std::vector<Eigen::Matrix<double, 6, 1>> sample_slopes;
@@ -237,7 +241,7 @@ DisplacementGradient Objective::exact_gradient(const UnitDisplacements& model) c
 
 double Objective::differentiated_error(const Sample& sample, std::span<const NodeMotion> motions,
                                        std::span<Eigen::Matrix<double, 6, 1>> slopes) {
-    constexpr double kTiny = 1e-300;  // at a kink the slope is 0, one of many
+    constexpr double kTiny = 1e-300;  // at a kink, 0 is taken as the slope, one of many valid slopes
     double translations = 0.0;
     detail::AngleSum half_rotations;
     for (std::size_t node = 0; node < motions.size(); ++node) {

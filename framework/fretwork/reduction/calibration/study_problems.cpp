@@ -20,10 +20,11 @@ using optimization::study::ProblemFamilies;
 using optimization::study::StudyProblem;
 
 constexpr int kSyntheticProblems = 12;
-/// The objective of a calibration has no unit; that of a good fit is of the order of 1.
+/// The scale of objectives of calibrations, which have no unit; a good fit has an objective of the order of
+/// 1.
 constexpr double kUnitOfCalibrations = 1.0;
 
-/// The paper's problem with what it refers to.
+/// The paper's problem together with the data to which it refers.
 class OwnedProblem final {
   public:
     OwnedProblem(const std::vector<Response>& responses, const Setting& setting)
@@ -46,7 +47,7 @@ std::shared_ptr<const RingProblem> make_calibration(const std::vector<Response>&
     return {owner, &owner->problem()};
 }
 
-/// The layout that stands before a pattern's id, or else the paper's.
+/// The layout named before a pattern's id; the paper's layout if none is named.
 pattern::NodeLayout layout_of(const std::string& pattern_id) {
     const auto colon = pattern_id.find(':');
     return colon == std::string::npos ? pattern::paper_layout()
@@ -66,7 +67,7 @@ StudyProblem calibration_problem(const std::string& id, const std::string& patte
 
 StudyProblem synthetic_problem(const std::string& id, const std::string& number) {
     const int n = base::read_number<int>(number).value_or(0);
-    if (n < 1 || number != std::to_string(n))  // one problem has one id
+    if (n < 1 || number != std::to_string(n))  // each problem has a single id
         throw base::InputError("'" + id + "' is not a synthetic problem, such as synthetic/1");
     const auto setting = paper_setting();
     const auto any = make_calibration(
@@ -87,7 +88,8 @@ int third_of(std::size_t rank, std::size_t count) {
     return static_cast<int>(3 * rank / count);
 }
 
-/// One label for each pattern: number of edges and, among its like, softer, middling or stiffer in bending.
+/// A stratum for each pattern, by its number of edges and by its third (softer, middle, stiffer) in bending
+/// among patterns with this number.
 std::vector<int> strata_of(const std::vector<pattern::Pattern>& patterns) {
     const auto setting = paper_setting();
     std::map<int, std::vector<std::pair<double, std::size_t>>> by_edges;

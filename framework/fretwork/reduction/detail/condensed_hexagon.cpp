@@ -13,7 +13,7 @@ using Complex = std::complex<double>;
 
 constexpr int kHalf = kSectors / 2;
 
-/// Columns shifted so that column i is column i + by.
+/// Shifted columns: column i of the result is column i + by.
 NodeColumns shifted(const NodeColumns& columns, int by) {
     NodeColumns result;
     for (int i = 0; i < kSectors; ++i) result.col(i) = columns.col((i + by + kSectors) % kSectors);
@@ -27,7 +27,8 @@ std::array<Complex, kSectors> roots_of_one() {
     return roots;
 }
 
-/// The inverse L^-* D^-1 L^-1 of a positive definite matrix M = L D L^*, of which the lower triangle is read.
+/// The inverse L^-* D^-1 L^-1 of a positive definite matrix M = L D L^*. Only the lower triangle of M is
+/// read.
 Matrix3cd inverse_of_hermitian(const Matrix3cd& M) {
     const double D0 = M(0, 0).real();
     const Complex L10 = M(1, 0) / D0;
@@ -35,7 +36,7 @@ Matrix3cd inverse_of_hermitian(const Matrix3cd& M) {
     const double D1 = M(1, 1).real() - std::norm(L10) * D0;
     const Complex L21 = (M(2, 1) - M(2, 0) * std::conj(L10)) / D1;
     const double D2 = M(2, 2).real() - std::norm(L20) * D0 - std::norm(L21) * D1;
-    const Complex X20 = L21 * L10 - L20;  // of L^-1, which has -L10 and -L21 beside its diagonal
+    const Complex X20 = L21 * L10 - L20;  // entry of L^-1, which has -L10 and -L21 next to its diagonal
     Matrix3cd inverse;
     inverse(2, 2) = 1.0 / D2;
     inverse(2, 1) = -L21 / D2;
@@ -49,7 +50,7 @@ Matrix3cd inverse_of_hermitian(const Matrix3cd& M) {
     return inverse;
 }
 
-/// The blocks beyond the half are transposes of those before it.
+/// Fill the second half of the blocks with the transposes of the first half.
 void complete(BlockCirculant& matrix) {
     for (int d = kHalf + 1; d < kSectors; ++d) matrix.blocks[d] = matrix.blocks[kSectors - d].transpose();
 }

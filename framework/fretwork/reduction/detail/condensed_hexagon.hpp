@@ -7,7 +7,7 @@
 
 namespace fretwork::reduction::detail {
 
-/// Three components of each of the six nodes of a kind, one column a node.
+/// Three components of each of six nodes, the interface nodes or the ring nodes, one column for each node.
 using NodeColumns = Eigen::Matrix<double, 3, kSectors>;
 /// A stiffness of the six interface nodes in one plane, node by node.
 using PlaneStiffness = Eigen::Matrix<double, 3 * kSectors, 3 * kSectors>;
@@ -19,20 +19,21 @@ struct BlockCirculant {
     [[nodiscard]] NodeColumns apply(const NodeColumns& columns) const;
 };
 
-/// The hexagon of one plane with its ring nodes eliminated. Blocks and columns are in the nodes' own axes.
+/// The hexagon's problem in one plane, with the ring nodes eliminated. Blocks and columns are in the nodes'
+/// own axes.
 class CondensedHexagon {
   public:
     explicit CondensedHexagon(const HexagonBlocks& blocks);
 
     /// The stiffness of the interface nodes, in their own axes.
     [[nodiscard]] BlockCirculant stiffness() const;
-    /// The ring's forces for displacements of the interface nodes.
+    /// The displacements of the ring nodes that follow from displacements of the interface nodes.
     [[nodiscard]] NodeColumns ring_displacements(const NodeColumns& interface) const;
-    /// dS u, where dS is how the condensed stiffness changes with the blocks.
+    /// The forces dS u, where dS is the change of the condensed stiffness by a change of the blocks.
     [[nodiscard]] NodeColumns changed_forces(const HexagonBlocks& change, const NodeColumns& interface,
                                              const NodeColumns& ring) const;
-    /// Add a^T S u as a sum over the entries of the blocks: by how much it grows with each. `one` and `other`
-    /// are displacements of the interface nodes.
+    /// Add the derivatives of a^T S u with respect to each entry of the blocks. `one` and `other` are a and
+    /// u, displacements of the interface nodes.
     void add_work(const NodeColumns& one, const NodeColumns& other, HexagonBlocks& sum) const;
 
   private:

@@ -9,14 +9,16 @@ namespace fretwork::reduction::detail {
 
 using PlaneVector = Eigen::Matrix<double, 3 * kSectors, 1>;
 
-/// The factorized stiffness of some dofs of one plane, the others being held. L D L^T on the stack: for
-/// matrices this small, more than the arithmetic itself would go into a general solver's preparations.
+/// The factorized stiffness of the free dofs of one plane; all other dofs are held. The factors L D L^T lie
+/// on the stack, because a general solver's preparations take longer than the arithmetic for such small
+/// matrices.
 class FreeFactor {
   public:
-    /// Keeps a view of the free dofs.
+    /// Factorize a stiffness. The object keeps a view of the free dofs.
     FreeFactor(const PlaneStiffness& stiffness, std::span<const Eigen::Index> free_dofs);
 
-    /// The displacements under a load: 0 where held. Not finite unless the stiffness is positive definite.
+    /// The displacements under a load, zero at held dofs. The displacements are not finite unless the
+    /// stiffness is positive definite.
     [[nodiscard]] PlaneVector solve(const PlaneVector& load) const;
 
   private:
@@ -24,7 +26,7 @@ class FreeFactor {
     [[nodiscard]] bool factorize();
 
     std::span<const Eigen::Index> free_dofs_;
-    PlaneStiffness factor_;  ///< at its top left: D, and L below it
+    PlaneStiffness factor_;  ///< its upper left block has D on the diagonal and L below it
     bool is_positive_definite_;
 };
 

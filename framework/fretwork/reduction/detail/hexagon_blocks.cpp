@@ -23,7 +23,7 @@ struct PlaneRing {
 };
 using PlaneSection = PlaneRing::Section;
 
-/// The entries of an Euler-Bernoulli beam's stiffness; the blocks are linear in them.
+/// The entries of an Euler-Bernoulli beam's stiffness. The blocks are linear in these entries.
 struct BeamEntries {
     double axial;     ///< EA/l or GJ/l
     double shear;     ///< 12 EI/l^3
@@ -52,7 +52,8 @@ struct BeamBlocks {
     Matrix3d second;
 };
 
-/// In the beam's own axes: (u_along, u_across, r_z), or (u_z, r_along, r_across) with r_across = -du_z/ds.
+/// The blocks in the beam's own axes: (u_along, u_across, r_z), or (u_z, r_along, r_across) with r_across =
+/// -du_z/ds.
 BeamBlocks own_blocks(Plane plane, const BeamEntries& k) {
     BeamBlocks b;
     if (plane == Plane::InPlane) {
@@ -67,7 +68,7 @@ BeamBlocks own_blocks(Plane plane, const BeamEntries& k) {
     return b;
 }
 
-/// The derivative of turn_to by the angle.
+/// The derivative of turn_to() with respect to the angle.
 Matrix3d turn_rate(Plane plane, double angle) {
     const double c = std::cos(angle);
     const double s = std::sin(angle);
@@ -89,11 +90,11 @@ Matrix3d twice_symmetric(const Matrix3d& m) {
 /// A link in the axes of its two nodes.
 struct Link {
     double length;
-    double first_angle;   ///< its direction in the axes of the interface node
-    double second_angle;  ///< and in those of the ring node
+    double first_angle;   ///< direction of the link in the axes of the interface node
+    double second_angle;  ///< direction of the link in the axes of the ring node
 };
 
-/// Their derivatives.
+/// The derivatives of a link's quantities.
 using LinkRate = Link;
 
 struct LinkGeometry {
@@ -109,7 +110,7 @@ LinkGeometry link_geometry(double theta, double R, double apothem) {
     const double dy = R * s;
     const double length = std::hypot(dx, dy);
     const double angle = std::atan2(dy, dx);
-    // Derivatives of (dx, dy): by theta (-R s, R c), by R (c, s).
+    // The derivative of (dx, dy) is (-R s, R c) with respect to theta, and (c, s) with respect to R.
     const double angle_by_theta = (dx * R * c + dy * R * s) / (length * length);
     const double angle_by_R = (dx * s - dy * c) / (length * length);
     return {{length, angle, angle - theta},
@@ -135,7 +136,7 @@ BeamBlocks link_derivative(Plane plane, const PlaneSection& section, const Link&
             rate.length * stretched.second + twice_symmetric(rate2.transpose() * own.second * turn2)};
 }
 
-/// A ring beam is as long as R, and its directions in the axes of its nodes never change.
+/// The blocks of a ring beam. Its length is R, and its directions in the axes of its nodes never change.
 BeamBlocks ring_blocks(Plane plane, const BeamEntries& entries) {
     static const std::array<Matrix3d, 4> kTurns = {turn_to(Plane::InPlane, 2.0 * std::numbers::pi / 3.0),
                                                    turn_to(Plane::InPlane, std::numbers::pi / 3.0),

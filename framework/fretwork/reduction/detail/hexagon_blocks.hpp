@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stiffness of a hexagonal ring with links (the paper's Section 5.1), one plane at a time.
 //
-// Six links join interface node i (angle 270 + 60 i degrees, distance: the apothem) to ring node i (angle
-// 270 + 60 i degrees + theta, distance R); six ring beams join neighbouring ring nodes. A flat frame's linear
+// Six links join interface node i (angle 270 + 60 i degrees, distance: the apothem) to ring node i (angle 270
+// + 60 i degrees + theta, distance R); six ring beams join neighbouring ring nodes. A flat frame's linear
 // problem splits into one in the plane (ux uy rz: EA and EI3 count) and one out of it (uz rx ry: GJ and EI2
-// count). Written in axes that turn with the nodes (radial, tangential, normal) all sectors are alike, so
-// that four 3 x 3 blocks are enough.
+// count). In axes that turn with the nodes (radial, tangential, normal), all sectors are alike, so four 3 x 3
+// blocks define the stiffness.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,12 +16,13 @@ namespace fretwork::reduction::detail {
 
 inline constexpr int kSectors = 6;
 
-/// Which three components of a node: (u_radial, u_tangential, r_z) or (u_z, r_radial, r_tangential).
+/// The plane of a problem, with three components of each node: (u_radial, u_tangential, r_z) or (u_z,
+/// r_radial, r_tangential).
 enum class Plane { InPlane, OutOfPlane };
 
-/// One plane's part of the parameters, in this order: of the links, what acts along their axes (EA in the
-/// plane, N; GJ out of it, N m^2) and in bending (EI3 in the plane, EI2 out of it, N m^2); the same of the
-/// ring; theta (rad); R (m).
+/// The parameters of one plane, in this order: the stiffness of the links along their axes (EA in the plane,
+/// N; GJ out of it, N m^2) and in bending (EI3 in the plane, EI2 out of it, N m^2); the same two of the ring;
+/// theta (rad); R (m).
 inline constexpr int kPlaneParameters = 6;
 using PlaneParameters = std::array<double, kPlaneParameters>;
 
@@ -35,14 +36,14 @@ struct HexagonBlocks {
 
 HexagonBlocks hexagon_blocks(Plane plane, const PlaneParameters& parameters, double apothem);
 
-/// Their derivatives with respect to each of the parameters.
+/// The derivatives of the blocks with respect to each parameter.
 std::array<HexagonBlocks, kPlaneParameters> hexagon_block_derivatives(Plane plane,
                                                                       const PlaneParameters& parameters,
                                                                       double apothem);
 
 HexagonBlocks no_blocks();
 void add_blocks(HexagonBlocks& sum, double factor, const HexagonBlocks& blocks);
-/// Entry by entry.
+/// The sum of the products of equal entries.
 double sum_of_products(const HexagonBlocks& one, const HexagonBlocks& other);
 
 /// Turn (x, y) components into the axes of a node at `angle`: local = turn * global.

@@ -6,7 +6,7 @@
 
 namespace fretwork::reduction {
 
-/// How a node moves in one scenario of a linear model, from magnitude to magnitude.
+/// The motion of a node in one scenario of a linear model, from magnitude to magnitude.
 class Objective::NodeMotion {
   public:
     template <class Row>
@@ -24,7 +24,7 @@ class Objective::NodeMotion {
         return sample.targets[node].inverse_rotation * rotation_.rotation();
     }
     [[nodiscard]] Eigen::Matrix3d right_jacobian() const { return rotation_.right_jacobian(); }
-    /// The transpose of the same times a vector.
+    /// The transpose of right_jacobian() times a vector.
     [[nodiscard]] Eigen::Vector3d pull_back(const Eigen::Vector3d& vector) const {
         return rotation_.pull_back(vector);
     }

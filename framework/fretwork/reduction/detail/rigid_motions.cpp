@@ -12,20 +12,21 @@ namespace {
 
 using mechanics::kDofsPerNode;
 
-/// As a share of the largest entry of the stiffness. The rounding of condensed tiles (304 patterns of paper7
-/// in hexagons with sides of 26 mm, regular and stretched) leaves 2e-13 with bars of 2 mm, 2e-11 with 0.2 mm
-/// and 2e-7 with 2 micrometres. The softest deformation of these tiles has 3e-5 with bars of 2 mm.
+/// The largest force on a rigid motion, as a share of the largest entry of the stiffness. The rounding of
+/// condensed tiles (304 patterns of paper7 in hexagons with sides of 26 mm, regular and stretched) leaves
+/// 2e-13 with bars of 2 mm, 2e-11 with 0.2 mm and 2e-7 with 2 micrometres. The softest deformation of these
+/// tiles has 3e-5 with bars of 2 mm.
 constexpr double kFree = 1e-6;
 
 constexpr std::array<const char*, 6> kMotions = {"translation along x", "translation along y",
                                                  "translation along z", "rotation about x",
                                                  "rotation about y",    "rotation about z"};
 
-/// The rigid motions of nodes about their mean, one a column. Turns are in radians times the radius, as is
-/// `lengths`, so that all numbers of a scaled stiffness are N/m.
+/// The rigid motions of nodes about their mean, one in each column. Rotations are scaled by the radius, so
+/// that all entries of a scaled stiffness are in N/m.
 struct RigidMotions {
     Eigen::MatrixXd columns;
-    Eigen::VectorXd lengths;  ///< of a unit of each component: 1 or 1 / radius
+    Eigen::VectorXd lengths;  ///< scale of each component: 1 for displacements, 1 / radius for rotations
 };
 
 RigidMotions rigid_motions(const Eigen::Matrix3Xd& nodes) {
@@ -42,7 +43,7 @@ RigidMotions rigid_motions(const Eigen::Matrix3Xd& nodes) {
             rigid.columns.block<3, 1>(row, 3 + axis) = inverse * turn.cross(arms.col(i));
         }
         rigid.columns.block<3, 3>(row + 3, 3)
-            .setIdentity();  // of a component that is a turn times the radius
+            .setIdentity();  // components that are rotations times the radius
         rigid.lengths.segment<3>(row + 3).setConstant(inverse);
     }
     return rigid;
@@ -57,7 +58,7 @@ void require_free(Eigen::MatrixXd stiffness, const Eigen::Matrix3Xd& nodes, cons
     const Eigen::RowVectorXd forces = (stiffness * rigid.columns).cwiseAbs().colwise().maxCoeff();
     const double force = forces.maxCoeff();
     if (force <= kFree * largest) return;
-    // Several motions are often resisted equally, up to rounding: then the simplest is named.
+    // Often several motions are resisted equally, up to rounding. In this case, the simplest motion is named.
     Eigen::Index worst = 0;
     while (forces[worst] < (1.0 - kFree) * force) ++worst;
     throw base::InputError(what + "resists a rigid motion, the " + kMotions[worst] + ": its force is " +

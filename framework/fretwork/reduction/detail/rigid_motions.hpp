@@ -5,8 +5,8 @@
 
 namespace fretwork::reduction::detail {
 
-/// Throw InputError that names the model and the motion if an element of a tile, other than a beam, meets a
-/// rigid motion with a force, or has a stiffness that is not finite.
+/// Check that the elements of a tile, except its beams, resist no rigid motion and have a finite stiffness.
+/// Throws InputError that names the model and the motion.
 void require_free_motion(const TileStructure& tile, const TileModel& model, const TileInput& input);
 
 }  // namespace fretwork::reduction::detail

@@ -5,14 +5,14 @@
 
 namespace fretwork::reduction::detail {
 
-/// The rotation about a fixed axis by an angle that is proportional to a magnitude. The magnitude grows by
-/// steps: half angles add up, so that steps of one size share one sine and cosine. Starts at 0.
+/// The rotation about a fixed axis by an angle that is proportional to a magnitude. The magnitude starts at 0
+/// and grows by steps. Half angles are added up, so steps of one size share one sine and cosine.
 class GrowingRotation {
   public:
-    /// `rate`: the rotation vector for a magnitude of 1.
+    /// @param rate  rotation vector for a magnitude of 1
     explicit GrowingRotation(const Eigen::Vector3d& rate);
 
-    /// By how much advance() raises the magnitude from now on.
+    /// Set the step by which advance() raises the magnitude.
     void set_step(double magnitude);
     void advance() {
         angle_ += step_angle_;
@@ -38,16 +38,16 @@ class GrowingRotation {
     double rate_;  ///< angle for a magnitude of 1
     Eigen::Vector3d axis_;
     double angle_ = 0.0;
-    double sine_ = 0.0;  ///< of half the angle
+    double sine_ = 0.0;  ///< sine of half the angle
     double cosine_ = 1.0;
     double step_angle_ = 0.0;
-    double step_sine_ = 0.0;  ///< of half the step
+    double step_sine_ = 0.0;  ///< sine of half the step
     double step_cosine_ = 1.0;
 };
 
-/// The sum of angles between 0 and pi/2 for the price of one arctangent: sine and cosine of the sum follow
-/// from theorems of addition, and quarter turns are counted as they fill up. As exact as a sum of
-/// arctangents, for large angles and small.
+/// The sum of angles between 0 and pi/2, at the cost of one arctangent. The sine and the cosine of the sum
+/// follow from the addition theorems, and full quarter turns are counted. The sum is as exact as a sum of
+/// arctangents, for large and small angles.
 class AngleSum {
   public:
     void add(double sine, double cosine) {
@@ -62,7 +62,7 @@ class AngleSum {
 
   private:
     int quarters_ = 0;
-    double sine_ = 0.0;  ///< of what goes beyond the quarters
+    double sine_ = 0.0;  ///< sine of the angle beyond the full quarter turns
     double cosine_ = 1.0;
 };
 

@@ -7,7 +7,7 @@
 
 namespace fretwork::reduction::detail {
 
-/// Read a scenario document or the same object inside a setting. Throws InputError with its place.
+/// Read a scenario, from its own document or from a setting. Throws InputError with the place.
 Scenario read_scenario(const base::JsonReader& json);
 base::Json scenario_json(const Scenario& scenario);
 

@@ -11,7 +11,7 @@ namespace fretwork::reduction::detail {
 /// The supports of a tile in a scenario; interface node i is node i.
 std::vector<mechanics::Support> supports_of(const Scenario& scenario);
 
-/// The loads on it at a magnitude, N.
+/// The loads on a tile in a scenario at a magnitude, N.
 std::vector<mechanics::NodalLoad> loads_of(const Scenario& scenario, double magnitude);
 
 }  // namespace fretwork::reduction::detail

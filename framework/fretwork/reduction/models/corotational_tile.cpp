@@ -17,7 +17,7 @@ using mechanics::CorotationalMotion;
 using mechanics::kDofsPerNode;
 using mechanics::NodeValues;
 
-/// Answers with a stiffness in a corotating frame. What beams it has is not known.
+/// A tile with a linear stiffness in corotating axes. Its beams are unknown.
 class BodyTile : public TileStructure {
   public:
     explicit BodyTile(mechanics::CorotationalBody::Parts parts)
@@ -45,7 +45,7 @@ class BodyTile : public TileStructure {
     std::shared_ptr<const mechanics::CorotationalBody> body_;
 };
 
-/// Its stiffness is that of beams, condensed.
+/// A tile whose stiffness is the condensed stiffness of its beams.
 class CorotationalTile final : public BodyTile {
   public:
     CorotationalTile(mechanics::CorotationalBody::Parts parts, std::shared_ptr<const InnerNodes> inner)
@@ -54,7 +54,7 @@ class CorotationalTile final : public BodyTile {
         for (int i = 0; i < inner_->interface_nodes(); ++i) mean_ += nodes[i] / inner_->interface_nodes();
     }
 
-    /// The inner nodes follow in the tile's frame, and are carried by it.
+    /// The inner nodes follow the interface nodes in the corotating axes, and move with these axes.
     [[nodiscard]] std::optional<BeamMotion> beam_motion(const TileMotion& motion) const override {
         if (motion.displacements == Displacements::Small) return condensed_motion(*inner_, motion);
         const auto moved =
@@ -84,7 +84,8 @@ class CorotationalTile final : public BodyTile {
     }
 
   private:
-    /// The derivatives of what the frame leaves of the interface nodes' rows, by motions of these.
+    /// The derivatives of the interface nodes' displacements in the corotating axes, with respect to motions
+    /// of the interface nodes.
     [[nodiscard]] Eigen::MatrixXd strain_slopes(const TileMotion& motion) const {
         const auto size = static_cast<std::size_t>(motion.nodes.size());
         std::vector<mechanics::NodeIndex> nodes;
@@ -100,7 +101,7 @@ class CorotationalTile final : public BodyTile {
         return slopes;
     }
 
-    /// From rows seen from the frame to displacements and rotations in the surface's axes.
+    /// Transform rows in the corotating axes to displacements and rotations in the surface's axes.
     [[nodiscard]] NodeValues carried(const NodeValues& rows, const CorotationalMotion& moved,
                                      const Eigen::Matrix3d& turn) const {
         NodeValues result(rows.rows(), kDofsPerNode);
@@ -115,7 +116,7 @@ class CorotationalTile final : public BodyTile {
         return result;
     }
 
-    Eigen::Vector3d mean_;  ///< of the interface nodes, m
+    Eigen::Vector3d mean_;  ///< mean position of the interface nodes, m
     std::shared_ptr<const InnerNodes> inner_;
 };
 

@@ -22,7 +22,7 @@ const Eigen::MatrixXd& InnerNodes::matrix() const {
 }
 
 mechanics::NodeValues InnerNodes::follow(const mechanics::NodeValues& interface_nodes) const {
-    // Rows lie one behind the other, so all of them are one column.
+    // The rows are stored one after the other, so together they form one column.
     mechanics::NodeValues moved(matrix().rows() / mechanics::kDofsPerNode, mechanics::kDofsPerNode);
     Eigen::Map<Eigen::VectorXd>(moved.data(), moved.size()).noalias() =
         matrix() * Eigen::Map<const Eigen::VectorXd>(interface_nodes.data(), interface_nodes.size());

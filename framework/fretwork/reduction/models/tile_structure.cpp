@@ -52,7 +52,7 @@ class StiffnessTile final : public TileStructure {
                                                              {.stiffness = turned(place.turn)}));
     }
 
-    /// Linear, whatever the solution.
+    /// The motion by linear theory, whatever the theory of the solution.
     [[nodiscard]] std::optional<BeamMotion> beam_motion(const TileMotion& motion) const override {
         if (!inner_) return std::nullopt;
         return condensed_motion(*inner_, motion);

@@ -27,11 +27,11 @@ using detail::PlaneVector;
 
 constexpr int kPlaneDofs = 3 * kSectors;
 
-/// The components of a node in one plane: in the order of the blocks.
+/// The components of a node in one plane, in the order of the blocks.
 std::array<int, 3> plane_components(Plane plane) {
     return plane == Plane::InPlane ? std::array{0, 1, 5} : std::array{2, 3, 4};
 }
-/// Which of the ten parts a plane's parameters are.
+/// The indices, among the ten parts, of a plane's parameters.
 std::array<int, kPlaneParameters> plane_parts(Plane plane) {
     return plane == Plane::InPlane ? std::array{0, 2, 4, 6, 8, 9} : std::array{3, 1, 7, 5, 8, 9};
 }
@@ -41,7 +41,7 @@ struct SupportGroup {
     std::vector<Eigen::Index> free_dofs;
     struct Case {
         std::size_t scenario;
-        PlaneVector load;  ///< for a magnitude of 1 N
+        PlaneVector load;  ///< load at a magnitude of 1 N
     };
     std::vector<Case> cases;
 };
@@ -153,7 +153,7 @@ class RingHexagon::Impl {
         return result;
     }
 
-    /// Throws InputError if the scenario leaves the tile free to move.
+    /// Check that a scenario holds the tile. Throws InputError if the tile can move freely.
     void check_holds(const Scenario& scenario, const RingParts& parts) const {
         for (const Plane plane : kPlanes) {
             const CondensedHexagon hexagon(
@@ -172,7 +172,7 @@ class RingHexagon::Impl {
     static constexpr double kSmallestConditioning = 1e-13;
     static std::size_t index(Plane plane) { return static_cast<std::size_t>(plane); }
 
-    /// How the blocks of a plane change along a direction.
+    /// The change of a plane's blocks along a direction.
     struct Change {
         Eigen::Index direction;
         HexagonBlocks blocks;
@@ -185,13 +185,13 @@ class RingHexagon::Impl {
         const FreeFactor& factor;
     };
 
-    /// One plane with all its answers.
+    /// One plane with the solutions of all its load cases.
     struct SolvedPlane {
         PlaneParameters parameters;
         CondensedHexagon hexagon;
         struct Group {
             FreeFactor factor;
-            std::vector<PlaneVector> solutions;  ///< one a case
+            std::vector<PlaneVector> solutions;  ///< one for each load case
         };
         std::vector<Group> groups;
     };
@@ -211,7 +211,8 @@ class RingHexagon::Impl {
         return solved;
     }
 
-    /// With K u = f and K a = slope, the derivative by a parameter is -a^T dK u.
+    /// Add a plane's part of the gradient. With K u = f and K a = slope, the derivative with respect to a
+    /// parameter is -a^T dK u.
     void add_gradient(Plane plane, const SolvedPlane& solved, const UnitDisplacements& slopes,
                       RingParts& gradient) const {
         HexagonBlocks work = detail::no_blocks();
@@ -246,14 +247,14 @@ class RingHexagon::Impl {
         return result;
     }
 
-    /// Derivatives of a plane's parameters by the parts that they come from.
+    /// The derivatives of a plane's parameters with respect to the parts from which they are computed.
     [[nodiscard]] PlaneParameters parameter_rates(Plane plane) const {
         const double E = material_.young_modulus;
         const double along = plane == Plane::InPlane ? E : material_.shear_modulus();
         return {along, E, along, E, 1.0, 1.0};
     }
 
-    /// Those directions are left out that do not matter to the plane.
+    /// The changes of the blocks along all directions that affect the plane; other directions are left out.
     [[nodiscard]] std::vector<Change> block_changes(Plane plane, const PlaneParameters& parameters,
                                                     const RingDirections& directions) const {
         const auto by_parameter = detail::hexagon_block_derivatives(plane, parameters, apothem_);

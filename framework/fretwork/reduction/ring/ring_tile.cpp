@@ -16,7 +16,7 @@ using geometry::Point2;
 /// Barycentric coordinates (v0, v1, v2) in a sector.
 using Place = std::array<double, 3>;
 
-/// Where the interface nodes of a side lie.
+/// The places of the interface nodes of a side.
 std::vector<Place> interface_places(const pattern::NodeLayout& layout) {
     std::vector<Place> places;
     for (const pattern::LayoutNodeIndex node : layout.interface_nodes()) {
@@ -26,8 +26,9 @@ std::vector<Place> interface_places(const pattern::NodeLayout& layout) {
     return places;
 }
 
-/// The place of the ring node that belongs to an interface node, in a sector of a regular polygon: v0 the
-/// center, the side's middle straight ahead at the apothem's distance, v1 to the right of it, v2 to the left.
+/// The place of the ring node that belongs to an interface node, in a sector of a regular polygon. Seen from
+/// the center v0, the middle of the side lies straight ahead at the distance of the apothem, v1 to the right
+/// of it, and v2 to the left.
 Place ring_place(const Place& interface, const RingParts& parts, const Setting& setting) {
     const double theta = parts[kRingTheta];
     const double R = parts[kRingR];
@@ -49,7 +50,7 @@ mechanics::Section section_of(const Eigen::Vector4d& parts) {
     return {.area = parts[0], .I2 = parts[1], .I3 = parts[2], .J = parts[3]};
 }
 
-/// The rows of the table of parameters.
+/// The parameters of the tile model's row.
 std::vector<TileParameter> tile_parameters(const RingParameters& parameters) {
     constexpr std::array<const char*, kRingParts> kUnits = {"m^2", "m^4", "m^4", "m^4", "m^2",
                                                             "m^4", "m^4", "m^4", "rad", "m"};

@@ -10,18 +10,18 @@ namespace {
 
 using std::numbers::pi;
 
-/// Below this angle (rad) two bars are one: a bar along a side and its own image.
+/// The angle (rad) below which two bars count as one, such as a bar along a side and its own image.
 constexpr double kSameDirection = 1e-6;
 
 /// A bar as it leaves a node.
 struct Departure {
-    double angle = 0.0;  ///< rad, within [-pi, pi]
-    /// Where its reach is added; null for a bar beyond the polygon's side.
+    double angle = 0.0;  ///< direction, rad, within [-pi, pi]
+    /// The sum to which the reach of the bar is added; null for a bar beyond the polygon's side.
     double* reach = nullptr;
 };
 using Joint = std::vector<Departure>;
 
-/// In widths, from the node to where the outlines of two bars part.
+/// The distance, in widths, from a node to the place where the outlines of two bars separate.
 double parting(double angle) {
     return angle < pi ? 0.5 / std::tan(angle / 2.0) : 0.0;
 }
@@ -57,7 +57,7 @@ bool leaves_towards(const Joint& joint, double angle) {
     });
 }
 
-/// The joints of the tile alone.
+/// The joints of the tile, without bars beyond its sides.
 std::vector<Joint> joints_of(const pattern::Fan& fan, std::span<const geometry::Point2> places,
                              std::vector<double>& reaches) {
     std::vector<Joint> joints(fan.nodes.size());
@@ -70,7 +70,7 @@ std::vector<Joint> joints_of(const pattern::Fan& fan, std::span<const geometry::
     return joints;
 }
 
-/// The number of the interface node that lies on another one when its side is turned by half a turn.
+/// The interface node on which another interface node falls if their side is turned by half a turn.
 std::size_t opposite_on_side(const pattern::Fan& fan, std::size_t node) {
     const std::size_t a_side = fan.interface_node_count / fan.sides;
     return node - node % a_side + (a_side - 1 - node % a_side);

@@ -13,7 +13,7 @@ namespace {
 using base::Json;
 using base::JsonReader;
 
-/// More interface nodes than any polygon of a setting has.
+/// The largest number of an interface node, more than any polygon of a setting has.
 constexpr int kLargestInterfaceNode = 999;
 
 int read_interface_node(const JsonReader& json) {
@@ -48,7 +48,8 @@ Scenario::Load read_load(const JsonReader& json) {
     return {read_interface_node(json), read_vector(json.find("force")), read_vector(json.find("moment"))};
 }
 
-/// The sketch and the reason of the magnitude are documentation: checked to be text, otherwise ignored.
+/// Check that the sketch and the reason of the magnitude are texts. Both are documentation, and are otherwise
+/// ignored.
 void check_remarks(const JsonReader& json) {
     if (const auto sketch = json.find("sketch")) {
         for (const JsonReader& line : sketch->elements()) (void)line.string();
@@ -68,7 +69,7 @@ Json load_json(const Scenario::Load& load) {
     return {{"interface_node", load.interface_node}, {"force", load.force}, {"moment", load.moment}};
 }
 
-/// `part` once for each node of its side.
+/// Append a copy of `part` for each node of its side.
 template <class Part>
 void add_for_side(std::vector<Part>& parts, const Part& part, int nodes_a_side) {
     for (int node = 0; node < nodes_a_side; ++node) {

@@ -75,7 +75,7 @@ void read_choices(const JsonReader& json, Setting& setting) {
     if (const auto joints = json.find("joints")) setting.joints = read_joints(*joints);
 }
 
-/// The first format did not have it yet.
+/// The strength, which the first format does not have.
 std::optional<double> read_strength(const JsonReader& document) {
     const auto material = document.find("material");
     const auto strength = material ? material->find("strength") : std::nullopt;
@@ -93,7 +93,7 @@ Json material_json(const mechanics::Material& material) {
     return json;
 }
 
-/// All of a setting, whatever its file leaves out.
+/// All values of a setting as JSON, including the values that its file leaves out.
 Json comparable_json(const Setting& setting) {
     Json json = setting_json(setting);
     json.erase("format");
@@ -101,7 +101,7 @@ Json comparable_json(const Setting& setting) {
     return json;
 }
 
-/// The value at a pointer, or what stands for its absence.
+/// The value at a pointer as a text; "nothing" if there is no value.
 std::string value_text(const Json& json, const Json::json_pointer& pointer) {
     return json.contains(pointer) ? json.at(pointer).dump() : "nothing";
 }
@@ -142,7 +142,7 @@ Json setting_json(const Setting& setting) {
                  {"magnitudes", setting.magnitudes},
                  {"branch", sample_policy_name(setting.sample_policy)},
                  {"scenarios", Json::array()}};
-    // Only where it is needed: a setting with centrelines keeps its text, and so its hash.
+    // The key is written only for stiff joints, so a setting with centrelines keeps its text and its hash.
     if (setting.joints != Joints::Centreline) {
         json["format"] = "fretwork/setting/2";
         json["joints"] = joints_name(setting.joints);

@@ -15,28 +15,30 @@ struct NarrowPlace {
     double cut_off = 0.0;  ///< m2, the smaller of the areas on both sides; infinite if they are one
 };
 
-/// The measure of narrow.
+/// The limits that define a narrow place.
 struct NarrowLimits {
-    double width = 0.0;       ///< m; what is wider is not narrow
-    double least_area = 0.0;  ///< m2; smaller parts are left to whatever tile they fall into
+    double width = 0.0;  ///< width, m, above which a place is not narrow
+    /// area, m2, below which a part is ignored and left to the tile that it falls into
+    double least_area = 0.0;
 };
 
-/// The places where the outline is narrow: a band, a limb, a sharp tip, the land between two holes. Found on
-/// the triangulation of its densely sampled boundary, whose edges inside run across the shape: such an edge
-/// is at a narrow place if the part that it cuts off is at least as large as the square of its length, or
-/// stays connected another way. (The corner of a wide plate is not narrow: the edge cuts off too little.)
+/// The places where the outline is narrow: a band, a limb, a sharp tip, the land between two holes. The
+/// places are found on a triangulation of the densely sampled boundary, whose inner edges run across the
+/// shape. Such an edge is at a narrow place if the part that it cuts off is at least as large as the square
+/// of its length, or if that part is still connected in another way. The corner of a wide plate is not
+/// narrow, because the edge cuts off too little.
 std::vector<NarrowPlace> narrow_places(const outlines::Outline& outline, const NarrowLimits& limits,
                                        const base::Control& control);
 
-/// An outline without its sharpest tips, and the area that they had, m2.
+/// An outline without its sharpest tips, and the area of the removed tips, m2.
 struct BluntOutline {
     outlines::Outline outline;
     double lost_area = 0.0;
 };
 
-/// How much blunting may take away, m2.
+/// The largest areas that blunting may remove, m2.
 struct BluntLimits {
-    double tip = 0.0;  ///< at one tip
+    double tip = 0.0;  ///< area removed at one tip
     double all = 0.0;
 };
 

@@ -19,24 +19,24 @@ namespace {
 using geometry::Point2;
 using geometry::Polygon;
 
-/// Parts that are so far from each other along the outline count as two; also the length of a piece.
-constexpr double kApart = 0.1;  // of the tiles' side
+/// The distance along the outline from which two stretches are different; also the length of a piece.
+constexpr double kApart = 0.1;  // share of the tiles' side
 
 /// A piece of a side of the outline.
 struct Piece {
     std::size_t loop;
-    double along;  // where it begins, as a length along its loop
+    double along;  // start of the piece, as a length along its loop
     Point2 from;
     Point2 to;
 };
 
-/// A loop's length, and the least length along it that separates two parts.
+/// A loop's length, and the smallest length along the loop that separates two stretches.
 struct LoopSize {
     double length = 0.0;
     double apart = 0.0;
 };
 
-/// A place where two parts come near to each other.
+/// A place where two stretches are near each other.
 struct NearPlace {
     double width = 0.0;
     std::size_t loop = 0;
@@ -55,7 +55,7 @@ class NearPlaces {
         for (const Polygon& hole : outline.holes) add_loop(hole);
     }
 
-    /// The narrowest place that is narrower than kNarrowest allows.
+    /// The narrowest place, if it is narrower than kNarrowest allows.
     std::optional<NearPlace> narrowest() {
         using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 2, const Piece*>;
         std::vector<Box> boxes;
@@ -91,7 +91,7 @@ class NearPlaces {
         loops_.push_back({along, std::min(kApart * edge_, along / 4)});
     }
 
-    /// The nearest points of two segments that do not cross: one of them is an end.
+    /// Compare the nearest points of two segments that do not cross; one of these points is an end.
     void look_between(const Piece& a, const Piece& b) {
         for (const auto& [point, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
             note(*point, 0.0, *other);
@@ -102,7 +102,7 @@ class NearPlaces {
         const Point2 point = along_piece > 0 ? piece.to : piece.from;
         const Point2 nearest = nearest_on_segment(other.from, other.to, point);
         const double along = piece.along + along_piece;
-        // plane.hpp's distance would underflow, and the message say 0.
+        // geometry::distance() would underflow, and the message would say 0.
         const double width = std::hypot(nearest.x - point.x, nearest.y - point.y);
         if (width >= kNarrowest * edge_) return;
         if (piece.loop == other.loop) {
@@ -121,7 +121,7 @@ class NearPlaces {
     std::optional<NearPlace> narrowest_;
 };
 
-/// Leave out the points too near to the one before them, or to the first. Returns how many.
+/// Remove the points too near to the point before them, or to the first point. Returns the number removed.
 int remove_negligible_points(Polygon& points, double tolerance) {
     const std::size_t before = points.size();
     geometry::remove_repeated_points(points, tolerance);

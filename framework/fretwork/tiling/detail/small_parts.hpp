@@ -7,25 +7,25 @@
 
 namespace fretwork::tiling::detail {
 
-/// No part of an outline, and no gap between two of its parts, may be narrower than this share of the tiles'
-/// side.
+/// The smallest width of a part of an outline, and of a gap between two parts, as a share of the tiles' side.
 inline constexpr double kNarrowest = 1e-4;
 
-/// An outline, and how many of its points were left out.
+/// An outline, and the number of points that were left out.
 struct CleanOutline {
     outlines::Outline outline;
     int left_out = 0;
 };
 
-/// Leave out the points that are negligible beside the tiles' side `edge` (metres): kNegligibleShare. Throws
-/// GeometryError if a loop has less than three others.
+/// Leave out the points that are negligible beside the tiles' side `edge` (m); see kNegligibleShare. Throws
+/// GeometryError if a loop has fewer than three other points.
 CleanOutline without_negligible_points(const outlines::Outline& outline, double edge,
                                        const base::Control& control);
 
-/// Refuse an outline of which two parts are nearer to each other than kNarrowest allows: a needle, a slit, a
-/// hole that almost touches, a hole that is almost a point. No tile fits there, and triangles between such
-/// parts have no usable angles. Parts count as two if the way between them along the outline is at least a
-/// tenth of `edge`. Throws GeometryError that names the place, the width and the least allowed; Stopped.
+/// Refuse an outline with two stretches nearer to each other than kNarrowest allows: a needle, a slit, a hole
+/// that almost touches the boundary, a hole that is almost a point. No tile fits there, and triangles between
+/// such stretches have no usable angles. Two stretches are different if the way between them along the
+/// outline is at least a tenth of `edge`. Throws GeometryError that names the place, the width and the
+/// smallest width allowed; Stopped.
 void check_small_parts(const outlines::Outline& outline, double edge, const base::Control& control);
 
 }  // namespace fretwork::tiling::detail

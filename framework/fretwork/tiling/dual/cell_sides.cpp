@@ -18,7 +18,7 @@ void for_each_cell_side(const Dual& dual, const base::Control& control, const Bo
 
 }  // namespace
 
-/// Sorted by the smaller end first, by counting: that can be stopped, which a sort of all could not.
+/// Sort by the smaller end first, by counting, because a counting sort can be stopped and std::sort cannot.
 std::vector<CellSide> sides_of_cells(const Dual& dual, const base::Control& control) {
     std::vector<std::size_t> start(dual.vertices.size() + 1, 0);
     const auto smaller_end = [](const CellSide& side) -> std::size_t { return side.ends().first; };

@@ -7,7 +7,7 @@
 namespace fretwork::tiling::detail {
 namespace {
 
-/// A cell and its sides that it shares with another cell.
+/// A cell to be removed, and the sides that it shares with other cells.
 class Removal {
   public:
     Removal(const Dual& dual, std::size_t cell, const base::Control& control) : dual_(dual), cell_(cell) {
@@ -37,16 +37,15 @@ class Removal {
     };
     [[nodiscard]] const DualVertex& vertex(DualVertexIndex v) const { return dual_.vertices[v]; }
 
-    /// One side joins it to the others, from the rim to the rim.
+    /// True if the cell is the end of a limb: a single side, from rim to rim, connects it to other cells.
     [[nodiscard]] bool is_end() const {
         if (shared_.size() != 1) return false;
         const auto [from, to] = shared_.front().side.ends();
         return vertex(from).loop.is_valid() && vertex(from).loop == vertex(to).loop;
     }
 
-    /// Around the neighbour and the cell, without those ends of the shared side that no third cell has: on
-    /// the rim they are left out if that makes the cell convex, inside they end no side any more. Empty if
-    /// the union is not convex.
+    /// The union of the neighbour and the cell; empty if it is not convex. An end of the shared side that no
+    /// third cell has is left out if the union is not convex at this end.
     [[nodiscard]] Cell union_with(const Shared& shared) const {
         Cell merged = union_of(dual_.cells[cell_], dual_.cells[shared.other], shared.side);
         for (const DualVertexIndex end : {shared.side.from, shared.side.to}) {

@@ -14,10 +14,11 @@ namespace {
 using geometry::Point2;
 using geometry::Polygon;
 
-/// Places that lack more than this share of what may be left uncovered are named.
+/// The share of the area that may stay uncovered, above which an uncovered place is named.
 constexpr double kNotableShare = 0.02;
 
-/// Area of the curve's stretch on the right of the straight line between its ends, and on the left.
+/// The areas between a stretch of a curve and the straight line through its ends, on the right and on the
+/// left of this line.
 struct SideAreas {
     double right = 0.0;
     double left = 0.0;
@@ -118,7 +119,7 @@ class Comparison {
         if (shape_.covered_share < limits_.covered_share) note_uncovered();
     }
 
-    /// A line of the rim belongs to one loop of the outline and follows it once around.
+    /// Check that a line of the rim belongs to one loop of the outline and follows it once around.
     void check_line(const std::vector<DualVertexIndex>& line, std::set<LoopIndex>& seen) {
         const LoopIndex loop = vertex(line.front()).loop;
         const auto stranger = std::ranges::find_if(
@@ -127,7 +128,8 @@ class Comparison {
         if (line.size() < 3 || !seen.insert(loop).second)
             return note(DefectKind::Torn, vertex(line.front()).place);
         const ClosedCurve& curve = rim_.curves[loop];
-        std::vector<DualVertexIndex> on_curve;  // others are on the straight line between their neighbours
+        // Other vertices lie on the straight line between their neighbours.
+        std::vector<DualVertexIndex> on_curve;
         std::ranges::copy_if(line, std::back_inserter(on_curve), [&](DualVertexIndex v) {
             return !vertex(v).divides_side || distance(curve.at(vertex(v).along), vertex(v).place) == 0;
         });
@@ -154,7 +156,7 @@ class Comparison {
             note(DefectKind::Torn, place);
     }
 
-    /// The places that lack most.
+    /// Add a defect for each place with a large uncovered area.
     void note_uncovered() {
         const double allowed = (1 - limits_.covered_share) * outline_area_;
         for (const Gap& gap : gaps_) {

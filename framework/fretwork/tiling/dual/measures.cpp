@@ -13,12 +13,12 @@ namespace {
 using geometry::Point2;
 using geometry::Polygon;
 
-/// As a share of the area of a regular hexagon: a smaller tile, mostly at a corner of the outline, is a knot
-/// of bars.
+/// The area, as a share of a regular hexagon's area, below which a tile is small. Small tiles are mostly at
+/// corners of the outline, and their bars merge to a knot.
 constexpr double kSmall = 0.25;
-constexpr double kHexagon = 1.5 * std::numbers::sqrt3;  // its area, with sides of 1
+constexpr double kHexagon = 1.5 * std::numbers::sqrt3;  // area of a regular hexagon with sides of 1
 
-/// Mean and standard deviation of what is added.
+/// The mean and the standard deviation of the added values.
 class Spread {
   public:
     void add(double value) {
@@ -52,7 +52,7 @@ double smallest_angle(const Polygon& polygon) {
     return smallest;
 }
 
-/// The spread of sides over wanted sides.
+/// The spread of the ratio of sides to wanted sides.
 Spread measure_sides(const Dual& dual, const SizeField& field, const base::Control& control,
                      TessellationReport& report) {
     Spread lengths;

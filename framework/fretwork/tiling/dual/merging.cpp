@@ -15,9 +15,10 @@ namespace {
 using geometry::Point2;
 using geometry::Polygon;
 
-constexpr double kSmaller = 0.8;  // of the largest wanted side: cells wanted smaller may be merged
-constexpr double kLongest = 1.5;  // side of a merged cell over the largest wanted one
-constexpr double kBend = 0.04;    // of a side's length: a point on the rim so near to it is left out
+// Share of the largest wanted side; cells with a smaller wanted side may be merged.
+constexpr double kSmaller = 0.8;
+constexpr double kLongest = 1.5;  // largest side of a merged cell, over the largest wanted side
+constexpr double kBend = 0.04;  // share of a side's length; a point of the rim nearer to the side is left out
 constexpr double kSharpest = 35 * std::numbers::pi / 180;
 
 class Merger {
@@ -38,7 +39,8 @@ class Merger {
   private:
     [[nodiscard]] Point2 place(DualVertexIndex v) const { return dual_.vertices[v].place; }
 
-    /// Each cell at most once, the smallest pairs first.
+    /// Merge pairs of cells, the smallest pairs first, each cell at most once. Returns true if cells were
+    /// merged.
     bool merge_some() {
         struct Pair {
             double size;
@@ -86,7 +88,8 @@ class Merger {
         dual_.cells[other].clear();
         return true;
     }
-    /// On the rim, of these two cells alone, no corner, and nearly on the line between its neighbours.
+    /// True if a vertex may be removed: it lies on the rim, belongs to these two cells alone, is not a
+    /// corner, and lies nearly on the line between its neighbours.
     [[nodiscard]] bool may_go(DualVertexIndex v, const Cell& cell) const {
         const DualVertex& vertex = dual_.vertices[v];
         if (!vertex.loop.is_valid() || vertex.is_fixed || uses_[v] > 2) return false;

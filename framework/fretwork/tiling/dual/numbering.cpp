@@ -20,9 +20,9 @@ double facing(Point2 from, Point2 to) {
     return std::atan2(from.x - to.x, to.y - from.y);
 }
 
-/// The direction in which the first sides of tiles should face: straight down, turned by at most 30 degrees
-/// to where the sides of the hexagons face on the whole. Thus equal tiles get equal orientations, and not one
-/// or another by chance where two sides are equally near to straight down.
+/// The direction in which the first sides of tiles should face: straight down, adjusted by at most 30 degrees
+/// to a direction that sides of most hexagons face. In this way, equal tiles get equal orientations, also if
+/// two sides are equally near to straight down.
 double first_side_facing(const Dual& dual, const base::Control& control) {
     std::complex<double> sixfold;
     for (std::size_t cell = 0; cell < dual.cells.size(); ++cell) {
@@ -35,11 +35,12 @@ double first_side_facing(const Dual& dual, const base::Control& control) {
     const double down = -kPi / 2;
     // The sixfold direction of "straight down" is exp(6 i down) = -1.
     double off = std::abs(sixfold) > 0 ? std::arg(-sixfold) / 6 : 0;
-    if (off < -kPi / 6 + 1e-6) off += kPi / 3;  // both ends of the range are the same: take one of them
+    if (off < -kPi / 6 + 1e-6) off += kPi / 3;  // both ends of the range mean the same; take one of them
     return down + off;
 }
 
-/// Which vertex of a polygon is vertex 0: the one before the side that faces nearest to a direction.
+/// The index of the vertex that becomes vertex 0: the first vertex of the side that faces nearest to a
+/// direction.
 std::size_t first_vertex(const Polygon& polygon, double wanted_facing) {
     std::size_t best = 0;
     double best_off = 4;
@@ -54,7 +55,7 @@ std::size_t first_vertex(const Polygon& polygon, double wanted_facing) {
     return best;
 }
 
-/// The cells from left to right, those at the same place from bottom to top.
+/// The cells from left to right, and from bottom to top if they have the same x.
 std::vector<std::size_t> from_left_to_right(const Dual& dual, const base::Control& control) {
     std::vector<std::pair<double, double>> keys;
     for (std::size_t cell = 0; cell < dual.cells.size(); ++cell) {
@@ -108,8 +109,8 @@ class Numberer {
         return numbers_[v];
     }
 
-    /// The interface nodes on a side in this direction; the neighbour runs through the same ones the other
-    /// way.
+    /// The interface nodes on a side in this direction. The neighbour has the same nodes in the opposite
+    /// direction.
     std::vector<InterfaceIndex> nodes_on_side(VertexIndex from, VertexIndex to) {
         std::vector<InterfaceIndex> nodes;
         for (const Side& other : sides_[to]) {
@@ -129,7 +130,7 @@ class Numberer {
 
     const Dual& dual_;
     const base::Control& control_;
-    std::vector<double> places_;  // of interface nodes, as shares of a side
+    std::vector<double> places_;  // places of the interface nodes, as shares of a side
     Tessellation result_;
     base::IndexVector<DualVertexIndex, VertexIndex> numbers_;
     /// A side that a tile has, and the number of its first interface node.
@@ -137,7 +138,7 @@ class Numberer {
         VertexIndex to;
         std::size_t first_node;
     };
-    base::IndexVector<VertexIndex, std::vector<Side>> sides_;  // by the vertex that they begin at
+    base::IndexVector<VertexIndex, std::vector<Side>> sides_;  // sides by their first vertex
 };
 
 }  // namespace

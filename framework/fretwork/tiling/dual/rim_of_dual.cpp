@@ -29,7 +29,7 @@ DualRim rim_of(const Dual& dual, const base::Control& control) {
             line.push_back(at);
             at = std::exchange(next[at], {});
         }
-        // A closed line comes back to its first vertex.
+        // A closed line ends at its first vertex.
         if (line.size() > 1 && line.front() == line.back())
             line.pop_back();
         else

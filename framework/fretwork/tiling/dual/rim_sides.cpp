@@ -11,15 +11,17 @@ namespace {
 using geometry::Point2;
 using geometry::Polygon;
 
-/// Over the sides usual there. Halves of sqrt(2) are as far from them as the whole; the rim's sides shrink
-/// when the tiles are made even, so the limit is a little less.
+/// The ratio of a side to the usual side above which the side is divided. At sqrt(2), the halves are as far
+/// from the usual side as the whole. The limit is a little smaller, because the rim's sides shrink when the
+/// tiles are made even.
 constexpr double kLong = 1.3;
-constexpr double kNearestToEnd = 0.1;  // of a chord: so far from its ends is a vertex on it at least
-/// The distance by which a vertex on a chord is put outside of it, in its lengths: first, and last if
-/// rounding puts it inside.
+// Smallest distance of a dividing vertex from the ends of the chord, as a share of the chord.
+constexpr double kNearestToEnd = 0.1;
+/// The first and the largest distance by which a vertex on a chord is put outside the chord, as shares of the
+/// chord. The distance grows as long as rounding puts the vertex inside.
 constexpr double kLeastBulge = 1e-12;
 constexpr double kMostBulge = 1e-4;
-constexpr std::size_t kMostSides = 6;  // of a cell with a divided side
+constexpr std::size_t kMostSides = 6;  // largest number of sides of a cell with a divided side
 
 class Divider {
   public:
@@ -42,11 +44,12 @@ class Divider {
         if (!from.loop.is_valid() || from.loop != to.loop || dual_.cells[side.cell].size() >= kMostSides)
             return false;
         const ClosedCurve& curve = rim_.curves[from.loop];
-        if (curve.way(from.along, to.along) > 0.5 * curve.length()) return false;  // backwards, or all around
+        // The side runs backwards, or around the whole curve.
+        if (curve.way(from.along, to.along) > 0.5 * curve.length()) return false;
         const double length = distance(from.place, to.place);
         return length > kLong * usual_side(side) && length > 2 * wanted_.smallest;
     }
-    /// The wanted side, or in narrow parts the mean of the cell's other sides, if they are longer.
+    /// The wanted side or, in narrow parts, the mean of the cell's other sides if this mean is larger.
     [[nodiscard]] double usual_side(const CellSide& side) const {
         const Polygon polygon = polygon_of(dual_, side.cell);
         const Point2 from = vertex(side.from).place;

@@ -11,10 +11,11 @@ namespace {
 
 using geometry::Point2;
 
-constexpr double kShort = 0.4;    // of the wanted side, or of the mean side of the tiles there
-constexpr double kMargin = 1.05;  // over the smallest side allowed: sides change a little afterwards
+constexpr double kShort = 0.4;  // share of the wanted side, or of the mean side of the adjacent tiles
+// Factor on the smallest side allowed, because sides change a little afterwards.
+constexpr double kMargin = 1.05;
 
-/// A side that is too short, and the tiles that have it.
+/// A side that is too short, with the tiles that have it.
 struct ShortSide {
     double length;
     DualVertexIndex from;
@@ -59,7 +60,8 @@ class Collapser {
         return result;
     }
 
-    /// Two vertices of the rim may become one only along the rim; a corner of the outline stays.
+    /// True if the side may be collapsed. Two vertices of the rim may be merged only along the rim, and
+    /// corners of the outline stay.
     [[nodiscard]] bool is_allowed(const ShortSide& side) const {
         const DualVertex& a = vertex(side.from);
         const DualVertex& b = vertex(side.to);
@@ -79,7 +81,8 @@ class Collapser {
         auto& from = cells_of_[side.from];
         auto& to = cells_of_[side.to];
         if (from.empty() || to.empty() || !is_allowed(side)) return false;
-        // A corner stays, or else a vertex on the rim, and rather one at which a side ends.
+        // Of the two ends, a corner stays, or else a vertex on the rim, preferably a vertex at which another
+        // side ends.
         const auto rank = [&](DualVertexIndex v) {
             if (!vertex(v).loop.is_valid()) return 0;
             return vertex(v).is_fixed ? 3 : vertex(v).divides_side ? 1 : 2;

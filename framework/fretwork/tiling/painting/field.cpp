@@ -15,7 +15,7 @@ namespace {
 
 using geometry::Point2;
 
-/// A point in shares of the box: 0 to 1 across it.
+/// A point as shares of the box, from 0 to 1 across the box.
 Point2 share_at(const geometry::Box& box, Point2 point) {
     const auto share = [](double low, double high, double value) {
         return high > low ? (value - low) / (high - low) : 0.5;
@@ -26,16 +26,17 @@ Point2 share_at(const geometry::Box& box, Point2 point) {
 struct GreyImage {
     std::size_t width = 0;
     std::size_t height = 0;
-    std::vector<std::uint8_t> grey;  ///< row by row from the top
+    std::vector<std::uint8_t> grey;  ///< grey values, row by row from the top
 };
 
-/// More pixels than any surface has use for would take the memory.
+/// The largest number of pixels, more than any surface needs; more pixels could fill the memory.
 constexpr std::size_t kMostPixels = 100'000'000;
 
-/// True if the last chunk is there in whole: libpng stops reading behind the last pixel.
+/// True if the last chunk is complete, which libpng does not check, because it stops reading after the last
+/// pixel.
 bool has_png_end(std::string_view bytes) {
     constexpr std::size_t kSignature = 8;
-    constexpr std::size_t kFrame = 12;  // of a chunk around its data: length, type, checksum
+    constexpr std::size_t kFrame = 12;  // bytes of a chunk around its data: length, type, checksum
     for (std::size_t at = kSignature; at + kFrame <= bytes.size();) {
         std::size_t length = 0;
         for (std::size_t i = 0; i < 4; ++i) length = 256 * length + static_cast<unsigned char>(bytes[at + i]);
@@ -60,7 +61,7 @@ GreyImage read_image(const std::filesystem::path& path) {
     image.format = PNG_FORMAT_GRAY;
     GreyImage read{image.width, image.height, {}};
     read.grey.resize(PNG_IMAGE_SIZE(image));
-    const png_color white{255, 255, 255};  // under what is transparent
+    const png_color white{255, 255, 255};  // background of transparent pixels
     if (png_image_finish_read(&image, &white, read.grey.data(), 0, nullptr) == 0) fail(image.message);
     if (!has_png_end(bytes))
         throw base::InputError(path.string(), "", "cannot be read as a PNG image: its end is missing");

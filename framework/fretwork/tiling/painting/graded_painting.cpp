@@ -9,7 +9,7 @@
 namespace fretwork::tiling {
 namespace {
 
-/// The places, among some tiles, of those that share an interface node.
+/// For each of some tiles, the indices of the tiles among them that share an interface node with it.
 std::vector<std::vector<std::size_t>> neighbours_of(const Tessellation& tessellation,
                                                     std::span<const TileIndex> tiles) {
     std::vector<std::vector<std::size_t>> neighbours(tiles.size());
@@ -44,7 +44,7 @@ Painting graded_painting(const Tessellation& tessellation, std::span<const TileI
     for (const GradedPattern& graded : patterns) painting.patterns.push_back(graded.pattern);
     std::vector<double> missed(tiles.size(), 0.0);
     for (std::size_t i = 0; i < tiles.size(); ++i) {
-        // Beyond what the patterns reach, nothing is handed on: it could never be made good.
+        // An error beyond the range of the patterns is not passed on, because it could never be compensated.
         const double reachable = std::clamp(wanted[i], low->value, high->value) + missed[i];
         const std::size_t chosen = nearest(patterns, reachable);
         painting.tiles.push_back(static_cast<int>(chosen));

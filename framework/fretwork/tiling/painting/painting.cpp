@@ -18,8 +18,8 @@ namespace {
 
 using pattern::NamedPattern;
 
-/// The filters that make a graph a pattern in every tile. The paper's other two filters have numbers, which
-/// are a matter of choice.
+/// The filters that every pattern must pass. The paper's other two filters have numbers, which are a matter
+/// of choice.
 std::vector<pattern::Filter> structural_filters(const pattern::NodeLayout& layout) {
     std::vector<pattern::Filter> filters = pattern::make_filters(layout);
     std::erase_if(filters, [](const pattern::Filter& filter) {
@@ -28,13 +28,13 @@ std::vector<pattern::Filter> structural_filters(const pattern::NodeLayout& layou
     return filters;
 }
 
-/// Takes patterns one by one.
+/// A palette to which patterns are added one by one.
 class Palette {
   public:
     explicit Palette(const pattern::NodeLayout& layout)
         : layout_(layout), filters_(structural_filters(layout)) {}
 
-    /// Throws InputError that names the pattern and the rule which it breaks.
+    /// Check a pattern and add it. Throws InputError that names the pattern and the rule that it breaks.
     void add(std::string_view text) {
         pattern::NamedPattern pattern = pattern::parse_named_pattern(layout_, text);
         const pattern::Verdict verdict = pattern::judge(layout_, filters_, pattern.pattern);
@@ -134,7 +134,7 @@ void paint(Tessellation& tessellation, const Painting& painting) {
 Painting random_painting(std::size_t tiles, std::span<const WeightedPattern> patterns, std::uint64_t seed) {
     if (patterns.empty()) throw base::InputError("there is no pattern to paint with");
     Painting painting;
-    std::vector<double> shares;  // up to and with each pattern
+    std::vector<double> shares;  // sum of the weights up to and including each pattern
     for (const WeightedPattern& choice : patterns) {
         if (!(choice.weight > 0.0) || !std::isfinite(choice.weight))
             throw base::InputError("the weight of " + choice.pattern.id + " is not above zero");
@@ -145,7 +145,8 @@ Painting random_painting(std::size_t tiles, std::span<const WeightedPattern> pat
         patterns, [&](const WeightedPattern& choice) { return choice.weight == patterns.front().weight; });
     base::SplitMix64 random(seed);
     for (std::size_t t = 0; t < tiles; ++t) {
-        // Even chances are drawn as paint_randomly draws them: the same seed paints the same.
+        // Equal weights use the random numbers as paint_randomly() does, so the same seed gives the same
+        // painting.
         const auto place =
             is_even ? static_cast<std::ptrdiff_t>(random.below(patterns.size()))
                     : std::ranges::upper_bound(shares, random.share() * shares.back()) - shares.begin();
@@ -163,7 +164,7 @@ void paint_tiles(Tessellation& tessellation, std::span<const TileIndex> tiles, c
     std::ranges::copy(painting.patterns, std::back_inserter(all));
     for (std::size_t i = 0; i < tiles.size(); ++i)
         tessellation.tiles[tiles[i]].pattern = static_cast<int>(before) + painting.tiles[i];
-    // Each pattern once, in the order of the palettes, and only those that a tile has.
+    // The used patterns, each once, in the order of the palettes.
     std::vector<int> place(all.size(), -1);
     std::set<int> used;
     for (const Tile& tile : tessellation.tiles) used.insert(tile.pattern);

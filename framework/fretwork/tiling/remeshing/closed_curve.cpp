@@ -98,7 +98,7 @@ std::vector<double> ClosedCurve::corners(const std::function<double(Point2)>& re
         const double turned = turn_at(starts_[i], here);
         if (turned > smallest_turn) candidates.push_back({starts_[i], turned, here});
     }
-    // The sharpest first; a tiny difference (rounding) does not decide between equals.
+    // The sharpest corners first. Differences of the size of rounding do not change the order.
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.turn > b.turn + 1e-9; });
     std::set<double> places;

@@ -26,8 +26,8 @@ class ClosedCurve {
     /// The points of the curve between two places, both ends included.
     [[nodiscard]] geometry::Polygon stretch(double from, double to) const;
     /// The places of the corners, ascending. A corner is where the curve turns by more than `smallest_turn`
-    /// (rad, left or right) within the distance reach(point) (m) before and after it. Of two corners that are
-    /// nearer to each other than twice this distance, only the sharper is listed.
+    /// (rad, left or right) within the distance reach(point) (m) before and after it. If two corners are
+    /// nearer to each other than twice this distance, only the sharper corner is listed.
     [[nodiscard]] std::vector<double> corners(const std::function<double(geometry::Point2)>& reach,
                                               double smallest_turn) const;
 
@@ -38,7 +38,8 @@ class ClosedCurve {
     [[nodiscard]] bool has_place_within(const std::set<double>& places, double place, double reach) const;
 
     geometry::Polygon points_;
-    std::vector<double> starts_;  // arc length at each point, and at the first again
+    // Arc length at each point, and after the last side at the first point again.
+    std::vector<double> starts_;
 };
 
 }  // namespace fretwork::tiling::detail

@@ -25,7 +25,7 @@ class InsideTest {
 
     const Rim& rim_;
     bool is_wide_ = false;                         // the bands divide x, else y
-    double low_ = 0.0;                             // where the first band begins
+    double low_ = 0.0;                             // start of the first band
     double band_ = 1.0;                            // width of a band
     std::vector<std::vector<std::size_t>> sides_;  // sides of each band, by their first points
 };

@@ -12,17 +12,18 @@ namespace {
 using geometry::Point2;
 using geometry::Polygon;
 
-constexpr double kCornerReach = 0.25;  // of the spacing
+constexpr double kCornerReach = 0.25;  // share of the spacing
 constexpr double kCornerTurn =
-    40.0 * std::numbers::pi / 180;   // a pentagon's corner is one, an octagon's just so
-constexpr double kMeasuring = 0.25;  // of the spacing: the steps in which a curve is measured by it
+    40.0 * std::numbers::pi / 180;  // corners of a pentagon count as corners; an octagon's corners only just
+constexpr double kMeasuring =
+    0.25;  // share of the spacing; steps in which the spacing is measured along a curve
 
 struct Place {
     double along;
     bool is_corner;
 };
 
-/// Puts places on one curve.
+/// Samples one curve.
 class Sampler {
   public:
     Sampler(const ClosedCurve& curve, const Spacing& spacing) : curve_(curve), spacing_(spacing) {}
@@ -42,8 +43,8 @@ class Sampler {
     }
 
   private:
-    /// Places from one corner to the next, the first included: at least `fewest`, and as many spacings apart
-    /// from each other as can be equal.
+    /// Add places from one corner to the next, the first included: at least `fewest` places, with equal
+    /// distances in units of the local spacing.
     void fill(double from, double to, int fewest) {
         const std::vector<double> spacings = spacings_along(from, to);
         const int count = std::max(fewest, static_cast<int>(std::lround(spacings.back())));
@@ -57,7 +58,7 @@ class Sampler {
             places_.push_back({from + (to - from) * along, false});
         }
     }
-    /// How many spacings lie between `from` and even steps up to `to`.
+    /// The number of spacings from `from` to each of the even steps up to `to`.
     [[nodiscard]] std::vector<double> spacings_along(double from, double to) const {
         double least = spacing_.largest();
         if (!spacing_.field.is_uniform()) {

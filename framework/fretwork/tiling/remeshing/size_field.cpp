@@ -9,9 +9,9 @@ namespace {
 
 using geometry::Point2;
 
-constexpr double kNegligible = 1.2;  // a limit that changes the side by less is not kept
+constexpr double kNegligible = 1.2;  // factor; a limit that changes the side by less is dropped
 
-constexpr double kSlack = 1.0 + 1e-9;  // beyond rounding
+constexpr double kSlack = 1.0 + 1e-9;  // more than rounding
 
 }  // namespace
 
@@ -19,7 +19,7 @@ SizeField::Cell SizeField::cell(std::int32_t column, std::int32_t row) const {
     return (static_cast<Cell>(static_cast<std::uint32_t>(column)) << 32U) | static_cast<std::uint32_t>(row);
 }
 
-/// Cells are as wide as the largest side.
+/// The index of a coordinate in the grid, whose cells are as wide as the largest side.
 std::int32_t SizeField::index(double coordinate) const {
     return static_cast<std::int32_t>(std::floor(coordinate / side_));
 }
@@ -29,7 +29,7 @@ double SizeField::at(Point2 place) const {
     const auto found = cells_.find(cell(index(place.x), index(place.y)));
     if (found == cells_.end()) return side;
     for (const Limit& limit : found->second) {
-        // Roots are taken only where they may count.
+        // Square roots are computed only where they can matter.
         const geometry::Point2 apart = place - limit.place;
         const double reach = (side - limit.side) / kGrowth;
         if (reach <= 0.0 || dot(apart, apart) > kSlack * reach * reach) continue;
@@ -56,7 +56,7 @@ bool SizeField::limit(Point2 place, double side) {
 std::vector<SizeField::Square> SizeField::limited_squares() const {
     std::vector<Cell> keys;
     for (const auto& [key, limits] : cells_) keys.push_back(key);
-    std::sort(keys.begin(), keys.end());  // the order of a hash table must not matter
+    std::sort(keys.begin(), keys.end());  // so that the result does not depend on the order of a hash table
     std::vector<Square> squares;
     for (const Cell key : keys) {
         const auto column = static_cast<std::int32_t>(static_cast<std::uint32_t>(key >> 32U));

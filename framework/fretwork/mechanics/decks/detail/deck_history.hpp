@@ -12,8 +12,9 @@ namespace fretwork::mechanics::decks {
 
 /// The meaning of a card's parameter OP for the values of earlier steps.
 enum class StepOperation {
-    Mod,  ///< they stay, unless a card gives a new value
-    New   ///< it goes; so says the first card of a kind in a step, and no other
+    Mod,  ///< values of earlier steps stay unless a card gives a new value
+    /// Values of earlier steps are removed; only the first card of a kind in a step can have this effect.
+    New
 };
 
 /// Values of one kind of a deck through its steps.
@@ -28,9 +29,9 @@ class StepValues {
         if (operation == StepOperation::New && is_first_card_) entries_.clear();
         is_first_card_ = false;
     }
-    /// In place of what was given before.
+    /// Set a value, in place of any earlier value.
     void replace(const Key& key, const Value& value) { entries_[key] = {value, step_}; }
-    /// In place of an earlier step's value; added to one of this step.
+    /// Add to a value of this step, or replace a value of an earlier step.
     void add(const Key& key, const Value& value) {
         const auto found = entries_.find(key);
         if (found != entries_.end() && found->second.step == step_)
@@ -53,12 +54,12 @@ class StepValues {
     bool is_first_card_ = true;
 };
 
-/// The supports and loads of a structure after all steps of a deck. The rules are those of the CalculiX
-/// CrunchiX User's Manual (Dhondt; *BOUNDARY, *CLOAD and *DLOAD): with OP=MOD, the default, values of earlier
-/// steps stay, and a new value for the same node and direction replaces the old one; with OP=NEW on the first
+/// The supports and loads of a structure after all steps of a deck. The rules are from the CalculiX CrunchiX
+/// User's Manual (Dhondt; *BOUNDARY, *CLOAD and *DLOAD). With OP=MOD, the default, values of earlier steps
+/// stay, and a new value for the same node and direction replaces the old value. With OP=NEW on the first
 /// such card of a step, earlier values of that kind are removed. Within one step forces on one node and
 /// direction add up, and the last displacement holds. Gravity is identified by its set and direction:
-/// CalculiX adds gravity in another direction to that of an earlier step.
+/// CalculiX adds gravity in another direction to the gravity of an earlier step.
 class DeckHistory {
   public:
     void begin_step();
@@ -66,7 +67,7 @@ class DeckHistory {
     void begin_loads(StepOperation operation) { loads_.begin_card(operation); }
     void begin_gravity(StepOperation operation) { gravity_.begin_card(operation); }
 
-    /// @param value  metres or radians; a support's is zero
+    /// @param value  metres or radians; zero for a support
     void hold(NodeIndex node, Dof dof, double value) { held_.replace({node, dof}, value); }
     /// @param value  newtons or newton metres
     void load(NodeIndex node, Dof dof, double value) { loads_.add({node, dof}, value); }

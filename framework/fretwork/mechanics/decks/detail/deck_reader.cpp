@@ -140,11 +140,11 @@ class Reader {
         deck_.allow_only(card, {"ELSET", "MATERIAL", "SECTION", "TEMPERATURE"});
         const std::string& shape = deck_.parameter(card, "SECTION");
         if (card.lines.empty()) deck_.fail(card.line, "(" + card.keyword + ") has no dimensions");
-        // A third line of a *BEAM SECTION is the number of points over which its solver integrates.
+        // The third line of a *BEAM SECTION is the number of integration points, which has no meaning here.
         if (card.lines.size() > 2 && card.keyword == "*BEAMGENERALSECTION")
             deck_.fail(card.lines[2].number, "gives a section elastic constants, which its material has");
         const Section& section = sections_.emplace_back(deck_section(deck_, shape, card.lines.front()));
-        std::optional<Eigen::Vector3d> normal = Eigen::Vector3d(0.0, 0.0, -1.0);  // as CalculiX
+        std::optional<Eigen::Vector3d> normal = Eigen::Vector3d(0.0, 0.0, -1.0);  // CalculiX' default
         if (card.lines.size() > 1) {
             const auto n = deck_.numbers(card.lines[1], {3, 3});
             normal = Eigen::Vector3d(n[0], n[1], n[2]);

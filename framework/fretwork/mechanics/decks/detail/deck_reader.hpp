@@ -6,7 +6,7 @@
 
 namespace fretwork::mechanics::decks {
 
-/// The frame that parse_calculix gives of a deck.
+/// The frame that a deck describes; see parse_calculix().
 LabelledFrame frame_of(InputDeck deck);
 
 }  // namespace fretwork::mechanics::decks

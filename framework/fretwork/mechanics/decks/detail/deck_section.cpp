@@ -5,13 +5,14 @@
 namespace fretwork::mechanics::decks {
 namespace {
 
-/// Adds the line to an error about a shape's dimensions.
+/// Call `make`, and add the line to an error about a shape's dimensions.
 template <class Make>
 Section made_at(const InputDeck& deck, const Card::Line& line, const Make& make) {
     return base::located(deck.source(), "line " + std::to_string(line.number), make);
 }
 
-/// Abaqus gives a circle its radius, CalculiX its thicknesses along n1 and n2.
+/// The diameter of a circle, for which Abaqus states the radius, and CalculiX the thicknesses along n1 and
+/// n2.
 double diameter_of(const InputDeck& deck, const Card::Line& line) {
     const auto size = deck.numbers(line, {1, 2});
     if (size.size() == 1) return 2.0 * size[0];
@@ -24,7 +25,7 @@ double diameter_of(const InputDeck& deck, const Card::Line& line) {
 }  // namespace
 
 Section deck_section(const InputDeck& deck, const std::string& shape, const Card::Line& line) {
-    if (shape == "RECT") {  // along n1, which is axis 3, and along n2
+    if (shape == "RECT") {  // sizes along n1, which is axis 3, and along n2
         const auto size = deck.numbers(line, {2, 2});
         return made_at(deck, line, [&] { return rectangle_section(size[1], size[0]); });
     }

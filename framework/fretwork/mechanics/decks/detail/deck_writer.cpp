@@ -12,7 +12,7 @@
 namespace fretwork::mechanics::decks {
 namespace {
 
-/// A deck's fields have at most twenty characters; CalculiX does not survive longer ones.
+/// The text of a value, with at most twenty characters, because CalculiX crashes on longer fields.
 std::string field(double value) {
     constexpr int kLongest = 20;
     char text[40];
@@ -25,7 +25,7 @@ std::string vector_text(const Eigen::Vector3d& v) {
     return field(v.x()) + "," + field(v.y()) + "," + field(v.z());
 }
 
-/// Refuse what a deck has no words for.
+/// Refuse features that a deck cannot express.
 void check_writable(const Frame& frame) {
     for (std::size_t i = 0; i < frame.beams.size(); ++i) {
         const Beam& beam = frame.beams[i];
@@ -40,8 +40,8 @@ void check_writable(const Frame& frame) {
     }
 }
 
-/// The rectangle with the section's area and second moments, or the circle, as *BEAM SECTION writes it. The
-/// other program computes the torsion.
+/// The lines of *BEAM SECTION for a circle, or for the rectangle with the section's area and second moments.
+/// CalculiX computes the torsion constant itself.
 std::string solid_section(const Section& section, std::size_t beam) {
     constexpr double kSame = 1e-6;
     const double height = rectangle_height(section);
@@ -87,7 +87,7 @@ class Writer {
         }
     }
 
-    /// Beams of one section, material and normal.
+    /// Beams with the same section, material and normal.
     struct Group {
         const Beam* like;
         std::vector<std::size_t> beams;
@@ -158,7 +158,7 @@ class Writer {
                              field(value) + "\n";
             }
         }
-        // The direction's length does not count.
+        // The length of the direction has no meaning.
         const double magnitude = frame_.gravity.norm();
         if (magnitude > 0.0)
             text_ += "*DLOAD\nEALL,GRAV," + field(magnitude) + "," + vector_text(frame_.gravity / magnitude) +

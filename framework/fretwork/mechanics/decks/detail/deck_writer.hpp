@@ -7,7 +7,7 @@
 
 namespace fretwork::mechanics::decks {
 
-/// The text of calculix_text.
+/// The text of a deck; see calculix_text().
 std::string deck_text(const Frame& frame, DeckReader reader);
 
 }  // namespace fretwork::mechanics::decks

@@ -59,7 +59,7 @@ InputDeck::InputDeck(std::string_view text, std::string source) : source_(std::m
         } else {
             cards_.back().lines.push_back({i + 1, words});
         }
-        // Only lists of nodes go on; elsewhere a last comma is an empty value.
+        // Only lists of nodes continue on the next line; elsewhere, a comma at the end means an empty value.
         continues = goes_on && cards_.back().keyword == "*ELEMENT";
     }
 }

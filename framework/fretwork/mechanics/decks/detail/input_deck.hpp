@@ -12,26 +12,27 @@ namespace fretwork::mechanics::decks {
 
 using Words = std::vector<std::string>;
 
-/// A keyword of an input deck, its parameters, and the data lines under it; all without blanks and in
-/// capitals.
+/// A keyword of an input deck, its parameters, and the data lines under it; all texts are without blanks and
+/// in capitals.
 struct Card {
     struct Line {
-        std::size_t number = 0;  ///< in the file
+        std::size_t number = 0;  ///< number of the line in the file
         Words words;
     };
     std::string keyword;
-    std::map<std::string, std::string> parameters;  ///< the values of those without one are empty
+    /// Values of parameters; empty for a parameter without a value.
+    std::map<std::string, std::string> parameters;
     std::vector<Line> lines;
     std::size_t line = 0;
 
     [[nodiscard]] bool has(const std::string& parameter) const { return parameters.contains(parameter); }
 };
 
-/// The cards of a CalculiX or Abaqus input deck, and how its words are read. Errors are InputErrors with
+/// The cards of a CalculiX or Abaqus input deck, with readers of their words. All errors are InputErrors with
 /// source and line.
 class InputDeck {
   public:
-    /// @param source  what to call the text in messages
+    /// @param source  name of the text in messages
     InputDeck(std::string_view text, std::string source);
 
     [[nodiscard]] const std::string& source() const { return source_; }
@@ -39,7 +40,7 @@ class InputDeck {
 
     [[noreturn]] void fail(std::size_t line, const std::string& message) const;
 
-    /// A finite number, with Fortran's exponents (1.0D9), too.
+    /// The value of a word, a finite number, also with an exponent as in Fortran (1.0D9).
     [[nodiscard]] double number(std::size_t line, const std::string& word) const;
     [[nodiscard]] int integer(std::size_t line, const std::string& word) const;
 
@@ -50,14 +51,14 @@ class InputDeck {
     /// The numbers of a line; empty words are skipped.
     [[nodiscard]] std::vector<double> numbers(const Card::Line& line, Count count) const;
 
-    /// The value of a parameter that must be there.
+    /// The value of a parameter. Throws InputError if the card lacks the parameter.
     [[nodiscard]] const std::string& parameter(const Card& card, const std::string& name) const;
-    /// The value of one that need not be there, and must be one of these if it is.
+    /// Check that an optional parameter, if present, has one of these values.
     void require_choice(const Card& card, const std::string& name,
                         std::initializer_list<const char*> choices) const;
-    /// Refuse parameters that are not read: they may change what a card means.
+    /// Refuse unknown parameters, which may change the meaning of a card.
     void allow_only(const Card& card, std::initializer_list<const char*> known) const;
-    /// The only data line of a card.
+    /// The only data line of a card. Throws InputError with the reason `why` if there is not exactly one.
     [[nodiscard]] const Card::Line& only_line(const Card& card, const std::string& why) const;
 
   private:

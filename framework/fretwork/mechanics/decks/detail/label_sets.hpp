@@ -9,17 +9,16 @@
 
 namespace fretwork::mechanics::decks {
 
-/// The sets of nodes, or of elements, of an input deck, by name. A label that is put into a set twice is in
-/// it once.
+/// The named sets of nodes, or of elements, of an input deck. A set contains each label once.
 class LabelSets {
   public:
-    /// @param kind  NSET or ELSET: the parameter that names a set
+    /// @param kind  the parameter that names a set, NSET or ELSET
     explicit LabelSets(std::string kind) : kind_(std::move(kind)) {}
 
-    /// Add what a card *NSET or *ELSET lists: labels, names of other sets, or ranges (GENERATE).
+    /// Add the entries of a card *NSET or *ELSET: labels, names of other sets, or ranges (GENERATE).
     void read(const InputDeck& deck, const Card& card);
     void add(const std::string& set, int label) { sets_[set].insert(label); }
-    /// A set's labels, or nothing if the set does not exist.
+    /// The labels of a set; null if the set does not exist.
     [[nodiscard]] const std::set<int>* find(const std::string& name) const;
 
   private:

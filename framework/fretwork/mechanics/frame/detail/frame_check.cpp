@@ -93,7 +93,7 @@ class FrameCheck {
                         std::to_string(frame_.nodes.size() - 1));
     }
 
-    // The places of beams are written out only where a check fails: tiles are checked a thousand times a
+    // The place of a beam is written out only if a check fails, because a thousand tiles are checked in a
     // second.
 
     /// A property of a beam: its value, and its name in messages.
@@ -190,7 +190,8 @@ class FrameCheck {
         }
     }
 
-    /// Gravity needs the density of every beam: one without would be forgotten silently.
+    /// Check that every beam has a density if gravity acts; a beam without density would be weightless
+    /// without notice.
     void check_gravity() const {
         if (!are_within(frame_.gravity, base::kAccelerationLimits))
             fail_vector("/gravity", frame_.gravity, base::kAccelerationLimits);

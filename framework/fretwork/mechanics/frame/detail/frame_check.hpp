@@ -8,18 +8,19 @@
 
 namespace fretwork::mechanics::detail {
 
-/// All of it but whether every part is held: a tile that is to be condensed is a frame without supports.
+/// Check a frame as validate() does, except that connected parts need no support, because a tile to be
+/// condensed is a frame without supports.
 void check_parts(const Frame& frame);
 
-/// How messages call a frame and its parts.
+/// The names of a frame, its nodes and its beams in messages.
 struct FrameNames {
-    std::string source;  ///< of the frame: a file
-    /// The labels of nodes, and for each beam that of its element, where the source has them: without, parts
-    /// are called by their places in a frame file ("/beams/3").
+    std::string source;  ///< name of the frame, such as a file
+    /// The labels of the nodes, and for each beam the label of its element, if the source has labels. Without
+    /// labels, nodes and beams are named by their places in a frame file ("/beams/3").
     std::span<const int> node_labels{}, beam_labels{};
 };
 
-/// The checks of validate().
+/// Check a frame as validate() does, with these names in messages.
 void check_frame(const Frame& frame, const FrameNames& names);
 
 /// The beam's local axes at rest as the columns of a rotation: 1 along the beam, 2 = 3 x 1, 3 the normal.

@@ -13,7 +13,7 @@
 namespace fretwork::mechanics::detail {
 namespace {
 
-/// The nodes of each connected part, parts in the order of their first nodes.
+/// The nodes of each connected part; the parts come in the order of their first nodes.
 std::vector<std::vector<std::size_t>> connected_parts(const Frame& frame) {
     base::DisjointSets nodes(frame.nodes.size());
     for (const Beam& beam : frame.beams) nodes.unite(beam.nodes[0], beam.nodes[1]);
@@ -32,7 +32,8 @@ std::string direction_text(Eigen::Vector3d direction) {
     return "(" + rounded(direction.x()) + ", " + rounded(direction.y()) + ", " + rounded(direction.z()) + ")";
 }
 
-/// A rigid motion is a translation t of the center and a rotation w, here times the size: one unit for both.
+/// A rigid motion in words. It is a translation t of the center and a rotation w; w is multiplied by the
+/// size, so both have one unit.
 std::string motion_text(const Eigen::Matrix<double, 6, 1>& motion) {
     const Eigen::Vector3d translation = motion.head<3>();
     const Eigen::Vector3d rotation = motion.tail<3>();
@@ -54,7 +55,7 @@ PartOfFrame measure(const Frame& frame, const std::vector<std::size_t>& part) {
     return measured;
 }
 
-/// Sum over the held dofs of the squared motion of that dof, as a quadratic form of the rigid motion.
+/// The sum over the held dofs of the squared motion of the dof, as a quadratic form of the rigid motion.
 Eigen::Matrix<double, 6, 6> held_motion_form(const Frame& frame, const std::vector<std::size_t>& part,
                                              const std::vector<DofSet>& held) {
     const PartOfFrame measured = measure(frame, part);
@@ -75,7 +76,8 @@ Eigen::Matrix<double, 6, 6> held_motion_form(const Frame& frame, const std::vect
 std::optional<FreeMotion> free_motion(const Frame& frame, const std::vector<std::size_t>& part,
                                       const std::vector<DofSet>& held) {
     const geometry::SymmetricEigen eigen = geometry::symmetric_eigen(held_motion_form(frame, part, held));
-    constexpr double kZero = 1e-12;  // squares of ratios of lengths: supports a millionth of the size apart
+    // Square of a ratio of lengths, for supports a millionth of the size apart.
+    constexpr double kZero = 1e-12;
     if (eigen.values[0] > kZero) return std::nullopt;
     return FreeMotion{NodeIndex(part.front()), part.size() > 1, motion_text(eigen.vectors.col(0))};
 }

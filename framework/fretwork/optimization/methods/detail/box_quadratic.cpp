@@ -15,8 +15,8 @@ class ActiveSetMethod {
 
     Eigen::VectorXd run() {
         for (Eigen::Index i = 0; i < g_.size(); ++i) held_[i] = pull(i, g_) >= 0.0 && at_bound(i);
-        // Each pass holds one more variable or lets one go with a strictly lower value: the limit is never
-        // met without round-off.
+        // Each pass fixes one more variable at its bound, or releases one with a strictly lower value.
+        // Without round-off, the limit is never reached.
         for (Eigen::Index pass = 0; pass < 8 * g_.size(); ++pass) {
             if (step_to_face_minimum()) continue;
             if (!release_one()) break;
@@ -27,12 +27,14 @@ class ActiveSetMethod {
   private:
     [[nodiscard]] bool at_lower(Eigen::Index i) const { return point_[i] <= bounds_.lower[i]; }
     [[nodiscard]] bool at_bound(Eigen::Index i) const { return at_lower(i) || point_[i] >= bounds_.upper[i]; }
-    /// How hard the gradient presses variable i, which is at a bound, against it; negative: away from it.
+    /// The component of the gradient that presses variable i against the bound at which it is; negative: away
+    /// from the bound.
     [[nodiscard]] double pull(Eigen::Index i, const Eigen::VectorXd& gradient) const {
         return at_lower(i) ? gradient[i] : -gradient[i];
     }
 
-    /// Go to the minimum over the free variables, or up to the first bound, which then holds: true.
+    /// Go to the minimum over the free variables, or to the first bound on the way there. True if a bound was
+    /// met; its variable is then fixed.
     bool step_to_face_minimum() {
         std::vector<Eigen::Index> free;
         for (Eigen::Index i = 0; i < g_.size(); ++i) {
@@ -62,7 +64,7 @@ class ActiveSetMethod {
         return true;
     }
 
-    /// Let go the variable that the gradient pulls hardest away from its bound.
+    /// Release the variable that the gradient pulls hardest away from its bound.
     bool release_one() {
         const Eigen::VectorXd gradient = g_ + H_ * point_;
         const double threshold = -1e-12 * g_.lpNorm<Eigen::Infinity>();

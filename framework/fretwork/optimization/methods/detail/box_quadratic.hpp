@@ -5,8 +5,8 @@
 
 namespace fretwork::optimization::detail {
 
-/// The minimizer of g.p + p.H p / 2 over bounds that contain 0, by a primal active-set method: exact up to
-/// round-off. Pre: H is positive definite, a few variables.
+/// The minimizer p of g.p + p.H p / 2 within bounds that contain 0, by a primal active-set method, exact up
+/// to round-off. Made for a few variables. Pre: H is positive definite.
 Eigen::VectorXd minimize_box_quadratic(const Eigen::MatrixXd& H, const Eigen::VectorXd& g,
                                        const Bounds& bounds);
 

@@ -11,7 +11,7 @@
 namespace fretwork::optimization::detail {
 namespace {
 
-/// Those that the gradient does not press against a bound.
+/// The variables that the gradient does not press against a bound.
 std::vector<Eigen::Index> free_variables(const Eigen::VectorXd& point, const Eigen::VectorXd& gradient,
                                          const Bounds& bounds) {
     std::vector<Eigen::Index> free;
@@ -23,8 +23,9 @@ std::vector<Eigen::Index> free_variables(const Eigen::VectorXd& point, const Eig
     return free;
 }
 
-/// Ceres cuts its unconstrained step off at the bounds, and creeps where a bound is active; so it sees a
-/// model that does not depend on the variables which are pressed against a bound.
+/// The model as residuals for Ceres. Ceres cuts its unconstrained step off at the bounds, and converges
+/// slowly if a bound is active. So these residuals do not depend on the variables that are pressed against a
+/// bound.
 Linearization embed(const CurvatureEvaluation& model, const std::vector<Eigen::Index>& free) {
     const Eigen::Index n = model.gradient.size();
     const Eigen::Index size = free.size();
@@ -32,7 +33,7 @@ Linearization embed(const CurvatureEvaluation& model, const std::vector<Eigen::I
     if (size > 0) {
         Eigen::MatrixXd H = model.curvature(free, free);
         const double floor = std::max(H.diagonal().maxCoeff(), 1e-300);
-        // Positive definite in spite of round-off; a larger matrix keeps the root below real.
+        // Keeps H positive definite in spite of round-off; the added term also keeps the root below real.
         H.diagonal().array() += 1e-13 * floor;
         const Eigen::LLT<Eigen::MatrixXd> factor(H);
         result.residuals.head(size) = factor.matrixL().solve(model.gradient(free));
@@ -45,12 +46,12 @@ Linearization embed(const CurvatureEvaluation& model, const std::vector<Eigen::I
     return result;
 }
 
-/// The gain of an undamped step by the model of embed().
+/// The predicted gain of an undamped step by the model of embed().
 double foreseen_gain(const Linearization& model) {
     return 0.5 * model.residuals.head(model.residuals.size() - 1).squaredNorm();
 }
 
-constexpr double kFirstRadius = 100.0;  // Ceres' damping is its inverse
+constexpr double kFirstRadius = 100.0;  // Ceres' damping is the inverse of the radius
 
 }  // namespace
 

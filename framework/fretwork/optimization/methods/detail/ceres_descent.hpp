@@ -21,7 +21,7 @@ class CeresDescent final : public StagedDescent {
     const ContinuationOptions& options_;
     Eigen::VectorXd point_;
     double value_;
-    double trust_region_radius_;  ///< each stage goes on with that of the stage before
+    double trust_region_radius_;  ///< kept from one continuation stage to the next
 };
 
 }  // namespace fretwork::optimization::detail

@@ -11,8 +11,8 @@ namespace {
 
 using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Ceres asks for the value at a trial point, and for the Jacobian at the same point once it accepts it: one
-/// evaluation serves both.
+/// A cost function that remembers its last evaluation. Ceres requests the value at a trial point, and, once
+/// it accepts the point, the Jacobian at the same point; one evaluation serves both requests.
 class RememberingCost final : public ceres::CostFunction {
   public:
     RememberingCost(const CeresTask& task, int parameters) : linearize_(task.linearize) {
@@ -30,7 +30,7 @@ class RememberingCost final : public ceres::CostFunction {
         return true;
     }
 
-    /// Evaluates, unless this is the last point again.
+    /// Evaluate, unless the point is the same as at the last call.
     [[nodiscard]] bool can_evaluate(const Eigen::VectorXd& point) const {
         if (last_point_.size() == 0 || last_point_ != point) {
             last_ = linearize_(point);
@@ -46,14 +46,14 @@ class RememberingCost final : public ceres::CostFunction {
     mutable std::optional<Linearization> last_;
 };
 
-/// Ends the run as soon as the task is content with a point.
+/// Ends the run as soon as the task accepts a point as converged.
 class StopWhenConverged final : public ceres::IterationCallback {
   public:
     StopWhenConverged(const CeresTask& task, const RememberingCost& cost)
         : is_converged_(task.is_converged), cost_(cost) {}
 
     ceres::CallbackReturnType operator()(const ceres::IterationSummary& step) override {
-        // After a rejected step the last evaluation is that of the trial point.
+        // After a rejected step, the last evaluation belongs to the rejected trial point.
         return step.step_is_successful && is_converged_(*cost_.last()) ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
                                                                        : ceres::SOLVER_CONTINUE;
     }
@@ -63,8 +63,8 @@ class StopWhenConverged final : public ceres::IterationCallback {
     const RememberingCost& cost_;
 };
 
-/// Ceres warns on stderr when its subspace dogleg takes a plain one's step; users can do nothing about it.
-/// A program that has set up glog decides for itself.
+/// Ceres warns on stderr if its subspace dogleg takes the step of a plain dogleg; users can do nothing about
+/// it. In a program that has set up glog, the settings stay.
 void silence_warnings() {
     static const bool is_done = [] {
         if (!google::IsGoogleLoggingInitialized()) {
@@ -107,7 +107,7 @@ void set_bounds(ceres::Problem& problem, const Bounds& bounds, double* point) {
 
 CeresOutcome solve_with_ceres(const CeresTask& task, const CeresSettings& settings, Eigen::VectorXd& point) {
     RememberingCost cost(task, static_cast<int>(point.size()));
-    // Ceres logs an error if the very first evaluation fails, although that is a normal end of the budget.
+    // Ceres logs an error if the first evaluation fails, although a spent budget is a normal end.
     if (!cost.can_evaluate(point)) return {};
     ceres::Problem::Options ownership;
     ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;

@@ -9,35 +9,35 @@
 
 namespace fretwork::optimization::detail {
 
-/// Residuals as Ceres counts: the cost is half their squared norm.
+/// Residuals in Ceres' convention: the cost is half of their squared norm.
 struct Linearization {
     Eigen::VectorXd residuals;
     Eigen::MatrixXd jacobian;
 };
 
-/// The problem that Ceres minimizes. `linearize` gives nothing once the budget is spent.
+/// The problem that Ceres minimizes. `linearize` returns nothing once the budget is spent.
 struct CeresTask {
     std::function<std::optional<Linearization>(const Eigen::VectorXd&)> linearize;
     int residuals = 0;
-    std::optional<Bounds> bounds{};  ///< none: the task takes any point
-    /// Asked at every point that Ceres accepts, and at the first; none: Ceres' own tests decide alone.
+    std::optional<Bounds> bounds{};  ///< none: any point is valid
+    /// Called at the first point and at every point that Ceres accepts; none: Ceres' own tests decide alone.
     std::function<bool(const Linearization&)> is_converged{};
 };
 
 struct CeresSettings {
-    double tolerance = 1e-8;  ///< relative change of the cost, at which Ceres stops
+    double tolerance = 1e-8;  ///< relative change of the cost at which Ceres stops
     int largest_iterations = 200;
     CeresStep step = CeresStep::LevenbergMarquardt;
-    double trust_region_radius = 1e4;  ///< the first; Ceres' own value
+    double trust_region_radius = 1e4;  ///< initial radius; Ceres' own default
 };
 
 struct CeresOutcome {
     bool converged = false;
-    double cost = std::numeric_limits<double>::infinity();  ///< at the last point
-    double trust_region_radius = 0.0;                       ///< the last
+    double cost = std::numeric_limits<double>::infinity();  ///< cost at the last point
+    double trust_region_radius = 0.0;                       ///< radius at the end
 };
 
-/// Run Ceres from `point`, and leave the point where it stops there.
+/// Run Ceres from `point`, and set `point` to the point at which Ceres stops.
 CeresOutcome solve_with_ceres(const CeresTask& task, const CeresSettings& settings, Eigen::VectorXd& point);
 
 }  // namespace fretwork::optimization::detail

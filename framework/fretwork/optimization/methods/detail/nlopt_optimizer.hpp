@@ -10,13 +10,13 @@
 
 namespace fretwork::optimization::detail {
 
-/// The parts that the methods of NLopt [Johnson2007] share. They work on the objective without smoothing, and
-/// in the unit box.
+/// The options that the methods of NLopt [Johnson2007] share. The methods minimize the objective without
+/// smoothing, in the unit box.
 struct NloptOptions {
     OptimizerOptions common{};
-    /// Relative change of the objective, and of the variables as shares of the box, at which a run ends.
+    /// The relative change of the objective, and of the variables as shares of the box, at which a run ends.
     double tolerance = 1e-8;
-    double initial_step = 0.1;  ///< of the local methods, as a share of the box
+    double initial_step = 0.1;  ///< initial step of the local methods, as a share of the box
     ObjectiveScale scale = ObjectiveScale::AsItIs;
     /// A search without its own criterion ends after this many evaluations without an improvement.
     long patience = 5000;
@@ -24,12 +24,13 @@ struct NloptOptions {
     void validate() const;
 };
 
-/// Runs one after the other, each from its own point of the low-discrepancy sequence and with its own seed.
-/// Throws InputError if an option is invalid.
+/// Runs of a method, one after the other, each from its own point of the low-discrepancy sequence and with
+/// its own seed. Throws InputError if an option is invalid.
 std::unique_ptr<Optimizer> make_nlopt_runs(nlopt_algorithm algorithm, const NloptOptions& options);
 
-/// One run, from the middle of the box, of a method without its own criterion; it ends by `patience`.
-/// `local`: the method of its descents, if it has any. Throws InputError if an option is invalid.
+/// One run, from the middle of the box, of a method without its own criterion; the run ends by `patience`.
+/// Throws InputError if an option is invalid.
+/// @param local  the method of the run's descents, if there are any
 std::unique_ptr<Optimizer> make_nlopt_search(nlopt_algorithm algorithm, std::optional<nlopt_algorithm> local,
                                              const NloptOptions& options);
 

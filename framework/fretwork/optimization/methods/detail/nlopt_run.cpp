@@ -15,7 +15,7 @@ struct Destroy {
 };
 using Method = std::unique_ptr<nlopt_opt_s, Destroy>;
 
-/// A value and the slope of its scale there.
+/// A value on the scale, and the slope of the scale at this value.
 struct Scaled {
     double value;
     double rate;
@@ -26,7 +26,7 @@ Scaled scaled(double value, ObjectiveScale scale) {
     return {std::asinh(value), 1.0 / std::hypot(1.0, value)};
 }
 
-/// The data of NLopt's callback. No exception may pass through NLopt's C, so exceptions are kept here.
+/// The data of NLopt's callback. No exception may pass through NLopt's C code, so this object stores it.
 struct Callback {
     Evaluator& evaluator;
     UnitBox box;
@@ -35,7 +35,7 @@ struct Callback {
     ObjectiveScale scale;
     long evaluations = 0;
     double best = HUGE_VAL;
-    long idle = 0;  ///< evaluations since the best improved
+    long idle = 0;  ///< number of evaluations since the last improvement
     bool is_refused = false;
     bool is_patience_over = false;
     std::exception_ptr error{};
@@ -109,7 +109,8 @@ Ending ending_of(nlopt_result result, const Callback& callback) {
 RunOutcome run_nlopt(Evaluator& evaluator, const NloptRun& run) {
     const Method method = make_method(run.algorithm, run);
     if (run.local) {
-        // NLopt copies the local method. The outer one looks for ever; its own tolerances are off.
+        // NLopt copies the local method. The outer method never ends by itself, because its tolerances are
+        // off.
         const Method local = make_method(*run.local, run);
         nlopt_set_local_optimizer(method.get(), local.get());
         nlopt_set_ftol_rel(method.get(), 0.0);

@@ -9,30 +9,33 @@
 
 namespace fretwork::optimization::detail {
 
-/// How a method of NLopt sees the objective.
+/// The scale on which a method of NLopt sees the objective.
 enum class ObjectiveScale {
     AsItIs,
-    /// asinh of it: its logarithm where it is large, itself near zero, and defined for every sign. The order
-    /// of values stays. A method that takes its first step from the gradient needs it where the objective
-    /// falls through many powers of ten: there is no length of a step in a slope of 1e10.
+    /// The inverse hyperbolic sine of the objective: about its logarithm if it is large, about the objective
+    /// itself near zero, and defined for both signs. The order of values stays the same. A method that takes
+    /// its first step from the gradient needs this scale if the objective falls through many powers of ten,
+    /// because a slope of 1e10 gives no useful length of a step.
     Compressed,
 };
 
 /// One run of a method of NLopt. It works in the unit box.
 struct NloptRun {
     nlopt_algorithm algorithm;
-    std::optional<nlopt_algorithm> local{};  ///< of a method that descends by another one
-    Eigen::VectorXd start;                   ///< shares of the box
-    double initial_step = 0.1;               ///< share of the box
+    /// Method of the descents, for a method that descends by another method.
+    std::optional<nlopt_algorithm> local{};
+    Eigen::VectorXd start;      ///< shares of the box
+    double initial_step = 0.1;  ///< share of the box
     ObjectiveScale scale = ObjectiveScale::AsItIs;
-    /// The method's own criterion: relative changes of the objective, and of the shares; 0: none.
+    /// The method's own criterion: the relative changes of the objective and of the shares; 0: no criterion.
     double tolerance = 1e-8;
-    long patience = std::numeric_limits<long>::max();  ///< evaluations without an improvement, then it ends
-    std::uint32_t seed = 1;  ///< of methods that draw at random; NLopt's generator is the thread's own
+    /// Number of evaluations without an improvement after which the run ends.
+    long patience = std::numeric_limits<long>::max();
+    std::uint32_t seed = 1;  ///< seed of methods that draw at random; NLopt has one generator for each thread
 };
 
-/// Minimize the objective itself, without smoothing. A run that NLopt gives up at its first evaluation, or
-/// that sees no finite value, ends as Invalid. Exceptions of the problem are thrown on.
+/// Minimize the objective without smoothing. A run that NLopt gives up at its first evaluation, or that gets
+/// no finite value, ends as Invalid. Exceptions of the problem are passed on.
 RunOutcome run_nlopt(Evaluator& evaluator, const NloptRun& run);
 
 }  // namespace fretwork::optimization::detail

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The only file that makes a problem of pagmo, which takes most of the time to compile.
+// The only file with a problem of pagmo, because such a problem takes long to compile.
 #include <fretwork/base/random.hpp>
 #include <fretwork/optimization/methods/detail/pagmo_optimizer.hpp>
 #include <fretwork/optimization/methods/detail/unit_box.hpp>
@@ -14,13 +14,15 @@
 namespace fretwork::optimization::detail {
 namespace {
 
-/// pagmo has no other way to be stopped from inside an evaluation. Never leaves this file.
+/// The exception that stops pagmo from inside an evaluation; pagmo offers no other way. It never leaves this
+/// file.
 class Refused final : public std::exception {};
 
-/// The evaluator in the shape that pagmo asks for. pagmo copies it; all copies share the evaluator.
+/// The evaluator with the interface of a problem of pagmo. pagmo copies the object; all copies share the
+/// evaluator.
 class UnitProblem {
   public:
-    UnitProblem() = default;  // pagmo wants one
+    UnitProblem() = default;  // required by pagmo
     explicit UnitProblem(Evaluator& evaluator) : evaluator_(&evaluator), box_(evaluator.problem()) {}
 
     [[nodiscard]] pagmo::vector_double fitness(const pagmo::vector_double& shares) const {
@@ -28,7 +30,7 @@ class UnitProblem {
         const auto value =
             evaluator_->value(box_->point(Eigen::Map<const Eigen::VectorXd>(shares.data(), size)));
         if (!value) throw Refused{};
-        // pagmo subtracts values: an infinite one would give NaN.
+        // Pagmo subtracts values, and the difference of infinite values is NaN.
         return {std::isfinite(*value) ? *value : kHuge};
     }
     [[nodiscard]] std::pair<pagmo::vector_double, pagmo::vector_double> get_bounds() const {

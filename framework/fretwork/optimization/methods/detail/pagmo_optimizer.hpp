@@ -9,21 +9,21 @@
 
 namespace fretwork::optimization::detail {
 
-/// The input of a factory of methods.
+/// The input of a function that makes a method.
 struct EvolutionTask {
-    int dimension;  ///< of the problem
-    int run;        ///< from 0
-    unsigned seed;  ///< of this run
+    int dimension;  ///< number of variables
+    int run;        ///< number of the run, from 0
+    unsigned seed;  ///< seed of the run
 };
 
-/// One run of a method of pagmo: what evolves, and how many individuals.
+/// One run of a method of pagmo: the method, and the size of its population.
 struct Evolution {
     pagmo::algorithm algorithm;
     std::size_t population;
 };
 using MakeEvolution = Evolution (*)(const PagmoOptions& options, const EvolutionTask& task);
 
-/// Runs one after the other. Throws InputError if an option is invalid.
+/// Runs of a method of pagmo, one after the other. Throws InputError if an option is invalid.
 std::unique_ptr<Optimizer> make_pagmo_runs(MakeEvolution make, const PagmoOptions& options);
 
 }  // namespace fretwork::optimization::detail

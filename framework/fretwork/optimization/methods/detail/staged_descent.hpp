@@ -8,21 +8,21 @@
 
 namespace fretwork::optimization::detail {
 
-/// One descent, which goes on from stage to stage of the smoothing.
+/// A descent by continuation, stage by stage; each stage has less smoothing than the stage before.
 class StagedDescent {
   public:
     virtual ~StagedDescent() = default;
-    /// Descend on the objective with its kinks rounded off by `smoothing`, to the stage's tolerance.
+    /// Minimize the objective with its kinks rounded by `smoothing`, to the tolerance of the stage.
     virtual Ending run_stage(double smoothing) = 0;
     [[nodiscard]] virtual const Eigen::VectorXd& point() const = 0;
-    /// Smoothed as in the last stage.
+    /// The objective at point(), smoothed as in the last stage.
     [[nodiscard]] virtual double value() const = 0;
 };
 
 using MakeDescent = std::function<std::unique_ptr<StagedDescent>(Eigen::VectorXd start)>;
 
-/// Run the descents from the best of the sampled points together, stage by stage. After each stage descents
-/// that have met go on as one, and those far above the lowest end. See MultistartOptions.
+/// Run descents from the best of the sampled points together, stage by stage. After each stage, descents that
+/// have met continue as one, and descents far above the lowest end. See MultistartOptions.
 RunOutcome run_multistart(Evaluator& evaluator, const MultistartOptions& options,
                           const MakeDescent& make_descent);
 

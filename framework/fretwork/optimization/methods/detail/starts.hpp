@@ -7,18 +7,18 @@
 
 namespace fretwork::optimization::detail {
 
-/// The points of the low-discrepancy sequence from which descents begin: of `samples` points those
-/// `options.starts` with the best values, best first; with no more samples than starts, the first points,
-/// unevaluated. Empty if the budget does not pay for a single sample.
+/// The points of the low-discrepancy sequence from which descents begin: of `samples` points, the
+/// `options.starts` points with the best values, best first. If there are no more samples than starts, the
+/// first points are returned without an evaluation. Empty if the budget does not cover a single sample.
 std::vector<Eigen::VectorXd> choose_starts(Evaluator& evaluator, const OptimizerOptions& options,
                                            int samples);
 
-/// How the best of several runs ended, and how many starts died. The whole search is cut short by a spent
-/// budget, and invalid if all of its starts died.
+/// The outcome of the best of several runs, and the number of dead starts. The search ends as BudgetSpent if
+/// the budget was spent, and as Invalid if all of its starts were dead.
 class BestRun {
   public:
     explicit BestRun(const Evaluator& evaluator);
-    /// Call it after each run, before the next one evaluates anything.
+    /// Add a run. Call this function after each run, before the next run evaluates a point.
     void add(RunOutcome run);
     /// True once the budget is spent.
     [[nodiscard]] bool is_over() const { return is_over_; }
