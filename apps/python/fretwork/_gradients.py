@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Functions of a surface with their gradients: displacements, energy, stress by loads, material, section, patterns."""
+"""Functions of a surface with gradients: displacements, energy and stress, with respect to loads, material, section, patterns."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ _SHARE = 1e-3  # the step of a differenced share of a number
 
 
 class SurfaceFunction:
-    """What a surface does, as a function of a design: displacements, energy, and largest stress.
+    """Displacements, energy and largest stress of a surface as a function of a design.
 
-    A design is a dict. Its parts, of which any may be left out (then surface and load case have them):
+    A design is a dict. A part that is left out is taken from surface and load case. The parts are:
 
-    forces: n x 3 floats, N, on the n interface nodes, beside the loads of the load case
+    forces: n x 3 floats, N, on the n interface nodes, in addition to the loads of the load case
     prescribed: m floats (m or rad), the values of the load case's m prescribed displacements, entry by entry
     young_modulus: a float, Pa
     section: 4 floats: area (m^2), I2, I3, J (m^4)
@@ -103,10 +103,10 @@ class SurfaceFunction:
         return outputs
 
     def vjp(self, design: _Design, outputs: Mapping[str, Any], cotangents: Mapping[str, Any]) -> dict[str, _Floats]:
-        """The gradient, by each part of the design, of the sum of outputs times cotangents.
+        """The gradient of the sum of outputs times cotangents, with respect to each part of the design.
 
-        `outputs` are those of apply(design): if that was the last call, its equilibrium is used, else it is found again.
-        A cotangent has the shape of its output; those of outputs that are left out are zero.
+        `outputs` are the outputs of apply(design). If that was the last call, its equilibrium is used; otherwise, the
+        equilibrium is found again. A cotangent has the shape of its output, and is zero if it is left out.
         """
         numbers = self._numbers(design)
         if self._applied is None or not _same(self._applied, numbers):
@@ -119,7 +119,7 @@ class SurfaceFunction:
         return {name: self._backward(by, stress, name) for name in numbers}
 
     def _gradient(self, cotangents: Mapping[str, Any]) -> tuple[_Floats, float, float]:
-        """The gradient by displacements of outputs times cotangents, and the cotangents of energy and stress."""
+        """The gradient of outputs times cotangents with respect to displacements, and the cotangents of energy and stress."""
         import numpy as np
 
         assert self._result is not None
@@ -203,7 +203,7 @@ class SurfaceFunction:
         self._session.set_load_case(self._case_of(numbers))
 
     def _session_of(self, weights: Any) -> Session:
-        """A session whose tiles are mixed, each by a tile model of its own; None: painted ones."""
+        """A session whose tiles mix patterns, each by a tile model of its own; None: tiles as painted."""
         if weights is None:
             return _core.Session(self._surface, self._case, model=self._model)
         rows = list(enumerate(weights))
@@ -236,7 +236,7 @@ class SurfaceFunction:
                               components.index(entry.dof)].sum() for entry in self._case.prescribed])
 
     def _backward(self, by: Any, stress: float, name: str) -> _Floats:
-        """The gradient by one part of the design; `stress` is the cotangent of that output."""
+        """The gradient with respect to one part of the design; `stress` is the cotangent of the stress."""
         import numpy as np
 
         if name == "forces":
@@ -257,7 +257,7 @@ class SurfaceFunction:
         return np.array(self._along(by, stress, setting, name))
 
     def _along(self, by: Any, stress: float, setting: Setting, part: str) -> float:
-        """By one number of the section, or by one side of the bars, of which a share is changed."""
+        """The gradient with respect to one number of the section, or one side of the bars, by changing a share of it."""
         before = (getattr(setting.section, part) if part in _SECTION else
                   _core.rectangle_width(setting.section) if part == "width" else
                   _core.rectangle_height(setting.section))
@@ -306,5 +306,5 @@ def apply(function: SurfaceFunction, design: _Design) -> dict[str, _Floats]:
 
 def vjp(function: SurfaceFunction, design: _Design, outputs: Mapping[str, Any],
         cotangents: Mapping[str, Any]) -> dict[str, _Floats]:
-    """The gradient of outputs times cotangents by a design: SurfaceFunction.vjp."""
+    """The gradient of outputs times cotangents with respect to a design: SurfaceFunction.vjp."""
     return function.vjp(design, outputs, cotangents)

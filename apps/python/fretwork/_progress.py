@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The bar that `progress=True` shows: in a terminal and in a notebook, one line that is drawn over."""
+"""The bar that `progress=True` shows in a terminal or a notebook: one line, redrawn in place."""
 
 import sys
 import time
 
 
 class Bar:
-    """Draw how far a task is. Tasks that take less than half a second draw nothing."""
+    """Draw the progress of a task. Nothing is drawn for a task of less than half a second."""
 
     def __init__(self, stream=None):
         self._stream = stream or sys.stderr

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The manners of values: constructors by keywords, text, comparison and pickling, from the fields of a class."""
+"""The behaviour of values (constructors by keywords, text, comparison and pickling), made from the fields of a class."""
 
 import difflib
 
 
 def finish(cls, is_made_by_fields):
-    """Give a class of the extension module the manners of a value. Its fields are the keys of `_setters`."""
+    """Give a class of the extension module the behaviour of a value. Its fields are the keys of `_setters`."""
     cls._fields = tuple(cls.__dict__.get("_setters", {}))
     bare_new, bare_init = cls.__mro__[-2].__new__, cls.__init__
 
@@ -32,7 +32,7 @@ def finish(cls, is_made_by_fields):
 
 
 def guard(module):
-    """No class of the extension module gives an object without its value: `X.__new__(X)` asks what `X()` asks.
+    """Let `X.__new__(X)` require what `X()` requires, because no object of the extension module exists without its value.
 
     A subclass with other parameters defines `__new__`, as one of tuple does.
     """
@@ -82,7 +82,7 @@ def _fill(record, cls, values, named):
 
 
 def set_field(record, cls, name, value):
-    """Set a field by its name; the error of an unknown one names the nearest, that of a wrong one the type."""
+    """Set a field by its name. The error names the nearest field for an unknown name, and the type for a wrong value."""
     if name not in cls._setters:
         near = difflib.get_close_matches(name, cls._fields, 1)
         hint = f"; did you mean '{near[0]}'?" if near else f"; there is: {', '.join(cls._fields)}"

@@ -87,12 +87,13 @@ struct FileFunctions {
 template <class Value>
 void bind_files(py::module_& module, const std::string& name, const FileFunctions<Value>& functions) {
     module.def(("parse_" + name).c_str(), functions.parse, "text"_a, "source"_a = "text",
-               "Read the text of such a file; `source` names it in errors. Raises InputError.");
-    module.def((name + "_text").c_str(), functions.text, py::arg(name.c_str()), "The text of such a file.");
+               "Parse the text of a file; `source` names the text in errors. Raises InputError.");
+    module.def((name + "_text").c_str(), functions.text, py::arg(name.c_str()),
+               "The text of a file with this value.");
     module.def(("read_" + name).c_str(), functions.read, "path"_a,
-               "Read such a file. Raises InputError that names the file and the place in it.");
+               "Read a file. Raises InputError that names the file and the place in it.");
     module.def(("write_" + name).c_str(), functions.write, py::arg(name.c_str()), "path"_a,
-               "Write such a file, whole or not at all. Raises IoError.");
+               "Write a file, completely or not at all. Raises IoError.");
 }
 
 }  // namespace fretwork::python

@@ -101,23 +101,23 @@ void bind_errors(py::module_& module) {
     const auto also = [](PyObject* first, PyObject* second) {
         return py::make_tuple(py::handle(first), py::handle(second));
     };
-    classes.error =
-        make_class(module, "Error", py::make_tuple(py::handle(PyExc_Exception)),
-                   "The root of what the framework raises. Its text is one line.\n\n"
-                   "Attributes: `problem` (what is wrong, and what would be valid), `kind` (an "
-                   "ErrorKind), `source` and `place` (the innermost file, option or message, and the "
-                   "JSON pointer, line or element in it; may be empty), `where` (all pairs of source "
-                   "and place, the outermost first), `about` (texts, as the kind says).");
+    classes.error = make_class(
+        module, "Error", py::make_tuple(py::handle(PyExc_Exception)),
+        "The base class of all errors of the framework. Its text is one line.\n\nAttributes: `problem` (what "
+        "is wrong, and what would be valid), `kind` (an ErrorKind), `source` and `place` (the innermost "
+        "file, option or message, and the JSON pointer, line or element in it; may be empty), `where` (all "
+        "pairs of source and place, the outermost first), `about` (texts, as the kind says).");
     classes.input = make_class(module, "InputError", also(classes.error, PyExc_ValueError),
-                               "A file, an argument or an option is not what it has to be.");
+                               "A file, an argument or an option is invalid.");
     classes.geometry = make_class(module, "GeometryError", py::make_tuple(py::handle(classes.input)),
-                                  "A shape is well-formed as data and impossible as geometry.");
-    classes.numerical = make_class(module, "NumericalError", also(classes.error, PyExc_ArithmeticError),
-                                   "A system of equations has no usable solution: a floating structure.");
+                                  "A shape is well-formed data, but impossible geometry.");
+    classes.numerical =
+        make_class(module, "NumericalError", also(classes.error, PyExc_ArithmeticError),
+                   "A system of equations has no usable solution, as for a structure without supports.");
     classes.io = make_class(module, "IoError", also(classes.error, PyExc_OSError),
                             "The operating system refuses to read or write.");
     classes.stopped = make_class(module, "Stopped", py::make_tuple(py::handle(classes.error)),
-                                 "Long work was asked to stop, and did; nothing is half-written.");
+                                 "A long computation was stopped on request; nothing is half-written.");
     py::register_exception_translator(translate);
 }
 

@@ -48,6 +48,6 @@ PYBIND11_MODULE(_core, module) {
             const auto pairs = fretwork::base::provenance();
             return std::map<std::string, std::string>(pairs.begin(), pairs.end());
         },
-        "The names and values that a result should carry so that it can be made again.");
+        "The names and values that a result should record so that it can be reproduced.");
     bind_all(module);
 }

@@ -69,7 +69,7 @@ void bind_goals(py::module_& m) {
         .field("displacement", &FormulaGoal::displacement,
                "three expressions of x and y (m), or numbers, m; None: the component is free")
         .done();
-    Record<MeshGoal>(m, "MeshGoal", "Nodes lie on a surface in space, and may slide along it.")
+    Record<MeshGoal>(m, "MeshGoal", "Nodes lie on a surface in space, and may slide along the surface.")
         .field("where", &MeshGoal::where, "a selection")
         .field("mesh", &MeshGoal::mesh, "OBJ, PLY or OFF, m, in the axes of the project")
         .done();
@@ -82,8 +82,8 @@ void bind_goals(py::module_& m) {
 void bind_target(py::module_& m) {
     Record<Goal>(m, "Goal", "A part of a target.")
         .field("what", &Goal::what, "a NodesGoal, FormulaGoal, MeshGoal or RotationGoal")
-        .field("weight", &Goal::weight, "of the squared distance of each of its nodes")
-        .field("load_case", &Goal::load_case, "under which it is wanted; '': that of the design")
+        .field("weight", &Goal::weight, "weight of the squared distance of each node")
+        .field("load_case", &Goal::load_case, "load case of the goal; '': the load case of the design")
         .done();
     Record<Target>(m, "Target",
                    "The shape that a designed surface shall take, under one load case or several.\n\n"
@@ -100,24 +100,32 @@ void bind_target(py::module_& m) {
 }
 
 void bind_options(py::module_& m) {
-    Record<DesignOptions>(m, "DesignOptions", "What design() searches, and how long.")
-        .field("load_case", &DesignOptions::load_case, "of goals that name none; '': the only one")
-        .field("max_patterns", &DesignOptions::max_patterns, "different ones, at most; 0: any number")
+    Record<DesignOptions>(m, "DesignOptions", "Options of design().")
+        .field("load_case", &DesignOptions::load_case, "load case of goals that name none; '': the only one")
+        .field("max_patterns", &DesignOptions::max_patterns,
+               "largest number of different patterns; 0: any number")
         .field("keep", &DesignOptions::keep, "tiles that keep their patterns")
         .field("symmetry", &DesignOptions::symmetry, "'mirror:x', 'mirror:y', 'turn:N', or None")
-        .field("max_mass", &DesignOptions::max_mass, "kg, of all beams; 0: any")
-        .field("max_utilization", &DesignOptions::max_utilization, "of the setting's strength; 0: any")
-        .field("free_factor", &DesignOptions::free_factor, "the factor on the loads is searched, too")
-        .field("free_prescribed", &DesignOptions::free_prescribed, "so are prescribed displacements")
-        .field("free_width", &DesignOptions::free_width, "so is the width of all bars (rectangles)")
-        .field("free_thickness", &DesignOptions::free_thickness, "so is their thickness")
-        .field("clearance", &DesignOptions::clearance, "m, smallest gap between bars; None: any")
-        .field("seconds", &DesignOptions::seconds, "wall time, checks included; 0: any")
-        .field("most_solutions", &DesignOptions::most_solutions, "nonlinear ones of the search")
-        .field("uniform_paintings", &DesignOptions::uniform_paintings, "that the search begins with")
-        .field("shortlist", &DesignOptions::shortlist, "patterns that one step chooses from")
+        .field("max_mass", &DesignOptions::max_mass, "largest mass of all beams, kg; 0: any")
+        .field("max_utilization", &DesignOptions::max_utilization,
+               "largest stress, as a share of the setting's strength; 0: any")
+        .field("free_factor", &DesignOptions::free_factor, "True: search the factor on the loads, too")
+        .field("free_prescribed", &DesignOptions::free_prescribed,
+               "True: search prescribed displacements, too")
+        .field("free_width", &DesignOptions::free_width,
+               "True: search the width of all bars (rectangles), too")
+        .field("free_thickness", &DesignOptions::free_thickness,
+               "True: search the thickness of all bars, too")
+        .field("clearance", &DesignOptions::clearance, "smallest gap between bars, m; None: any")
+        .field("seconds", &DesignOptions::seconds, "largest wall time, checks included, s; 0: any")
+        .field("most_solutions", &DesignOptions::most_solutions,
+               "largest number of nonlinear solutions of the search")
+        .field("uniform_paintings", &DesignOptions::uniform_paintings,
+               "number of single patterns with which the search begins")
+        .field("shortlist", &DesignOptions::shortlist, "number of patterns from which one step chooses")
         .field("seed", &DesignOptions::seed, "")
-        .field("threads", &DesignOptions::threads, "0: all there are; no bit of the result depends on it")
+        .field("threads", &DesignOptions::threads,
+               "number of threads; 0: one for each processor; no bit of the result depends on the number")
         .done();
 }
 
@@ -125,34 +133,38 @@ void bind_shapes(py::module_& m) {
     using GoalNode = CaseShape::GoalNode;
     Record<GoalNode>(m, "GoalNode", "A node of a goal.")
         .constant("node", &GoalNode::node, "its number")
-        .constant("wanted", &GoalNode::wanted, "its place in space, m; free components are as they are")
+        .constant("wanted", &GoalNode::wanted, "wanted place in space, m; free components keep their values")
         .constant("distance", &GoalNode::distance, "m")
         .done(Made::ByFunctions);
-    Record<CaseShape>(m, "CaseShape", "Where a surface is under one load case, with all beams.")
+    Record<CaseShape>(m, "CaseShape", "The shape of a surface under one load case, with all beams.")
         .constant("load_case", &CaseShape::load_case, "its name")
-        .constant("displacements", &CaseShape::displacements, "a row for each node, interface nodes first")
+        .constant("displacements", &CaseShape::displacements, "one row for each node, interface nodes first")
         .constant("goals", &CaseShape::goals, "GoalNodes")
         .done(Made::ByFunctions);
     Record<Curvatures>(m, "Curvatures", "The principal curvatures of a bent surface, 1/m.")
         .constant("largest", &Curvatures::largest, "")
         .constant("smallest", &Curvatures::smallest, "")
         .done(Made::ByFunctions);
-    Record<Gamut>(m, "Gamut", "Curvatures that the load gives tiles, and those that a target asks for.")
-        .constant("reached", &Gamut::reached, "of all tiles with all single patterns that were tried")
-        .constant("wanted", &Gamut::wanted, "of tiles around which every node has a goal")
-        .constant("designed", &Gamut::designed, "of the same tiles in the painting")
+    Record<Gamut>(m, "Gamut",
+                  "Curvatures that the load gives to tiles, and curvatures that a target requires.")
+        .constant("reached", &Gamut::reached,
+                  "curvatures of all tiles with all single patterns that were tried")
+        .constant("wanted", &Gamut::wanted, "wanted curvatures of tiles around which every node has a goal")
+        .constant("designed", &Gamut::designed, "curvatures of the same tiles in the painting")
         .done(Made::ByFunctions)
         .def_property_readonly("share_outside", &Gamut::share_outside,
-                               "the share of the wanted ones far from all reached ones; None without any");
+                               "share of the wanted curvatures that are far from all reached curvatures; "
+                               "None if there are none");
 }
 
 void bind_report(py::module_& m) {
     bind_enum<DesignEnd>(m);
-    Record<DesignProgress>(m, "DesignProgress", "The best painting so far.")
-        .constant("solutions", &DesignProgress::solutions, "nonlinear ones so far")
+    Record<DesignProgress>(m, "DesignProgress", "The progress of a design: the best painting so far.")
+        .constant("solutions", &DesignProgress::solutions, "number of nonlinear solutions so far")
         .constant("most", &DesignProgress::most, "largest number of nonlinear solutions of the search")
         .constant("seconds", &DesignProgress::seconds, "")
-        .constant("misfit", &DesignProgress::misfit, "of the reduced model, a share of the largest wanted")
+        .constant("misfit", &DesignProgress::misfit,
+                  "misfit of the reduced model, as a share of the largest displacement wanted")
         .done(Made::ByFunctions);
     Record<TargetError>(m, "TargetError",
                         "Distances to the target, as shares of the largest displacement that it asks for, of "
@@ -160,52 +172,62 @@ void bind_report(py::module_& m) {
         .constant("mean", &TargetError::mean, "")
         .constant("largest", &TargetError::largest, "")
         .constant("is_stable", &TargetError::is_stable, "")
-        .constant("is_on_path", &TargetError::is_on_path, "the whole path from flat is stable")
+        .constant("is_on_path", &TargetError::is_on_path, "True if the whole path from flat is stable")
         .done(Made::ByFunctions);
     bind_shapes(m);
-    Record<DesignReport>(m, "DesignReport", "The painted project, and how far it is from the target.")
-        .constant("project", &DesignReport::project, "painted; its load cases have the values found")
+    Record<DesignReport>(m, "DesignReport", "The painted project, and its distance from the target.")
+        .constant("project", &DesignReport::project, "painted project; its load cases have the values found")
         .constant("error", &DesignReport::error, "None if the search was stopped before the check")
-        .constant("best_uniform", &DesignReport::best_uniform, "of the best single pattern of those tried")
+        .constant("best_uniform", &DesignReport::best_uniform,
+                  "error of the best single pattern that was tried")
         .constant("best_uniform_pattern", &DesignReport::best_uniform_pattern, "its id")
-        .constant("uniform_tried", &DesignReport::uniform_tried, "single patterns")
-        .constant("uniform_solutions", &DesignReport::uniform_solutions, "that these took")
-        .constant("patterns", &DesignReport::patterns, "ids of the painting")
-        .constant("factors", &DesignReport::factors, "on the loads of each load case of load_cases")
-        .constant("load_cases", &DesignReport::load_cases, "names")
-        .constant("largest_utilization", &DesignReport::largest_utilization, "None without a strength")
+        .constant("uniform_tried", &DesignReport::uniform_tried, "number of single patterns tried")
+        .constant("uniform_solutions", &DesignReport::uniform_solutions,
+                  "number of nonlinear solutions for single patterns")
+        .constant("patterns", &DesignReport::patterns, "ids of the patterns in the painting")
+        .constant("factors", &DesignReport::factors, "factor on the loads of each load case in load_cases")
+        .constant("load_cases", &DesignReport::load_cases, "names of the load cases")
+        .constant("largest_utilization", &DesignReport::largest_utilization,
+                  "largest stress over the strength; None without a strength")
         .constant("utilization_error", &DesignReport::utilization_error,
-                  "of one element a beam, estimated where max_utilization is asked for")
+                  "estimated error of largest_utilization, because each beam has one element; None unless "
+                  "max_utilization is set")
         .constant("relaxed", &DesignReport::relaxed,
-                  "misfit that mixtures of patterns in each tile are predicted to reach, or None")
+                  "predicted misfit of mixtures of patterns in each tile, or None")
         .constant("wanted_of_softest", &DesignReport::wanted_of_softest,
-                  "largest displacement wanted, by that of the softest single pattern")
-        .constant("wanted_of_stiffest", &DesignReport::wanted_of_stiffest, "the same of the stiffest")
-        .constant(
-            "reach_of_ten_loads", &DesignReport::reach_of_ten_loads,
-            "displacement of the softest one under ten times the loads, by what is wanted; None: unasked")
-        .constant("nothing_moves", &DesignReport::nothing_moves, "under the load cases")
-        .constant("width", &DesignReport::width, "m, of the bars; None where it is not free")
-        .constant("thickness", &DesignReport::thickness, "m")
+                  "largest displacement wanted, over the largest displacement of the softest single pattern")
+        .constant("wanted_of_stiffest", &DesignReport::wanted_of_stiffest,
+                  "largest displacement wanted, over the largest displacement of the stiffest single pattern")
+        .constant("reach_of_ten_loads", &DesignReport::reach_of_ten_loads,
+                  "displacement of the softest single pattern under ten times the loads, over the "
+                  "displacement wanted; None: not computed")
+        .constant("nothing_moves", &DesignReport::nothing_moves,
+                  "True if the load cases move no uniform painting")
+        .constant("width", &DesignReport::width, "width of the bars, m; None if it is not free")
+        .constant("thickness", &DesignReport::thickness, "thickness of the bars, m; None if it is not free")
         .constant("bound", &DesignReport::bound,
-                  "below the misfit of every painting, in linear theory; None where it does not hold")
-        .constant("close_bars", &DesignReport::close_bars, "pairs nearer than the clearance")
+                  "lower bound of the misfit of every painting, by linear theory; None if it does not apply")
+        .constant("close_bars", &DesignReport::close_bars,
+                  "number of pairs of bars nearer than the clearance")
         .constant("warnings", &DesignReport::warnings, "one line each")
-        .constant("shapes", &DesignReport::shapes, "of the painting, one for each load case")
-        .constant("uniform_shapes", &DesignReport::uniform_shapes, "of the best single pattern")
+        .constant("shapes", &DesignReport::shapes, "shapes of the painting, one for each load case")
+        .constant("uniform_shapes", &DesignReport::uniform_shapes, "shapes of the best single pattern")
         .constant("gamut", &DesignReport::gamut, "curvatures")
-        .constant("model_error", &DesignReport::model_error, "of the reduced model, a share like the errors")
-        .constant("starts", &DesignReport::starts, "the misfit that each start of the search reached")
+        .constant("model_error", &DesignReport::model_error,
+                  "mean distance between the reduced model and the full model, as a share of the largest "
+                  "displacement wanted")
+        .constant("starts", &DesignReport::starts, "misfit that each start of the search reached")
         .constant("history", &DesignReport::history, "")
         .constant("end", &DesignReport::end, "")
-        .constant("slides", &DesignReport::slides, "nodes may slide along a target's surface")
+        .constant("slides", &DesignReport::slides, "True if nodes may slide along a target's surface")
         .constant("seconds", &DesignReport::seconds, "")
-        .constant("solutions", &DesignReport::solutions, "nonlinear ones of the search")
-        .constant("full_solutions", &DesignReport::full_solutions, "with all beams, of the checks")
+        .constant("solutions", &DesignReport::solutions, "number of nonlinear solutions of the search")
+        .constant("full_solutions", &DesignReport::full_solutions,
+                  "number of solutions with all beams, for the checks")
         .constant("seed", &DesignReport::seed, "")
         .done(Made::ByFunctions)
         .def_property_readonly("is_better", &DesignReport::is_better,
-                               "whether the painting is better than the best single pattern");
+                               "True if the painting is better than the best single pattern");
 }
 
 std::vector<pattern::NamedPattern> palette_of(const PaletteGiven& given, const simulation::Project& project,
@@ -258,10 +280,9 @@ void bind_designs(py::module_& m) {
     bind_report(m);
     m.def("design", &run_design, "project"_a, "target"_a, "palette"_a = "sample:64", "library"_a = py::none(),
           "Paint the tiles of a project so that its surface takes the target's shape. `palette` is a list of "
-          "ids, or as the command line has it: 'library', 'all', 'sample:N'. `on_better` is called with a "
+          "ids, or a word as on the command line: 'library', 'all', 'sample:N'. `on_better` is called with a "
           "DesignProgress. Ctrl-C ends the search and raises nothing once there is a painting: the report "
-          "has the best one, and its `end` is 'stopped'.\n\n"
-          "Options: DesignOptions, on_better, progress\n");
+          "has the best one, and its `end` is 'stopped'.\n\nOptions: DesignOptions, on_better, progress\n");
 }
 
 }  // namespace fretwork::python

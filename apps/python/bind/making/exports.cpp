@@ -135,12 +135,10 @@ OwnedScene make_scene(const Surface& surface, const py::object& results,
 }
 
 constexpr const char* kSceneKeywords =
-    "Options: scene, models, progress\n\n"
-    "Of the scene: scale (of displacements), view ('iso', 'top', '30,20'), size ('1600x1000'), colour (one "
-    "of "
-    "bar_field_names(), or 'plain'), strength (Pa), labels (['tiles', 'nodes']); how the surface is made: "
-    "fillet, kerf, "
-    "frame, bolts, eye, bed, fit, clearance, layer, as texts with units ('2mm').\n";
+    "Options: scene, models, progress\n\nOptions of the scene: scale (of displacements), view ('iso', 'top', "
+    "'30,20'), size ('1600x1000'), colour (one of bar_field_names(), or 'plain'), strength (Pa), labels "
+    "(['tiles', 'nodes']); how the surface is made: fillet, kerf, frame, bolts, eye, bed, fit, clearance, "
+    "layer, as texts with units ('2mm').\n";
 
 /// The files that an export writes, all of them or none. Returns the remarks.
 std::vector<std::string> export_files(const Surface& surface, const std::vector<std::filesystem::path>& paths,
@@ -185,9 +183,9 @@ void bind_writers(py::module_& m) {
                                 load_case, content, named);
         },
         "surface"_a, "to"_a, "results"_a = py::none(), "load_case"_a = py::none(), "content"_a = py::none(),
-        (std::string("Write a surface, and results of it, as files; their endings say of which kind. "
-                     "`results` is one "
-                     "result, a list, or a dict of labels and results. Returns remarks.\n\n") +
+        (std::string(
+             "Write a surface and its results as files; the endings of their names select the kinds. "
+             "`results` is one result, a list, or a dict of labels and results. Returns remarks.\n\n") +
          kSceneKeywords)
             .c_str());
     m.def(
@@ -205,15 +203,14 @@ void bind_writers(py::module_& m) {
         },
         "surface"_a, "ending"_a, "results"_a = py::none(), "load_case"_a = py::none(),
         "content"_a = py::none(),
-        (std::string("The bytes of such a file: `ending` is '.svg', '.html', '.stl', ..\n\n") +
-         kSceneKeywords)
+        (std::string("The bytes of a file; `ending` is '.svg', '.html', '.stl', ..\n\n") + kSceneKeywords)
             .c_str());
     m.def("bar_field_names", &bar_field_names, "The fields that a picture's colours can show.");
     bind_enum<MeshKind>(m);
 }
 
 void bind_drawing_options(py::module_& m) {
-    Record<PatternDrawingOptions>(m, "PatternDrawingOptions", "How fans are drawn.")
+    Record<PatternDrawingOptions>(m, "PatternDrawingOptions", "Options of drawings of fans.")
         .field("tile_side", &PatternDrawingOptions::tile_side, "m")
         .field("beam_width", &PatternDrawingOptions::beam_width, "m")
         .field("sides", &PatternDrawingOptions::sides, "")
@@ -222,7 +219,7 @@ void bind_drawing_options(py::module_& m) {
         .field("pattern", &PatternProperties::pattern, "")
         .field("values", &PatternProperties::values, "")
         .done();
-    Record<ReducedPattern>(m, "ReducedPattern", "A pattern and a reduced model that was fitted to it.")
+    Record<ReducedPattern>(m, "ReducedPattern", "A pattern with a reduced model fitted to it.")
         .field("pattern", &ReducedPattern::pattern, "")
         .field("calibration", &ReducedPattern::calibration, "")
         .done();
@@ -237,7 +234,7 @@ void bind_drawings(py::module_& m) {
             return pattern_sheet_svg(layout, patterns, options);
         },
         "layout"_a, "patterns"_a, "options"_a = PatternDrawingOptions{},
-        "The layout with its candidate edges, and patterns as a sheet of fans.");
+        "A drawing of the layout with its candidate edges, and of patterns as a sheet of fans.");
     m.def(
         "rejection_sheet_svg",
         [](const pattern::NodeLayout& layout, const std::vector<pattern::Rejection>& rejections,
@@ -246,7 +243,7 @@ void bind_drawings(py::module_& m) {
             return rejection_sheet_svg(layout, rejections, options);
         },
         "layout"_a, "rejections"_a, "options"_a = PatternDrawingOptions{},
-        "Rejected graphs with the reasons.");
+        "A drawing of rejected graphs with the reasons.");
     m.def(
         "property_chart_svg",
         [](const pattern::NodeLayout& layout, const reduction::Setting& setting,
@@ -255,7 +252,7 @@ void bind_drawings(py::module_& m) {
             return property_chart_svg({layout, setting}, patterns);
         },
         "layout"_a, "setting"_a, "patterns"_a,
-        "Stiffness against mass, and bending against in-plane stiffness.");
+        "Charts of stiffness against mass, and of bending against in-plane stiffness.");
     m.def(
         "reduced_sheet_svg",
         [](const pattern::NodeLayout& layout, const std::vector<ReducedPattern>& patterns,
@@ -264,7 +261,8 @@ void bind_drawings(py::module_& m) {
             setting.validate();
             return reduced_sheet_svg(layout, patterns, setting);
         },
-        "layout"_a, "patterns"_a, "setting"_a, "Patterns with their reduced models beside them.");
+        "layout"_a, "patterns"_a, "setting"_a,
+        "A drawing of patterns with their reduced models beside them.");
     m.def(
         "scenario_sheet_svg",
         [](const pattern::NodeLayout& layout, const ReducedPattern& pattern,
@@ -273,7 +271,8 @@ void bind_drawings(py::module_& m) {
             setting.validate();
             return scenario_sheet_svg(layout, pattern, setting);
         },
-        "layout"_a, "pattern"_a, "setting"_a, "The setting's scenarios on one tile, side by side.");
+        "layout"_a, "pattern"_a, "setting"_a,
+        "A drawing of the setting's scenarios on one tile, side by side.");
     m.def(
         "surface_svg",
         [](const Surface& surface, const std::optional<LoadCase>& load_case) {
@@ -281,7 +280,8 @@ void bind_drawings(py::module_& m) {
             const simulation::Conditions conditions = simulation::resolve(*load_case, surface);
             return surface_svg(surface, &conditions);
         },
-        "surface"_a, "load_case"_a = py::none(), "A surface seen from above, with supports and loads.");
+        "surface"_a, "load_case"_a = py::none(),
+        "A drawing of a surface from above, with supports and loads.");
     m.def("pattern_colour", &pattern_colour, "index"_a,
           "The colour of the i-th pattern of a palette: '#rrggbb'.");
 }

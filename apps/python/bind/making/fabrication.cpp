@@ -40,7 +40,7 @@ void check_bolts(const simulation::Surface& surface, const ShapeOptions& options
 }
 
 void bind_shape(py::module_& m) {
-    py::class_<Piece>(m, "Piece", "Material in one piece. Contours have it on their left.")
+    py::class_<Piece>(m, "Piece", "Material in one piece. The material lies on the left of the contours.")
         .def_property_readonly(
             "outer", [](const Piece& self) { return rows_of(self.outer); },
             "n x 3 floats: x, y (m), and the bulge of the arc to the next point; 0: straight")
@@ -49,7 +49,7 @@ void bind_shape(py::module_& m) {
     py::class_<Shape>(m, "Shape",
                       "The true outline of a surface: bars with their width, merged where they meet.")
         .def_property_readonly(
-            "pieces", [](const Shape& self) { return self.pieces; }, "from left to right")
+            "pieces", [](const Shape& self) { return self.pieces; }, "pieces from left to right")
         .def_property_readonly(
             "height", [](const Shape& self) { return self.height; }, "m")
         .def_property_readonly(
@@ -63,14 +63,15 @@ void bind_shape(py::module_& m) {
                 return std::array{box.xmin, box.ymin, box.xmax, box.ymax};
             },
             "xmin ymin xmax ymax, m");
-    Record<ShapeOptions>(m, "ShapeOptions", "Material besides the bars.")
-        .field("fillet", &ShapeOptions::fillet, "m, radius of inner corners; 0: sharp")
-        .field("kerf", &ShapeOptions::kerf, "m, width that the cutter takes away")
-        .field("frame_width", &ShapeOptions::frame_width, "m, of bars along the rim; 0: none")
-        .field("bolt_diameter", &ShapeOptions::bolt_diameter, "m, of holes at `bolts`; 0: none")
+    Record<ShapeOptions>(m, "ShapeOptions",
+                         "Options of the true outline, and material in addition to the bars.")
+        .field("fillet", &ShapeOptions::fillet, "radius of inner corners, m; 0: sharp")
+        .field("kerf", &ShapeOptions::kerf, "width that the cutter removes, m")
+        .field("frame_width", &ShapeOptions::frame_width, "width of bars along the rim, m; 0: none")
+        .field("bolt_diameter", &ShapeOptions::bolt_diameter, "diameter of holes at `bolts`, m; 0: none")
         .field("eye_diameter", &ShapeOptions::eye_diameter,
-               "m, of the discs around them; 0: twice the bolt's")
-        .field("bolts", &ShapeOptions::bolts, "nodes with a hole")
+               "diameter of the discs around holes, m; 0: twice the diameter of the holes")
+        .field("bolts", &ShapeOptions::bolts, "numbers of the nodes with a hole")
         .done();
     m.def(
         "make_shape",
@@ -79,7 +80,7 @@ void bind_shape(py::module_& m) {
             check_bolts(surface, keywords.options);
             return keywords.run([&](const auto& options) { return make_shape(surface, options); });
         },
-        "surface"_a, "The outline of a surface's bars.\n\nOptions: ShapeOptions, progress\n");
+        "surface"_a, "The true outline of a surface's bars.\n\nOptions: ShapeOptions, progress\n");
     m.def(
         "shape_remarks",
         [](const simulation::Surface& surface, const py::kwargs& named) {
@@ -88,7 +89,8 @@ void bind_shape(py::module_& m) {
             return keywords.run(
                 [&](const auto& options) { return make_remarked_shape(surface, options).remarks; });
         },
-        "surface"_a, "The options that could not be met everywhere.\n\nOptions: ShapeOptions, progress\n");
+        "surface"_a,
+        "Remarks about options that could not be met everywhere.\n\nOptions: ShapeOptions, progress\n");
 }
 
 void bind_solid(py::module_& m) {
@@ -120,12 +122,12 @@ void bind_solid(py::module_& m) {
 }
 
 void bind_sheets(py::module_& m) {
-    Record<Bed>(m, "Bed", "The sheets that a cutter takes, and how parts fit together.")
+    Record<Bed>(m, "Bed", "Options of sheets: the bed of the cutter, and the fit of the parts.")
         .field("width", &Bed::width, "m")
         .field("height", &Bed::height, "m")
-        .field("margin", &Bed::margin, "m, left free along its edges")
-        .field("spacing", &Bed::spacing, "m, between parts")
-        .field("fit", &Bed::fit, "m, gap that stays between the two sides of a joint")
+        .field("margin", &Bed::margin, "margin along the edges of the bed, m")
+        .field("spacing", &Bed::spacing, "distance between parts, m")
+        .field("fit", &Bed::fit, "gap between the two sides of a connector, m")
         .done();
     py::class_<CutSheet>(m, "CutSheet", "The input of a cutter: one sheet of material.")
         .def_property_readonly("title", [](const CutSheet& self) { return self.title; })
@@ -148,12 +150,15 @@ void bind_sheets(py::module_& m) {
 
 void bind_facts(py::module_& m) {
     Record<FactsOptions>(m, "FactsOptions", "The limits of a machine and a material.")
-        .field("clearance", &FactsOptions::clearance, "m: warn about narrower gaps and openings")
+        .field("clearance", &FactsOptions::clearance,
+               "width, m, below which gaps and openings cause a warning")
         .field("layer_height", &FactsOptions::layer_height, "m, of a print")
-        .field("sharp_angle", &FactsOptions::sharp_angle, "rad: warn about smaller angles between bars")
-        .field("strength", &FactsOptions::strength, "Pa: warn about higher stresses; None: the material's")
+        .field("sharp_angle", &FactsOptions::sharp_angle,
+               "angle between bars, rad, below which there is a warning")
+        .field("strength", &FactsOptions::strength,
+               "stress, Pa, above which there is a warning; None: the material's strength")
         .done();
-    Record<Warning>(m, "FactsWarning", "A warning to the maker.")
+    Record<Warning>(m, "FactsWarning", "A warning for the maker.")
         .constant("message", &Warning::message, "one line")
         .constant("place", &Warning::place, "m; None if it is about the whole surface")
         .done(Made::ByFunctions);
@@ -163,22 +168,22 @@ void bind_facts(py::module_& m) {
         .constant("pieces", &Facts::pieces, "")
         .constant("openings", &Facts::openings, "")
         .constant("height", &Facts::height, "m")
-        .constant("area", &Facts::area, "m2, of the true outline")
+        .constant("area", &Facts::area, "area of the true outline, m^2")
         .constant("volume", &Facts::volume, "m3")
-        .constant("mass", &Facts::mass, "kg; 0 where the material has no density")
-        .constant("beam_mass", &Facts::beam_mass, "kg, of the model's beams")
+        .constant("mass", &Facts::mass, "mass, kg; 0 if the material has no density")
+        .constant("beam_mass", &Facts::beam_mass, "mass of the model's beams, kg")
         .constant("cut_length", &Facts::cut_length, "m")
-        .constant("pierces", &Facts::pierces, "contours, each of which a cutter starts separately")
+        .constant("pierces", &Facts::pierces, "number of contours, each of which a cutter starts separately")
         .constant("layers", &Facts::layers, "of a print")
-        .constant("wall_length", &Facts::wall_length, "m, contours of all layers")
-        .constant("sharpest_angle", &Facts::sharpest_angle, "rad, between bars of a node")
-        .constant("smallest_radius", &Facts::smallest_radius, "m, of inner corners; 0: sharp")
+        .constant("wall_length", &Facts::wall_length, "length of the contours of all layers, m")
+        .constant("sharpest_angle", &Facts::sharpest_angle, "smallest angle between the bars of a node, rad")
+        .constant("smallest_radius", &Facts::smallest_radius, "smallest radius of inner corners, m; 0: sharp")
         .constant("strength", &Facts::strength, "Pa, or None")
         .constant("warnings", &Facts::warnings, "")
         .done(Made::ByFunctions)
         .def_property_readonly(
             "text", [](const Facts& self) { return exports::facts_text(self); },
-            "a table for people, with sag, stress and warnings")
+            "The facts as a table for people, with sag, stress and warnings.")
         .def_property_readonly(
             "json", [](const Facts& self) { return exports::facts_json(self); }, "'fretwork/facts/3'");
     m.def(
@@ -194,7 +199,8 @@ void bind_facts(py::module_& m) {
             });
         },
         "surface"_a, "shape"_a = ShapeOptions{}, "load_case"_a = py::none(),
-        "What a maker asks; with a load case, also sag and stress.\n\nOptions: FactsOptions, progress\n");
+        "The facts that a maker needs; with a load case, also sag and stress.\n\nOptions: FactsOptions, "
+        "progress\n");
 }
 
 }  // namespace

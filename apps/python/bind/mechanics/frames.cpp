@@ -15,7 +15,7 @@ namespace {
 using namespace mechanics;
 
 void bind_shapes(py::module_& m) {
-    Record<RectangleShape>(m, "RectangleShape", "A rectangle; the width lies along local axis 2.")
+    Record<RectangleShape>(m, "RectangleShape", "A rectangular bar; its width lies along local axis 2.")
         .field("width", &RectangleShape::width, "m")
         .field("height", &RectangleShape::height, "m")
         .done();
@@ -24,8 +24,9 @@ void bind_shapes(py::module_& m) {
         .field("outer_diameter", &TubeShape::outer_diameter, "m")
         .field("inner_diameter", &TubeShape::inner_diameter, "m")
         .done();
-    Record<IShape>(m, "IShape", "Two flanges, joined by a web in the middle that stands along axis 3.")
-        .field("width", &IShape::width, "m, of the flanges")
+    Record<IShape>(m, "IShape",
+                   "A bar of two flanges and a web, which stands along axis 3 in the middle of the flanges.")
+        .field("width", &IShape::width, "width of the flanges, m")
         .field("height", &IShape::height, "m, over all")
         .field("flange_thickness", &IShape::flange_thickness, "m")
         .field("web_thickness", &IShape::web_thickness, "m")
@@ -33,17 +34,17 @@ void bind_shapes(py::module_& m) {
 }
 
 void bind_sections(py::module_& m) {
-    Record<Section>(
-        m, "Section",
-        "The cross-section of a beam. A beam bends by the numbers alone; its stress depends on the "
-        "shape, too.")
+    Record<Section>(m, "Section",
+                    "The cross-section of a beam. Deformations depend only on areas and moments; the stress "
+                    "depends on the shape, too.")
         .field("area", &Section::area, "m^2")
-        .field("I2", &Section::I2, "m^4; bends about axis 2: out of plane, for a beam in a flat pattern")
-        .field("I3", &Section::I3, "m^4; bends about axis 3: in the plane")
-        .field("J", &Section::J, "m^4; torsion constant")
-        .field("shear_area2", &Section::shear_area2, "m^2, along axis 2; None: shear-rigid")
-        .field("shear_area3", &Section::shear_area3, "m^2, along axis 3; None: shear-rigid")
-        .field("shape", &Section::shape, "None: the rectangle of the same area and second moments")
+        .field("I2", &Section::I2,
+               "second moment for bending about axis 2, m^4: out of the plane, for a beam in a flat pattern")
+        .field("I3", &Section::I3, "second moment for bending about axis 3, m^4: in the plane")
+        .field("J", &Section::J, "torsion constant, m^4")
+        .field("shear_area2", &Section::shear_area2, "shear area along axis 2, m^2; None: shear-rigid")
+        .field("shear_area3", &Section::shear_area3, "shear area along axis 3, m^2; None: shear-rigid")
+        .field("shape", &Section::shape, "shape; None: the rectangle with the same area and second moments")
         .done();
     m.def("rectangle_section", &rectangle_section, "width"_a, "height"_a,
           "A rectangle of `width` along axis 2 and `height` along axis 3 (m).\n\n"
@@ -55,11 +56,14 @@ void bind_sections(py::module_& m) {
     m.def("i_section", &i_section, "shape"_a);
     m.def(
         "section_of", [](const SectionShape& shape) { return section_of(shape); }, "shape"_a,
-        "The section of a shape. Raises InputError if a length is not positive, or parts do not fit.");
-    m.def("shape_of", &shape_of, "section"_a, "The shape of a section, or the rectangle of its numbers.");
-    m.def("shape_name", &shape_name, "shape"_a, "'rectangle', 'circle', 'tube' or 'I'.");
-    m.def("section_width", &section_width, "section"_a, "m, along local axis 2.");
-    m.def("section_height", &section_height, "section"_a, "m, along local axis 3.");
+        "The section of a shape. Raises InputError if a length is not positive, or if lengths contradict "
+        "each other.");
+    m.def("shape_of", &shape_of, "section"_a,
+          "The shape of a section; for a section without a shape, the rectangle with its area and second "
+          "moments.");
+    m.def("shape_name", &shape_name, "shape"_a, "The name of a shape: 'rectangle', 'circle', 'tube' or 'I'.");
+    m.def("section_width", &section_width, "section"_a, "The size of a section along local axis 2, m.");
+    m.def("section_height", &section_height, "section"_a, "The size of a section along local axis 3, m.");
     m.def("rectangle_width", &rectangle_width, "section"_a, "m, of the rectangle of the section's numbers.");
     m.def("rectangle_height", &rectangle_height, "section"_a,
           "m, of the rectangle of the section's numbers.");
@@ -76,7 +80,8 @@ void bind_material(py::module_& m) {
 }
 
 void bind_frame_parts(py::module_& m) {
-    Record<Release>(m, "Release", "A hinge: what an end of a beam does not pass on to its node.")
+    Record<Release>(m, "Release",
+                    "A hinge: the components that an end of a beam does not transmit to its node.")
         .field("end", &Release::end, "0 or 1")
         .field("free", &Release::free, "components in the beam's local axes at rest")
         .done();
@@ -93,12 +98,12 @@ void bind_frame_parts(py::module_& m) {
         .field("fixed", &Support::fixed, "names of components: 'all', 'ux uy uz', ('ux', 'rz')")
         .done();
     Record<PrescribedDisplacement>(m, "PrescribedDisplacement",
-                                   "A component of a displacement that is given.")
+                                   "A component of a displacement with a given value.")
         .field("node", &PrescribedDisplacement::node, "")
         .field("dof", &PrescribedDisplacement::dof, "")
         .field("value", &PrescribedDisplacement::value, "m or rad")
         .done();
-    Record<NodalLoad>(m, "NodalLoad", "Force and moment of fixed direction in space.")
+    Record<NodalLoad>(m, "NodalLoad", "A force and a moment of fixed direction in space.")
         .field("node", &NodalLoad::node, "")
         .field("force", &NodalLoad::force, "3 floats, N")
         .field("moment", &NodalLoad::moment, "3 floats, N m")
@@ -136,25 +141,26 @@ void bind_frame(py::module_& m) {
         .def_property_readonly("beam_nodes", &beam_nodes, "n x 2 ints: the nodes of all beams");
     Record<LabelledFrame>(m, "LabelledFrame", "A frame from a file whose nodes have labels.")
         .field("frame", &LabelledFrame::frame, "")
-        .field("labels", &LabelledFrame::labels, "one for each node")
-        .field("source", &LabelledFrame::source, "the file, for messages")
+        .field("labels", &LabelledFrame::labels, "label of each node")
+        .field("source", &LabelledFrame::source, "name of the file, for messages")
         .done();
 }
 
 void bind_frame_functions(py::module_& m) {
     m.def("validate", py::overload_cast<const Frame&>(&mechanics::validate), "frame"_a,
-          "Check what a frame must obey on its own. Raises InputError that names the node or beam.");
-    m.def("refined", &refined, "frame"_a, "times"_a, "The same frame with every beam in more elements.");
+          "Check that a frame is valid. Raises InputError that names the node or beam.");
+    m.def("refined", &refined, "frame"_a, "times"_a,
+          "The frame with this many times as many elements in every beam.");
     bind_files<Frame>(m, "frame", {&parse_frame, &frame_text, &read_frame, &write_frame});
     bind_enum<DeckReader>(m);
     m.def("parse_calculix", &parse_calculix, "text"_a, "source"_a = "text",
           "Read the beams of a CalculiX or Abaqus input deck.");
-    m.def("read_calculix", &read_calculix, "path"_a, "The same of a file.");
+    m.def("read_calculix", &read_calculix, "path"_a, "Read a deck file.");
     m.def("calculix_text", &calculix_text, "frame"_a, "reader"_a = DeckReader::Abaqus,
-          "The text of such a deck.");
+          "The text of a deck for a frame.");
     m.def("write_calculix", &write_calculix, "frame"_a, "path"_a);
     m.def("read_structure", &read_structure, "path"_a,
-          "Read a structure: a frame file, or a deck if its name ends in .inp.");
+          "Read a structure from a frame file, or from a deck if the file's name ends in .inp.");
     m.attr("STANDARD_GRAVITY") = kStandardGravity;
 }
 

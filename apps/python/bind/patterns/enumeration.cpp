@@ -36,16 +36,18 @@ void check_groups(const NodeLayout& layout, const FilterSettings& settings) {
 
 void bind_filter_values(py::module_& m) {
     bind_enum<FilterParameter>(m);
-    Record<FilterKind>(m, "FilterKind", "A row of the catalogue: a reason for which patterns are rejected.")
-        .constant("name", &FilterKind::name, "what the command line calls it")
-        .constant("doc", &FilterKind::doc, "one line: what it rejects")
-        .constant("parameter", &FilterKind::parameter, "radians, a whole number, or metres")
+    Record<FilterKind>(m, "FilterKind", "A row of the catalogue: one reason to reject a pattern.")
+        .constant("name", &FilterKind::name, "name on the command line and in the census")
+        .constant("doc", &FilterKind::doc, "one line about the patterns that the filter rejects")
+        .constant("parameter", &FilterKind::parameter,
+                  "the filter's number: radians, a whole number, or metres")
         .constant("is_of_the_paper", &FilterKind::is_of_the_paper, "always on")
         .constant("default_value", &FilterKind::default_value, "")
         .done(Made::ByFunctions);
-    Record<FilterChoice>(m, "FilterChoice", "A filter that is to be used, and its number.")
-        .field("name", &FilterChoice::name, "of the catalogue")
-        .field("value", &FilterChoice::value, "radians, a whole number, or metres; None: the catalogue's")
+    Record<FilterChoice>(m, "FilterChoice", "The choice of a filter, with its number.")
+        .field("name", &FilterChoice::name, "name of a row of the catalogue")
+        .field("value", &FilterChoice::value,
+               "the filter's number: radians, a whole number, or metres; None: the catalogue's default")
         .done();
     Record<EdgeGroup>(m, "EdgeGroup", "A set of edges with a name for people.")
         .field("name", &EdgeGroup::name, "'node n6'")
@@ -57,57 +59,55 @@ void bind_filter_values(py::module_& m) {
         .done();
     Record<Verdict>(m, "Verdict", "A filter's verdict on a pattern.")
         .field("accepted", &Verdict::accepted, "")
-        .field("filter", &Verdict::filter, "the name of the filter that rejects; empty if accepted")
-        .field("reason", &Verdict::reason, "one sentence; empty if accepted")
-        .field("guilty", &Verdict::guilty, "numbers of the candidate edges to be drawn in red")
+        .field("filter", &Verdict::filter, "name of the filter that rejects the pattern; empty if accepted")
+        .field("reason", &Verdict::reason, "reason in one sentence; empty if accepted")
+        .field("guilty", &Verdict::guilty, "numbers of the candidate edges that break the rule, drawn in red")
         .done();
 }
 
 void bind_filters(py::module_& m) {
     py::class_<Filter>(
         m, "Filter",
-        "A filter that is ready for one layout: of make_filters, or one of your own.\n\n"
-        ">>> import fretwork\n"
-        ">>> layout = fretwork.paper_layout()\n"
-        ">>> few = fretwork.Filter('many', lambda pattern: len(pattern) < 4, 'has many beams')\n"
-        ">>> settings = fretwork.FilterSettings(own=[few])\n"
-        ">>> max(map(len, fretwork.enumerate_patterns(layout, filters=settings)))\n"
-        "3\n")
+        "A filter with its rule for one layout, from make_filters() or your own.\n\n>>> import fretwork\n>>> "
+        "layout = fretwork.paper_layout()\n>>> few = fretwork.Filter('many', lambda pattern: len(pattern) < "
+        "4, 'has many beams')\n>>> settings = fretwork.FilterSettings(own=[few])\n>>> max(map(len, "
+        "fretwork.enumerate_patterns(layout, filters=settings)))\n3\n")
         .def(py::init([](std::string name, std::function<bool(const Pattern&)> is_kept, std::string phrase) {
                  return Filter{std::move(name), 0.0, PredicateRule{std::move(is_kept), std::move(phrase)}};
              }),
              "name"_a, "is_kept"_a, "phrase"_a = "the pattern is rejected",
-             "A filter of your own: `is_kept(pattern)` says whether a pattern stays; it is asked of each "
-             "pattern that the other filters keep. It may be called from several threads, one after the "
-             "other. layout.candidate_edges[e] are the nodes of an edge e of pattern.edges.")
+             "A filter of your own: `is_kept(pattern)` returns True if a pattern stays. It is called for "
+             "each pattern that the other filters keep, from several threads, but one at a time. "
+             "layout.candidate_edges[e] are the nodes of an edge e of pattern.edges.")
         .def_property_readonly("name", [](const Filter& self) { return self.name; })
         .def_property_readonly(
             "value", [](const Filter& self) { return self.value; },
-            "the number of a filter of the catalogue (radians, a whole number, or metres); 0 of your own")
+            "number of a filter of the catalogue (radians, a whole number, or metres); 0 for your own")
         .def("__repr__", [](const Filter& self) { return "<Filter " + self.name + ">"; });
     Record<FilterSettings>(m, "FilterSettings", "The requirements on patterns.")
         .field("choices", &FilterSettings::choices,
-               "FilterChoice's: values for the paper's six filters, and others that are switched on")
-        .field("required", &FilterSettings::required, "EdgeGroup's: of each, a pattern has at least one edge")
-        .field("forbidden", &FilterSettings::forbidden, "EdgeGroup's: of these, a pattern has no edge")
-        .field("scale", &FilterSettings::scale, "side and width that filters in metres are meant for")
-        .field("own", &FilterSettings::own, "Filter's of your own, for one layout")
+               "list of FilterChoice: numbers for the paper's six filters, and further filters")
+        .field("required", &FilterSettings::required,
+               "list of EdgeGroup; a pattern has at least one edge of each")
+        .field("forbidden", &FilterSettings::forbidden, "list of EdgeGroup; a pattern has no edge of any")
+        .field("scale", &FilterSettings::scale, "side and width to which filters in metres refer")
+        .field("own", &FilterSettings::own, "list of your own Filter, for one layout")
         .done();
     m.def(
         "filter_catalogue", [] { return filter_catalogue(); }, "All filters, the paper's six first.");
     m.def(
         "find_filter_kind", [](std::string_view name) { return find_filter_kind(name); }, "name"_a);
     m.def("parse_filter_choice", &parse_filter_choice, "text"_a,
-          "Read 'small_angle=20deg', 'short_edge=3mm' or 'asymmetric'.");
+          "Parse the choice of a filter: 'small_angle=20deg', 'short_edge=3mm' or 'asymmetric'.");
     m.def("parse_edge_group", &parse_edge_group, "layout"_a, "text"_a,
-          "Read an edge ('0-1') or a node ('n5': all edges at this node of the fan).");
+          "Parse an edge ('0-1') or a node ('n5': all edges at this node of the fan).");
     m.def(
         "make_filters",
         [](const NodeLayout& layout, const FilterSettings& settings) {
             check_groups(layout, settings);
             return make_filters(layout, settings);
         },
-        "layout"_a, "settings"_a = FilterSettings{}, "The filters that these settings ask for.");
+        "layout"_a, "settings"_a = FilterSettings{}, "The filters of these settings for one layout.");
     m.def(
         "judge",
         [](const NodeLayout& layout, const std::vector<Filter>& filters, const Pattern& pattern) {
@@ -124,22 +124,26 @@ void bind_filters(py::module_& m) {
 }
 
 void bind_enumeration_functions(py::module_& m) {
-    Record<EdgeRange>(m, "EdgeRange", "How many edges a pattern may have, both ends included.")
+    Record<EdgeRange>(m, "EdgeRange", "The range of the number of edges of a pattern, both ends included.")
         .field("least", &EdgeRange::least, "")
         .field("most", &EdgeRange::most, "")
         .done();
-    m.def("default_edge_range", &default_edge_range, "layout"_a,
-          "2 to 11 for the paper's layout, as its table; for any other, 2 to all.");
-    Record<EnumerationOptions>(m, "EnumerationOptions", "How patterns are enumerated.")
+    m.def(
+        "default_edge_range", &default_edge_range, "layout"_a,
+        "The default range: 2 to 11 for the paper's layout, as in its table; 2 to all for any other layout.");
+    Record<EnumerationOptions>(m, "EnumerationOptions", "Options of the enumeration.")
         .field("edges", &EnumerationOptions::edges,
-               "EdgeRange(least, most) of the number of edges; an upper end beyond the number of candidates "
-               "is clipped")
-        .field("filters", &EnumerationOptions::filters, "FilterSettings: what patterns must have")
-        .field("threads", &EnumerationOptions::threads, "0: all there are; the result does not depend on it")
-        .field("most_kept", &EnumerationOptions::most_kept, "patterns that are kept before their turn")
+               "EdgeRange(least, most) of the number of edges; an upper end beyond the number of candidate "
+               "edges is clipped")
+        .field("filters", &EnumerationOptions::filters, "FilterSettings: the rules that patterns keep")
+        .field("threads", &EnumerationOptions::threads,
+               "number of threads; 0: one for each processor; the result does not depend on the number")
+        .field("most_kept", &EnumerationOptions::most_kept,
+               "largest number of patterns that each piece of the search stores until they are passed on in "
+               "order")
         .done();
-    Record<PatternCount>(m, "PatternCount", "How many patterns there are.")
-        .constant("by_edges", &PatternCount::by_edges, "entry k: those with k edges")
+    Record<PatternCount>(m, "PatternCount", "The number of patterns, by their number of edges.")
+        .constant("by_edges", &PatternCount::by_edges, "entry k: number of patterns with k edges")
         .done(Made::ByFunctions)
         .def_property_readonly("total", &PatternCount::total);
     m.def(
@@ -174,19 +178,20 @@ void bind_enumeration_functions(py::module_& m) {
             check_groups(layout, keywords.options.filters);
             return keywords.run([&](const auto& options) { return count_patterns(layout, options); });
         },
-        "layout"_a, "How many valid patterns there are.\n\nOptions: EnumerationOptions, progress\n");
+        "layout"_a, "Count the valid patterns.\n\nOptions: EnumerationOptions, progress\n");
 }
 
 void bind_census(py::module_& m) {
-    Record<CensusRow>(m, "CensusRow", "The graphs of one number of edges.")
+    Record<CensusRow>(m, "CensusRow", "A row of the census: the graphs with one number of edges.")
         .constant("edges", &CensusRow::edges, "")
-        .constant("patterns", &CensusRow::patterns, "all graphs of this number of candidate edges")
+        .constant("patterns", &CensusRow::patterns,
+                  "number of all graphs with this number of candidate edges")
         .constant("rejected", &CensusRow::rejected,
-                  "for each filter, how many break its rule; None where that cannot be counted")
-        .constant("valid", &CensusRow::valid, "those that keep every rule")
+                  "for each filter, number of graphs that break its rule; None if it cannot be counted")
+        .constant("valid", &CensusRow::valid, "number of graphs that keep every rule")
         .done(Made::ByFunctions);
     Record<Census>(m, "Census", "The paper's Table 1, for any layout.")
-        .constant("filters", &Census::filters, "the columns of `rejected`")
+        .constant("filters", &Census::filters, "names of the columns of `rejected`")
         .constant("rows", &Census::rows, "")
         .done(Made::ByFunctions)
         .def_property_readonly("valid", &Census::valid);
@@ -198,13 +203,11 @@ void bind_census(py::module_& m) {
             return keywords.run([&](const auto& options) { return take_census(layout, options); });
         },
         "layout"_a,
-        "Count what each filter rejects and what all of them leave.\n\n"
-        "Options: EnumerationOptions, progress\n\n"
-        ">>> import fretwork\n"
-        ">>> fretwork.take_census(fretwork.paper_layout()).valid\n"
-        "1824\n");
-    m.def("census_csv", &census_csv, "census"_a, "The table as CSV.");
-    Record<Rejection>(m, "Rejection", "A rejected graph, and the reason.")
+        "Count the graphs that each filter rejects, and the graphs that all filters accept.\n\nOptions: "
+        "EnumerationOptions, progress\n\n>>> import fretwork\n>>> "
+        "fretwork.take_census(fretwork.paper_layout()).valid\n1824\n");
+    m.def("census_csv", &census_csv, "census"_a, "The census as CSV.");
+    Record<Rejection>(m, "Rejection", "A rejected graph, and the verdict that rejects it.")
         .constant("pattern", &Rejection::pattern, "")
         .constant("verdict", &Rejection::verdict, "")
         .done(Made::ByFunctions);
@@ -217,21 +220,22 @@ void bind_census(py::module_& m) {
                 [&](const auto& options) { return find_rejections(layout, options, per_filter); });
         },
         "layout"_a, "per_filter"_a,
-        "For each filter, at most `per_filter` graphs that break its rule and no other. "
-        "judge(layout, make_filters(layout, settings), pattern) says why one pattern is "
-        "rejected.\n\nOptions: EnumerationOptions, "
-        "progress\n");
+        "For each filter, up to `per_filter` graphs that break only its rule. For the reason why one pattern "
+        "is rejected, call judge(layout, make_filters(layout, settings), pattern).\n\nOptions: "
+        "EnumerationOptions, progress\n");
 }
 
 void bind_samples(py::module_& m) {
-    Record<CountEstimate>(m, "CountEstimate", "How many valid patterns a layout has, guessed from trials.")
-        .constant("valid", &CountEstimate::valid, "the estimate: unbiased")
-        .constant("lower", &CountEstimate::lower, "with `confidence`, the number lies between these two")
+    Record<CountEstimate>(m, "CountEstimate",
+                          "The number of valid patterns of a layout, estimated from random trials.")
+        .constant("valid", &CountEstimate::valid, "unbiased estimate of the number")
+        .constant("lower", &CountEstimate::lower,
+                  "end of the interval that contains the number with the probability `confidence`")
         .constant("upper", &CountEstimate::upper, "")
         .constant("confidence", &CountEstimate::confidence, "")
         .constant("trials", &CountEstimate::trials, "")
-        .constant("hits", &CountEstimate::hits, "trials that met a valid pattern")
-        .constant("proposals", &CountEstimate::proposals, "graphs among which a trial chooses")
+        .constant("hits", &CountEstimate::hits, "number of trials that drew a valid pattern")
+        .constant("proposals", &CountEstimate::proposals, "number of graphs from which a trial draws")
         .done(Made::ByFunctions);
     py::class_<PatternSampler>(
         m, "PatternSampler",
@@ -244,28 +248,33 @@ void bind_samples(py::module_& m) {
              }),
              "layout"_a, "seed"_a, "Options: EnumerationOptions\n")
         .def("draw", &PatternSampler::draw, "count"_a, "most_trials"_a = std::uint64_t{100'000'000},
-             py::call_guard<py::gil_scoped_release>(), "The next patterns; one may come more than once.")
+             py::call_guard<py::gil_scoped_release>(),
+             "The next patterns; a pattern may be drawn more than once.")
         .def("estimate", &PatternSampler::estimate, "trials"_a, py::call_guard<py::gil_scoped_release>(),
-             "Estimate how many valid patterns there are, from additional trials.");
+             "Estimate the number of valid patterns from additional trials.");
 }
 
 void bind_sameness(py::module_& m) {
     bind_enum<Symmetry>(m);
-    Record<PatternSameness>(m, "PatternSameness", "The relations of a pattern to the others of a list.")
+    Record<PatternSameness>(m, "PatternSameness",
+                            "The relations of a pattern to the other patterns of a list.")
         .constant("symmetry", &PatternSameness::symmetry, "")
-        .constant("mirror_partner", &PatternSameness::mirror_partner,
-                  "position of the mirror image, if it is another pattern of the list")
+        .constant(
+            "mirror_partner", &PatternSameness::mirror_partner,
+            "position of the mirror image in the list; None if it is the pattern itself or not in the list")
         .constant("isomorphism_class", &PatternSameness::isomorphism_class,
-                  "patterns whose fans are isomorphic have the same")
+                  "number of the class of patterns with isomorphic fans")
         .done(Made::ByFunctions);
-    Record<SamenessOptions>(m, "SamenessOptions", "How sameness is looked for.")
-        .field("threads", &SamenessOptions::threads, "0: all there are")
+    Record<SamenessOptions>(m, "SamenessOptions", "Options of find_sameness().")
+        .field("threads", &SamenessOptions::threads, "number of threads; 0: one for each processor")
         .done();
     Record<SamenessReport>(m, "SamenessReport",
                            "Mirror images and isomorphism classes of a list of patterns.")
-        .constant("of_pattern", &SamenessReport::of_pattern, "in the order of the list")
-        .constant("up_to_mirror", &SamenessReport::up_to_mirror, "patterns, where a mirror pair counts once")
-        .constant("up_to_isomorphism", &SamenessReport::up_to_isomorphism, "isomorphism classes")
+        .constant("of_pattern", &SamenessReport::of_pattern,
+                  "one entry for each pattern, in the order of the list")
+        .constant("up_to_mirror", &SamenessReport::up_to_mirror,
+                  "number of patterns if a mirror pair counts once")
+        .constant("up_to_isomorphism", &SamenessReport::up_to_isomorphism, "number of isomorphism classes")
         .done(Made::ByFunctions);
     m.def(
         "find_sameness",

@@ -22,13 +22,9 @@ void bind_layout(py::module_& m) {
         .done(Made::ByFunctions);
     py::class_<NodeLayout> layout(
         m, "NodeLayout",
-        "The nodes that a pattern may use, and the edges that it may choose from.\n\n"
-        ">>> import fretwork\n"
-        ">>> layout = fretwork.find_node_layout('paper7')\n"
-        ">>> len(layout.nodes), len(layout.candidate_edges)\n"
-        "(7, 17)\n"
-        ">>> layout.candidate_edges[0]\n"
-        "(0, 1)\n");
+        "The nodes that a pattern may use, and the edges that it may choose.\n\n>>> import fretwork\n>>> "
+        "layout = fretwork.find_node_layout('paper7')\n>>> len(layout.nodes), "
+        "len(layout.candidate_edges)\n(7, 17)\n>>> layout.candidate_edges[0]\n(0, 1)\n");
     layout
         .def(py::init([](std::string name, bool center, bool corners, std::vector<Rational> radial,
                          std::vector<std::array<Rational, 3>> face, std::vector<Rational> interface) {
@@ -38,22 +34,19 @@ void bind_layout(py::module_& m) {
              "name"_a, py::kw_only(), "center"_a = true, "corners"_a = false,
              "radial"_a = std::vector<Rational>{}, "face"_a = std::vector<std::array<Rational, 3>>{},
              "interface"_a = std::vector<Rational>{},
-             "A layout of your own. Places are exact: ints, Fractions, or texts such as '1/3'.\n\n"
-             "radial: distances from v0 along v0 v1 and v0 v2, as shares of their length\n"
-             "face: barycentric places (v0, v1, v2)\n"
-             "interface: distances from v1 along v1 v2, as shares of its length\n\n"
-             "Raises InputError that names the node and the rule which it breaks.\n\n"
-             ">>> import fretwork\n"
-             ">>> own = fretwork.NodeLayout('own', radial=['1/2'], interface=['1/2'])\n"
-             ">>> len(own.nodes)\n"
-             "4\n")
+             "Make a layout of your own. Places are exact: ints, Fractions, or texts such as "
+             "'1/3'.\n\nradial: distances from v0 along v0 v1 and v0 v2, as shares of their length\nface: "
+             "barycentric places (v0, v1, v2)\ninterface: distances from v1 along v1 v2, as shares of its "
+             "length\n\nRaises InputError that names the node and the rule which it breaks.\n\n>>> import "
+             "fretwork\n>>> own = fretwork.NodeLayout('own', radial=['1/2'], interface=['1/2'])\n>>> "
+             "len(own.nodes)\n4\n")
         .def_property_readonly("name", [](const NodeLayout& self) { return self.name(); })
         .def_property_readonly(
             "nodes",
             [](const NodeLayout& self) {
                 return Frozen<base::IndexVector<LayoutNodeIndex, LayoutNode>>{self.nodes()};
             },
-            "Tuple of LayoutNode: center, radial nodes on v0 v1, those on v0 v2, face nodes, "
+            "Tuple of LayoutNode: center, radial nodes on v0 v1, radial nodes on v0 v2, face nodes, "
             "interface nodes, corners.")
         .def_property_readonly(
             "places",
@@ -83,7 +76,8 @@ void bind_layout(py::module_& m) {
                 return self.left_partner(LayoutNodeIndex(checked_index(node, self.nodes().size(), "node")));
             },
             "node"_a,
-            "For a node on v0 v2 its partner on v0 v1: the same node of the fan, one sector further.")
+            "For a node on v0 v2, its partner on v0 v1, which is the same node of the fan in the next "
+            "sector; for any other node, the node itself.")
         .def(
             "__eq__",
             [](const NodeLayout& self, const NodeLayout& other) {
@@ -107,14 +101,12 @@ void bind_layout_functions(py::module_& m) {
     m.def("node_layout_text", &node_layout_text, "layout"_a, "The text of a layout file.");
     m.def("parse_node_layout", &parse_node_layout, "text"_a, "source"_a = "text",
           "The inverse of node_layout_text.");
-    m.def("layout_names", &layout_names, "The names of the layouts that the library brings along.");
+    m.def("layout_names", &layout_names, "The names of the built-in layouts.");
     m.def(
         "paper_layout", [] { return paper_layout(); }, "The paper's layout, 'paper7'.");
     m.def("find_node_layout", &find_node_layout, "name_or_path"_a,
-          "A layout by its name, if the library brings it along, else by its file.\n\n"
-          ">>> import fretwork\n"
-          ">>> fretwork.find_node_layout('paper7').name\n"
-          "'paper7'\n");
+          "The built-in layout with a name or, if there is none, the layout in the file with this "
+          "path.\n\n>>> import fretwork\n>>> fretwork.find_node_layout('paper7').name\n'paper7'\n");
 }
 
 void bind_pattern(py::module_& m) {
@@ -130,7 +122,7 @@ void bind_pattern(py::module_& m) {
         .def(py::init<const Pattern::Bits&>(), "edges"_a = Pattern::Bits{})
         .def_property_readonly(
             "edges", [](const Pattern& self) { return self.bits(); },
-            "Numbers of the chosen candidate edges, ascending.")
+            "The numbers of the chosen candidate edges, ascending.")
         .def_property_readonly("edge_count", &Pattern::edge_count)
         .def(
             "has",
@@ -168,9 +160,9 @@ void bind_pattern_functions(py::module_& m) {
             check(layout, pattern);
             return pattern_id(layout, pattern);
         },
-        "layout"_a, "pattern"_a, "The id of a pattern: '0-1+1-6'. Stable for ever.");
+        "layout"_a, "pattern"_a, "The id of a pattern, such as '0-1+1-6'. The format never changes.");
     m.def("parse_pattern_id", &parse_pattern_id, "layout"_a, "id"_a,
-          "The pattern of an id, with or without its layout's name in front.");
+          "The pattern with an id, which may have the layout's name in front.");
     m.def(
         "named",
         [](const NodeLayout& layout, const Pattern& pattern) {
@@ -179,7 +171,7 @@ void bind_pattern_functions(py::module_& m) {
         },
         "layout"_a, "pattern"_a, "A pattern with its id.");
     m.def("parse_named_pattern", &parse_named_pattern, "layout"_a, "id"_a,
-          "As parse_pattern_id; the id becomes the one that pattern_id gives.");
+          "The pattern with an id, as by parse_pattern_id(), together with the id that pattern_id() gives.");
     m.def(
         "parse_named_patterns",
         [](const NodeLayout& layout, const std::vector<std::string>& ids) {
@@ -196,14 +188,15 @@ void bind_pattern_functions(py::module_& m) {
             return Mirror(layout).image(pattern);
         },
         "layout"_a, "pattern"_a,
-        "The mirror image of a pattern; None if it uses a face node without a twin.");
+        "The mirror image of a pattern; None if the pattern uses a face node whose mirror image is not in "
+        "the layout.");
     m.def(
         "is_symmetric",
         [](const NodeLayout& layout, const Pattern& pattern) {
             check(layout, pattern);
             return Mirror(layout).is_symmetric(pattern);
         },
-        "layout"_a, "pattern"_a, "Whether a pattern is its own mirror image.");
+        "layout"_a, "pattern"_a, "True if a pattern is its own mirror image.");
 }
 
 void bind_fan(py::module_& m) {
@@ -217,9 +210,9 @@ void bind_fan(py::module_& m) {
         .done(Made::ByFunctions);
     outer.constant("sides", &Fan::sides, "")
         .constant("interface_node_count", &Fan::interface_node_count,
-                  "sides times the interface nodes of a side")
+                  "number of interface nodes on all sides together")
         .constant("nodes", &Fan::nodes, "")
-        .constant("edges", &Fan::edges, "pairs of nodes, each once, sorted, the smaller first")
+        .constant("edges", &Fan::edges, "pairs of nodes, each once, smaller node first; sorted")
         .done(Made::ByFunctions);
     m.def(
         "make_fan",
@@ -236,8 +229,7 @@ void bind_fan(py::module_& m) {
             return place_fan(layout, fan, polygon);
         },
         "layout"_a, "fan"_a, "polygon"_a,
-        "Where the nodes of a fan lie in a convex polygon (n x 2, m): an array with a row for each node "
-        "(m).");
+        "The positions (m) of the nodes of a fan in a convex polygon (n x 2, m), one row for each node.");
     m.def("regular_polygon", &geometry::regular_polygon, "sides"_a, "side"_a,
           "The regular polygon around the origin whose first side faces down; `side` in m. n x 2 floats.");
 }

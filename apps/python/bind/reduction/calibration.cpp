@@ -56,7 +56,8 @@ struct CalibrationTask {
 };
 
 void bind_objective(py::module_& m) {
-    Record<ErrorMetric>(m, "ErrorMetric", "How translations and rotations enter the error of a sample.")
+    Record<ErrorMetric>(m, "ErrorMetric",
+                        "The weights of translations and rotations in the error of a sample.")
         .field("translation_weight", &ErrorMetric::translation_weight, "w_trans")
         .field("rotation_weight", &ErrorMetric::rotation_weight, "w_rot")
         .field("smallest_translation", &ErrorMetric::smallest_translation, "eps_trans, m")
@@ -103,27 +104,29 @@ void bind_objective(py::module_& m) {
                 require(self, model);
                 return self.objective.scenario_errors(model);
             },
-            "model"_a, "The parts of E, one for each scenario.")
+            "model"_a, "The contributions to E, one for each scenario.")
         .def_property_readonly("sample_count",
                                [](const OwnedObjective& self) { return self.objective.sample_count(); });
 }
 
 void bind_calibrations(py::module_& m) {
-    Record<CalibrationOptions>(m, "CalibrationOptions", "How a tile model is fitted.")
+    Record<CalibrationOptions>(m, "CalibrationOptions", "Options of calibrate().")
         .field("optimizer", &CalibrationOptions::optimizer,
-               "the name of a row of optimizer_catalogue(), or of one of `optimizers`")
-        .field("starts", &CalibrationOptions::starts, "descents, or repetitions of a method that has none")
-        .field("seed", &CalibrationOptions::seed, "of all randomness")
-        .field("budget", &CalibrationOptions::budget, "evaluations of the objective at most")
+               "name of a row of optimizer_catalogue() or of `optimizers`")
+        .field("starts", &CalibrationOptions::starts,
+               "number of descents, or of repetitions of a method without descents")
+        .field("seed", &CalibrationOptions::seed, "seed of all random choices")
+        .field("budget", &CalibrationOptions::budget, "largest number of evaluations of the objective")
         .done();
     Record<Calibration>(m, "Calibration",
                         "A tile model fitted to, or compared with, the responses of a pattern.")
-        .constant("model", &Calibration::model, "a row of the tile models")
-        .constant("optimizer", &Calibration::optimizer, "'none' where nothing is fitted")
+        .constant("model", &Calibration::model, "name of the tile model")
+        .constant("optimizer", &Calibration::optimizer, "name of the optimizer; 'none' if nothing is fitted")
         .constant("seed", &Calibration::seed, "")
         .constant("starts", &Calibration::starts, "")
         .constant("objective", &Calibration::objective, "E of Eq. (8) at the parameters")
-        .constant("scenario_errors", &Calibration::scenario_errors, "the parts of E, by scenario")
+        .constant("scenario_errors", &Calibration::scenario_errors,
+                  "contributions to E, one for each scenario")
         .constant("evaluations", &Calibration::evaluations, "")
         .constant("parameters", &Calibration::parameters, "by name, SI")
         .constant("at_bound", &Calibration::at_bound, "names of the parameters at a bound")
@@ -174,9 +177,8 @@ void bind_calibrate(py::module_& m) {
                 std::function<std::vector<NamedValue>(const Eigen::VectorXd&)>(std::move(parameters)));
         },
         "model"_a, "layout"_a, "pattern"_a, "setting"_a, "responses"_a,
-        "The calibration as a Problem for any optimizer, and the function that gives the parameters, by "
-        "name, at one "
-        "of its points.");
+        "The calibration as a Problem for any optimizer, and a function that returns the parameters, by "
+        "name, at a point of the problem.");
 }
 
 }  // namespace

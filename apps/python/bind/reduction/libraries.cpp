@@ -30,23 +30,23 @@ std::vector<pattern::NamedPattern> patterns_of(const Library& library, const std
 
 void bind_rows(py::module_& m) {
     bind_enum<Access>(m);
-    Record<CalibrationKey>(m, "CalibrationKey", "The key of a calibration among those of one pattern.")
+    Record<CalibrationKey>(m, "CalibrationKey", "The key that distinguishes the calibrations of one pattern.")
         .field("model", &CalibrationKey::model, "")
         .field("optimizer", &CalibrationKey::optimizer, "")
         .field("seed", &CalibrationKey::seed, "")
         .field("starts", &CalibrationKey::starts, "")
-        .field("budget", &CalibrationKey::budget, "evaluations at most")
+        .field("budget", &CalibrationKey::budget, "largest number of evaluations")
         .done();
     Record<CalibrationRecord>(m, "CalibrationRecord", "A calibration with the library's notes on it.")
         .constant("calibration", &CalibrationRecord::calibration, "")
-        .constant("budget", &CalibrationRecord::budget, "evaluations at most")
+        .constant("budget", &CalibrationRecord::budget, "largest number of evaluations")
         .constant("seconds", &CalibrationRecord::seconds, "wall time")
         .done()
         .def_property_readonly("key", &CalibrationRecord::key);
-    Record<PatternSummary>(m, "PatternSummary", "How much a library has of one pattern.")
+    Record<PatternSummary>(m, "PatternSummary", "A summary of the data that a library has of one pattern.")
         .constant("pattern", &PatternSummary::pattern, "id")
         .constant("edges", &PatternSummary::edges, "")
-        .constant("samples", &PatternSummary::samples, "of its responses; 0: no responses")
+        .constant("samples", &PatternSummary::samples, "number of samples of its responses; 0: no responses")
         .constant("converged_samples", &PatternSummary::converged_samples, "")
         .constant("stable_samples", &PatternSummary::stable_samples, "")
         .constant("limit_load_samples", &PatternSummary::limit_load_samples, "")
@@ -54,17 +54,17 @@ void bind_rows(py::module_& m) {
         .constant("best_objective", &PatternSummary::best_objective, "")
         .constant("failures", &PatternSummary::failures, "")
         .done(Made::ByFunctions);
-    Record<FoundPattern>(m, "FoundPattern", "A pattern that Library.find has found.")
+    Record<FoundPattern>(m, "FoundPattern", "A pattern that Library.find() has found.")
         .constant("id", &FoundPattern::id, "")
-        .constant("mirror", &FoundPattern::mirror, "id of the mirror image; empty: none")
-        .constant("values", &FoundPattern::values, "for each column; None: not known")
+        .constant("mirror", &FoundPattern::mirror, "id of the mirror image; empty if the layout has none")
+        .constant("values", &FoundPattern::values, "a value for each column; None: not known")
         .done(Made::ByFunctions);
-    Record<FoundPatterns>(m, "FoundPatterns", "The patterns that Library.find has found, in its order.")
-        .constant("columns", &FoundPatterns::columns, "names of the values")
+    Record<FoundPatterns>(m, "FoundPatterns", "The patterns that Library.find() has found, in its order.")
+        .constant("columns", &FoundPatterns::columns, "names of the columns")
         .constant("patterns", &FoundPatterns::patterns, "")
         .constant("known", &FoundPatterns::known, "number of all patterns with known behaviour")
         .done(Made::ByFunctions);
-    Record<Failure>(m, "Failure", "A pattern on which a computation failed.")
+    Record<Failure>(m, "Failure", "A recorded failure of a computation on one pattern.")
         .field("pattern", &Failure::pattern, "id")
         .field("computation", &Failure::computation, "")
         .field("reason", &Failure::reason, "one line")
@@ -161,7 +161,7 @@ LibraryClass bind_opening(py::module_& m) {
             "create",
             [](const std::filesystem::path& path, const pattern::NodeLayout& layout,
                const reduction::Setting& setting) { return shared(Library::create(path, layout, setting)); },
-            "path"_a, "layout"_a, "setting"_a, "Make a new file. Raises InputError if there is one already.")
+            "path"_a, "layout"_a, "setting"_a, "Create a new file. Raises InputError if the file exists.")
         .def_static(
             "open",
             [](const std::filesystem::path& path, Access access) {
@@ -197,13 +197,13 @@ void bind_content(LibraryClass& type) {
         .def("pattern_count", [](LibraryObject& self) { return self.use()->pattern_count(); })
         .def(
             "patterns", [](LibraryObject& self) { return self.use()->patterns(); },
-            "All patterns by number of edges, then by their edges.")
+            "All patterns, sorted by number of edges and then by their edges.")
         .def(
             "sample", [](LibraryObject& self, std::size_t size) { return self.use()->sample(size); },
             "size"_a, "Up to `size` patterns, spread over the numbers of edges.")
         .def(
             "summaries", [](LibraryObject& self) { return self.use()->summaries(); },
-            "One row for each pattern.")
+            "One summary for each pattern.")
         .def("fitted_patterns", [](LibraryObject& self) { return self.use()->fitted_patterns(); })
         .def(
             "objectives",
@@ -216,15 +216,17 @@ void bind_content(LibraryClass& type) {
                 return self.use()->find({where, sort, descending, limit});
             },
             "where"_a = "", "sort"_a = "", "descending"_a = false, "limit"_a = 0,
-            "The patterns with the wanted behaviour: both are SQL expressions of the columns, such as "
-            "\"bending_poisson < 0\". InputError names the place in an expression that is none.")
+            "The patterns with the wanted behaviour. `where` and `sort` are SQL expressions over the "
+            "columns, such as \"bending_poisson < 0\". Raises InputError that names the place in an invalid "
+            "expression.")
         .def(
             "find_pattern",
             [](LibraryObject& self, std::string_view id) { return self.use()->find_pattern(id); }, "id"_a)
         .def("failures", [](LibraryObject& self) { return self.use()->failures(); })
         .def(
             "responses", [](LibraryObject& self, std::string_view id) { return self.use()->responses(id); },
-            "pattern_id"_a, "In the order of the setting's scenarios; empty if they are not there.")
+            "pattern_id"_a,
+            "The responses of a pattern in the order of the setting's scenarios; empty if none are stored.")
         .def(
             "response_arrays",
             [](LibraryObject& self, const std::optional<Names>& patterns) {
@@ -238,7 +240,7 @@ void bind_content(LibraryClass& type) {
         .def(
             "best_calibrations",
             [](LibraryObject& self, std::string_view id) { return self.use()->best_calibrations(id); },
-            "pattern_id"_a, "For each tile model, the one with the smallest objective.")
+            "pattern_id"_a, "For each tile model, the calibration with the smallest objective.")
         .def(
             "best_fit", [](LibraryObject& self, std::string_view id) { return self.use()->best_fit(id); },
             "pattern_id"_a)
@@ -252,7 +254,7 @@ void bind_content(LibraryClass& type) {
             "pattern_id"_a, "By name, SI.")
         .def(
             "content_hash", [](LibraryObject& self) { return self.use()->content_hash(); },
-            "A SHA-256 of the content, whatever the order in which it came in.")
+            "A SHA-256 of the content, independent of the order in which the content was stored.")
         .def(
             "has_content",
             [](LibraryObject& self, std::string_view hash) { return self.use()->has_content(hash); },
@@ -263,7 +265,8 @@ void bind_changes(LibraryClass& type) {
     type.def(
             "check_setting",
             [](LibraryObject& self, const reduction::Setting& wanted) { self.use()->check_setting(wanted); },
-            "wanted"_a, "Raises InputError that names the first difference.")
+            "wanted"_a,
+            "Check that the library has this setting. Raises InputError that names the first difference.")
         .def(
             "check_layout",
             [](LibraryObject& self, const pattern::NodeLayout& wanted) { self.use()->check_layout(wanted); },
@@ -271,7 +274,7 @@ void bind_changes(LibraryClass& type) {
         .def(
             "adopt_setting",
             [](LibraryObject& self, const reduction::Setting& wanted) { self.use()->adopt_setting(wanted); },
-            "wanted"_a, "Take another setting while nothing has been computed.")
+            "wanted"_a, "Replace the setting, if nothing has been computed under the present one.")
         .def(
             "add_patterns",
             [](LibraryObject& self, const std::vector<pattern::Pattern>& patterns,
@@ -282,12 +285,14 @@ void bind_changes(LibraryClass& type) {
                     return use->add_patterns(patterns, control);
                 });
             },
-            "patterns"_a, "progress"_a = py::none(), "How many of them are new.")
+            "patterns"_a, "progress"_a = py::none(),
+            "Add patterns that the library lacks. Returns the number of patterns added.")
         .def(
             "store",
             [](LibraryObject& self, const std::vector<PatternData>& batch,
                const std::vector<Failure>& failures) { self.use()->store(batch, failures); },
-            "batch"_a, "failures"_a = std::vector<Failure>{}, "All of it in one transaction, or nothing.")
+            "batch"_a, "failures"_a = std::vector<Failure>{},
+            "Store a batch in one transaction, completely or not at all.")
         .def("forget_failures", [](LibraryObject& self) { self.use()->forget_failures(); })
         .def(
             "export_csv",
@@ -298,20 +303,22 @@ void bind_changes(LibraryClass& type) {
                     return true;
                 });
             },
-            "folder"_a, "progress"_a = py::none(), "Each table as one CSV file.");
+            "folder"_a, "progress"_a = py::none(), "Write each table as one CSV file.");
 }
 
 void bind_fill(py::module_& m, LibraryClass& type) {
-    Record<FillReport>(m, "FillReport", "What fill() did.")
-        .constant("open", &FillReport::open, "patterns that lacked the calibration at the start")
-        .constant("done", &FillReport::done, "of them, calibrated now")
-        .constant("failed", &FillReport::failed, "of them, recorded as failed now")
-        .constant("dead_starts", &FillReport::dead_starts, "starts that went nowhere")
+    Record<FillReport>(m, "FillReport", "The report of fill().")
+        .constant("open", &FillReport::open, "number of patterns that lacked the calibration at the start")
+        .constant("done", &FillReport::done, "number of patterns calibrated by this call")
+        .constant("failed", &FillReport::failed, "number of patterns recorded as failed by this call")
+        .constant("dead_starts", &FillReport::dead_starts, "number of starts without a descent")
         .done(Made::ByFunctions);
-    Record<FillOptions>(m, "FillOptions", "Which calibration fill() adds to each pattern, and how it works.")
+    Record<FillOptions>(
+        m, "FillOptions",
+        "Options of fill(): the calibration that fill() adds to each pattern, and the way fill() runs.")
         .field("model", &FillOptions::model, "")
         .field("calibration", &FillOptions::calibration, "")
-        .field("threads", &FillOptions::threads, "0: all there are")
+        .field("threads", &FillOptions::threads, "number of threads; 0: one for each processor")
         .field("seconds_between_stores", &FillOptions::seconds_between_stores, "0: at once")
         .done();
     type.def(
@@ -328,27 +335,27 @@ void bind_fill(py::module_& m, LibraryClass& type) {
             return keywords.run([&](const auto& options) { return fill(*use, wanted, options); });
         },
         "patterns"_a = py::none(),
-        "Compute what is lacking of these patterns (ids; None: all): responses, effective properties, and a "
-        "calibration. `models` and `optimizers` are rows of your own beside the built-in ones. Stopped by "
-        "Ctrl-C, it "
-        "keeps what is done.\n\n"
-        "Options: FillOptions, models, optimizers, progress\n");
+        "Compute the missing data of these patterns (ids; None: all): responses, effective properties, and a "
+        "calibration. `models` and `optimizers` are your own rows in addition to the built-in rows. After "
+        "Ctrl-C, finished patterns are kept.\n\nOptions: FillOptions, models, optimizers, progress\n");
 }
 
 void bind_statistics(py::module_& m, LibraryClass& type) {
-    Record<FarAbove>(m, "FarAbove", "A calibration whose objective lies far above those of its like.")
+    Record<FarAbove>(m, "FarAbove",
+                     "A calibration whose objective lies far above those of comparable calibrations.")
         .constant("pattern", &FarAbove::pattern, "id")
         .constant("objective", &FarAbove::objective, "")
         .done(Made::ByFunctions);
     Record<CalibrationStatistics>(m, "CalibrationStatistics", "Statistics of the calibrations of one key.")
         .constant("calibrated", &CalibrationStatistics::calibrated, "")
-        .constant("mean", &CalibrationStatistics::mean, "of the objective E")
-        .constant("deviation", &CalibrationStatistics::deviation, "of the population")
+        .constant("mean", &CalibrationStatistics::mean, "mean of the objective E")
+        .constant("deviation", &CalibrationStatistics::deviation,
+                  "standard deviation of E over these patterns")
         .constant("median", &CalibrationStatistics::median, "")
         .constant("far_above_limit", &CalibrationStatistics::far_above_limit, "")
         .constant("far_above", &CalibrationStatistics::far_above, "")
         .constant("at_bound", &CalibrationStatistics::at_bound,
-                  "patterns with a parameter at a bound, by name")
+                  "for each parameter, number of patterns with this parameter at a bound")
         .constant("samples", &CalibrationStatistics::samples, "")
         .constant("converged", &CalibrationStatistics::converged, "")
         .constant("limit_load", &CalibrationStatistics::limit_load, "")
@@ -360,7 +367,8 @@ void bind_statistics(py::module_& m, LibraryClass& type) {
             const auto use = self.use();
             return calibration_statistics(*use, patterns_of(*use, patterns), key);
         },
-        "key"_a, "patterns"_a = py::none(), "Of these patterns (ids; None: all).");
+        "key"_a, "patterns"_a = py::none(),
+        "Statistics of the calibrations of these patterns (ids; None: all).");
     m.def(
         "merge",
         [](const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs,

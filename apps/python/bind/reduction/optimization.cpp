@@ -36,7 +36,7 @@ void bind_problem(py::module_& m) {
         .def_property_readonly("cost_unit", &Problem::cost_unit)
         .def_property_readonly("has_kinks", &Problem::has_kinks)
         .def("offers", &Problem::offers, "kind"_a)
-        .def("cost", &Problem::cost, "kind"_a, "Of one evaluation, in the problem's unit.")
+        .def("cost", &Problem::cost, "kind"_a, "The cost of one evaluation, in the problem's unit.")
         .def(
             "is_logarithm",
             [](const Problem& self, int variable) {
@@ -79,7 +79,7 @@ void bind_evaluations(py::module_& m) {
     bind_enum<Evaluation>(m);
     Record<GradientEvaluation>(m, "GradientEvaluation", "An objective with its gradient.")
         .constant("objective", &GradientEvaluation::objective, "")
-        .constant("value", &GradientEvaluation::value, "of what is differentiated: kinks may be rounded off")
+        .constant("value", &GradientEvaluation::value, "smoothed objective, which is differentiated")
         .constant("gradient", &GradientEvaluation::gradient, "n floats")
         .done();
     Record<ResidualEvaluation>(m, "ResidualEvaluation", "An objective as a sum of squares.")
@@ -100,46 +100,52 @@ void bind_method(py::module_& m) {
     bind_enum<OptimizerClass>(m);
     bind_enum<Ending>(m);
     Record<OptimizerOptions>(m, "OptimizerOptions", "The options that all methods understand.")
-        .field("starts", &OptimizerOptions::starts, "descents, or repetitions of a method that has none")
-        .field("seed", &OptimizerOptions::seed, "of all randomness: the same seed gives the same run")
+        .field("starts", &OptimizerOptions::starts,
+               "number of descents, or of repetitions of a method without descents")
+        .field("seed", &OptimizerOptions::seed,
+               "seed of all random choices; the same seed gives the same run")
         .done();
-    Record<RunOutcome>(m, "RunOutcome", "How a method left: why, and where it stood.")
+    Record<RunOutcome>(
+        m, "RunOutcome",
+        "The outcome of a run: the reason why the method ended, and the point at which it ended.")
         .field("ending", &RunOutcome::ending, "a word of Ending: 'converged', 'budget-spent', ..")
-        .constant("final_point", &RunOutcome::final_point, "n floats: where the method stood")
-        .field("dead_starts", &RunOutcome::dead_starts, "starts that gave no descent")
+        .constant("final_point", &RunOutcome::final_point, "n floats: point at which the method ended")
+        .field("dead_starts", &RunOutcome::dead_starts, "number of starts that gave no descent")
         .done();
     py::class_<RunningEvaluator>(
         m, "Evaluator",
-        "A problem as a method sees it: every evaluation is charged and remembered. One "
-        "that the budget does not pay for, and one outside of the bounds, is None.")
+        "The access of a method to the problem: every evaluation is charged to the budget and remembered. An "
+        "evaluation is None if the budget does not cover it, or if the point is outside the bounds.")
         .def_property_readonly(
             "bounds", [](const RunningEvaluator& self) { return self.get().bounds(); },
             "Bounds: arrays lower and upper, n floats each")
         .def_property_readonly(
             "cost", [](const RunningEvaluator& self) { return self.get().cost(); },
-            "what was charged so far, in the problem's unit")
+            "cost spent so far, in the problem's unit")
         .def_property_readonly(
             "best_value", [](const RunningEvaluator& self) { return self.get().best_value(); },
-            "the least value so far; infinity before the first")
+            "lowest value so far; infinity before the first evaluation")
         .def_property_readonly(
             "best_point", [](const RunningEvaluator& self) { return self.get().best_point(); },
-            "where that was: n floats")
+            "n floats: point with the lowest value")
         .def(
             "can_afford",
             [](const RunningEvaluator& self, Evaluation kind) { return self.get().can_afford(kind); },
-            "kind"_a, "Whether the budget pays for one more evaluation of this kind: 'value', 'gradient', ..")
+            "kind"_a, "True if the budget covers one more evaluation of this kind: 'value', 'gradient', ..")
         .def(
             "value",
             [](const RunningEvaluator& self, const Eigen::VectorXd& x) { return self.at(x).value(x); },
-            "point"_a, "The objective at a point (n floats); None: the budget is spent, or it lies outside.")
+            "point"_a,
+            "The objective at a point (n floats); None if the budget is spent, or if the point is outside "
+            "the bounds.")
         .def(
             "gradient",
             [](const RunningEvaluator& self, const Eigen::VectorXd& x, double smoothing) {
                 return self.at(x).gradient(x, smoothing);
             },
             "point"_a, "smoothing"_a = 0.0,
-            "The objective with its gradient, or None; `smoothing` rounds kinks off. Its cost is the "
-            "problem's.")
+            "The objective with its gradient, or None; `smoothing` rounds kinks. The problem states the "
+            "cost.")
         .def(
             "residuals",
             [](const RunningEvaluator& self, const Eigen::VectorXd& x, double smoothing) {
@@ -157,57 +163,55 @@ void bind_method(py::module_& m) {
 void bind_rows(py::module_& m) {
     py::class_<OptimizerRow>(
         m, "OptimizerRow",
-        "A method that a user can choose by name: one of the catalogue, or one of your own.\n\n"
-        ">>> import fretwork as fw, numpy as np\n"
-        ">>> def dice(evaluator, options):\n"
-        "...     random = np.random.default_rng(options.seed)\n"
-        "...     bounds = evaluator.bounds\n"
-        "...     while evaluator.value(random.uniform(bounds.lower, bounds.upper)) is not None:\n"
-        "...         pass\n"
-        "...     return fw.RunOutcome('budget-spent')\n"
-        ">>> method = fw.OptimizerRow('dice', dice)\n"
-        ">>> bowl = fw.Problem('bowl', [-1, -1], [2, 2], value=lambda x: float(x @ x))\n"
-        ">>> fw.minimize(bowl, method, cost=500).value < 0.1\n"
-        "True\n")
+        "A method that a user can choose by name, from the catalogue or your own.\n\n>>> import fretwork as "
+        "fw, numpy as np\n>>> def dice(evaluator, options):\n...     random = "
+        "np.random.default_rng(options.seed)\n...     bounds = evaluator.bounds\n...     while "
+        "evaluator.value(random.uniform(bounds.lower, bounds.upper)) is not None:\n...         pass\n...     "
+        "return fw.RunOutcome('budget-spent')\n>>> method = fw.OptimizerRow('dice', dice)\n>>> bowl = "
+        "fw.Problem('bowl', [-1, -1], [2, 2], value=lambda x: float(x @ x))\n>>> fw.minimize(bowl, method, "
+        "cost=500).value < 0.1\nTrue\n")
         .def(py::init(&make_method), "name"_a, "run"_a, "summary"_a = "", "kind"_a = OptimizerClass::Random,
              "needs"_a = Evaluation::Value,
-             "A method of your own: run(evaluator, options) evaluates through the Evaluator only, and stops "
-             "once an "
-             "evaluation is None. It returns a RunOutcome, the point where it stood, or None.")
+             "A method of your own: run(evaluator, options) evaluates only through the Evaluator, and ends "
+             "once an evaluation is None. It returns a RunOutcome, the point at which it ended, or None.")
         .def_property_readonly("name", [](const OptimizerRow& self) { return self.name; })
         .def_property_readonly("summary", [](const OptimizerRow& self) { return self.summary; })
         .def_property_readonly("kind", [](const OptimizerRow& self) { return self.kind; })
         .def_property_readonly(
-            "needs", [](const OptimizerRow& self) { return self.needs; }, "besides the value")
+            "needs", [](const OptimizerRow& self) { return self.needs; },
+            "kind of evaluation needed besides the value")
         .def("__repr__", [](const OptimizerRow& self) { return "<OptimizerRow " + self.name + ">"; });
     m.def(
-        "optimizer_catalogue", [] { return rows_and_all({}); }, "All methods of the library.");
+        "optimizer_catalogue", [] { return rows_and_all({}); }, "All built-in methods.");
     m.def(
         "find_optimizer",
         [](std::string_view name, const std::vector<OptimizerRow>& rows) {
             return OptimizerRow(find_optimizer(name, rows_and_all(rows)));
         },
-        "name"_a, "rows"_a = std::vector<OptimizerRow>{}, "A row by its name, of these and the library's.");
+        "name"_a, "rows"_a = std::vector<OptimizerRow>{},
+        "The row with this name among these rows and the built-in rows.");
 }
 
 void bind_minimize(py::module_& m) {
-    Record<TracePoint>(m, "TracePoint", "The best objective value after some cost.")
+    Record<TracePoint>(m, "TracePoint", "The best objective value found up to a cost.")
         .constant("cost", &TracePoint::cost, "")
         .constant("value", &TracePoint::value, "")
         .done();
     Record<OptimizationReport>(m, "OptimizationReport", "The outcome of a run.")
         .constant("optimizer", &OptimizationReport::optimizer, "")
         .constant("ending", &OptimizationReport::ending, "")
-        .constant("point", &OptimizationReport::point, "n floats: the best that was seen; may be empty")
-        .constant("value", &OptimizationReport::value, "the objective there")
-        .constant("final_point", &OptimizationReport::final_point, "where the method itself stood in the end")
-        .constant("cost", &OptimizationReport::cost, "in the problem's unit")
+        .constant("point", &OptimizationReport::point,
+                  "n floats: best point found; empty if the objective was never finite")
+        .constant("value", &OptimizationReport::value, "objective at the best point")
+        .constant("final_point", &OptimizationReport::final_point, "point at which the method itself ended")
+        .constant("cost", &OptimizationReport::cost, "cost of the run, in the problem's unit")
         .constant("evaluations", &OptimizationReport::evaluations, "of any kind")
         .constant("derivative_evaluations", &OptimizationReport::derivative_evaluations, "")
-        .constant("dead_starts", &OptimizationReport::dead_starts, "starts that gave no descent")
-        .constant("failures", &OptimizationReport::failures, "evaluations whose objective was not finite")
+        .constant("dead_starts", &OptimizationReport::dead_starts, "number of starts that gave no descent")
+        .constant("failures", &OptimizationReport::failures,
+                  "number of evaluations whose objective was not finite")
         .constant("points_outside", &OptimizationReport::points_outside, "refused")
-        .constant("trace", &OptimizationReport::trace, "the improvements")
+        .constant("trace", &OptimizationReport::trace, "best objective over the cost")
         .done(Made::ByFunctions);
     m.def(
         "minimize",
@@ -225,12 +229,9 @@ void bind_minimize(py::module_& m) {
         "seed"_a = OptimizerOptions{}.seed, "cost"_a = Budget{}.cost, "seconds"_a = Budget{}.seconds,
         "progress"_a = py::none(),
         "Minimize a problem by a method, given by its name or as a row. `cost` and `seconds` are the budget. "
-        "The "
-        "same arguments give the same report, except where seconds cut in.\n\n"
-        ">>> import fretwork as fw\n"
-        ">>> bowl = fw.Problem('bowl', [-1, -1], [2, 2], value=lambda x: float(x @ x))\n"
-        ">>> fw.minimize(bowl, 'bobyqa').value < 1e-6\n"
-        "True\n");
+        "The same arguments give the same report, unless `seconds` end the run.\n\n>>> import fretwork as "
+        "fw\n>>> bowl = fw.Problem('bowl', [-1, -1], [2, 2], value=lambda x: float(x @ x))\n>>> "
+        "fw.minimize(bowl, 'bobyqa').value < 1e-6\nTrue\n");
     m.def(
         "analytic_problems",
         [] {
@@ -239,7 +240,7 @@ void bind_minimize(py::module_& m) {
                 found.emplace_back(std::move(known.problem), known.best_value, known.best_point);
             return found;
         },
-        "Functions of the literature with the least value and the point where it is: a list of "
+        "Test functions of the literature, each with its minimum and the point of the minimum: a list of "
         "(Problem, float, n floats).");
 }
 

@@ -17,7 +17,7 @@ using namespace reduction;
 
 void bind_scenarios(py::module_& m) {
     Record<Scenario> scenario(m, "Scenario", "A standard load case of one tile in the reference hexagon.");
-    Record<Scenario::Support>(scenario.type(), "Support", "Held components of an interface node.")
+    Record<Scenario::Support>(scenario.type(), "Support", "The support of an interface node.")
         .field("interface_node", &Scenario::Support::interface_node, "")
         .field("fixed", &Scenario::Support::fixed, "names of components")
         .done();
@@ -37,7 +37,7 @@ void bind_scenarios(py::module_& m) {
         "paper_scenarios", [] { return paper_scenarios(); },
         "The five scenarios of the paper: axial, shear, bending, dome, saddle.");
     m.def("spread_over_sides", &spread_over_sides, "scenario"_a, "nodes_a_side"_a,
-          "The scenario of a tile with several interface nodes a side.");
+          "The scenario for a tile with several interface nodes on each side.");
     bind_files<Scenario>(
         m, "scenario",
         {[](std::string_view text, const std::string& source) { return parse_scenario(text, source); },
@@ -51,53 +51,52 @@ void bind_setting(py::module_& m) {
         .field("section", &TileMaterial::section, "")
         .field("material", &TileMaterial::material, "")
         .done();
-    Record<Setting>(m, "Setting", "All that a response depends on besides its pattern.")
+    Record<Setting>(m, "Setting", "Everything that a response depends on besides its pattern.")
         .field("material", &Setting::material, "")
-        .field("strength", &Setting::strength, "Pa; the stress that the material bears, or None")
+        .field("strength", &Setting::strength,
+               "strength of the material, Pa: the stress that it bears; or None")
         .field("section", &Setting::section, "")
-        .field("tile_side", &Setting::tile_side, "m; side of the regular polygon")
+        .field("tile_side", &Setting::tile_side, "side of the regular polygon, m")
         .field("sides", &Setting::sides, "")
         .field("scenarios", &Setting::scenarios, "")
-        .field("divisions", &Setting::divisions, "elements a beam in responses")
-        .field("magnitudes", &Setting::magnitudes, "of each scenario")
+        .field("divisions", &Setting::divisions, "number of elements of each beam in responses")
+        .field("magnitudes", &Setting::magnitudes, "number of magnitudes of each scenario")
         .field("sample_policy", &Setting::sample_policy, "")
         .field("joints", &Setting::joints, "")
         .done()
         .def("validate", &Setting::validate, "source"_a = "setting",
-             "Raises InputError if a value is invalid.");
-    m.def(
-        "made_setting", &made_setting,
-        "The paper's setting with stiff joints: of things that are made, whose bars merge where they meet.");
+             "Check the setting. Raises InputError if a value is invalid.");
+    m.def("made_setting", &made_setting,
+          "The paper's setting with stiff joints, for surfaces that are made, whose bars merge where they "
+          "meet.");
     m.def("find_setting", &find_setting, "name_or_path"_a,
-          "The setting called 'paper' or 'made', or that of a file. Raises InputError.");
-    m.def("setting_name", &setting_name, "setting"_a, "'paper' or 'made'; 'own' for any other.");
+          "The setting named 'paper' or 'made' or, for another text, the setting in the file with this path. "
+          "Raises InputError.");
+    m.def("setting_name", &setting_name, "setting"_a,
+          "The name of a setting: 'paper', 'made', or 'own' for any other setting.");
     m.def("paper_setting", &paper_setting,
-          "The paper's setting, with two elements a beam.\n\n"
-          ">>> import fretwork\n"
-          ">>> setting = fretwork.paper_setting()\n"
-          ">>> setting.material.young_modulus\n"
-          "1000000000.0\n"
-          ">>> setting.material.young_modulus = 2e9\n"
-          ">>> setting == fretwork.paper_setting()\n"
-          "False\n");
+          "The paper's setting, with two elements for each beam.\n\n>>> import fretwork\n>>> setting = "
+          "fretwork.paper_setting()\n>>> setting.material.young_modulus\n1000000000.0\n>>> "
+          "setting.material.young_modulus = 2e9\n>>> setting == fretwork.paper_setting()\nFalse\n");
     bind_files<Setting>(
         m, "setting",
         {[](std::string_view text, const std::string& source) { return parse_setting(text, source); },
          &setting_text, &read_setting, &write_setting});
-    m.def("without_stresses", &without_stresses, "setting"_a, "All that responses depend on.");
+    m.def("without_stresses", &without_stresses, "setting"_a,
+          "The setting without the strength and the section's shape, on which no response depends.");
     m.def("setting_difference", &setting_difference, "wanted"_a, "present"_a,
-          "In one line, the first difference between two settings, or ''.");
+          "The first difference between two settings, in one line, or ''.");
     m.def("warnings_about", py::overload_cast<const Setting&>(&reduction::warnings_about), "setting"_a,
-          "Values that look like errors of units, one line each.");
+          "Warnings about values that look like errors of units, one line each.");
 }
 
 void bind_joints(py::module_& m) {
     Record<BarPlace>(m, "BarPlace", "A bar between two nodes.")
-        .field("length", &BarPlace::length, "m, of the centreline")
-        .field("joint_reach", &BarPlace::joint_reach, "of joint_reaches()")
+        .field("length", &BarPlace::length, "length of the centreline, m")
+        .field("joint_reach", &BarPlace::joint_reach, "joint reach from joint_reaches(), in widths of a bar")
         .done();
     m.def("bar_of", &bar_of, "setting"_a, "place"_a,
-          "Section and material of the beam that stands for a bar.");
+          "The section and material of the beam that models a bar.");
     m.def(
         "joint_reaches",
         [](const pattern::Fan& fan, const std::vector<geometry::Point2>& places) {
@@ -106,26 +105,29 @@ void bind_joints(py::module_& m) {
                                        " nodes, and there are " + std::to_string(places.size()) + " places");
             return joint_reaches(fan, places);
         },
-        "fan"_a, "places"_a, "How far the joints reach along each edge, in widths of a bar.");
+        "fan"_a, "places"_a, "The joint reach of each edge, in widths of a bar.");
 }
 
 void bind_responses(py::module_& m) {
-    Record<Response> response(m, "Response", "A pattern under one scenario, at its magnitudes.");
-    Record<Response::Sample>(response.type(), "Sample",
-                             "The displacements of a tile's interface nodes at a magnitude.")
+    Record<Response> response(
+        m, "Response",
+        "The displacements of a pattern's interface nodes under one scenario, at its magnitudes.");
+    Record<Response::Sample>(response.type(), "Sample", "The displacements under one magnitude.")
         .constant("step", &Response::Sample::step, "k")
         .constant("magnitude", &Response::Sample::magnitude, "N")
         .constant("displacements", &Response::Sample::displacements,
-                  "n x 6 floats; a row for each interface node; not converged: zeros")
+                  "n x 6 floats, one row for each interface node; zeros if not converged")
         .constant("converged", &Response::Sample::converged, "")
         .constant("stable", &Response::Sample::stable, "")
-        .constant("limit_load", &Response::Sample::limit_load, "the path turns back before this magnitude")
-        .constant("discretization_error", &Response::Sample::discretization_error, "a share, or None")
+        .constant("limit_load", &Response::Sample::limit_load,
+                  "True if the equilibrium path turns back before this magnitude")
+        .constant("discretization_error", &Response::Sample::discretization_error,
+                  "estimated error, a share, or None")
         .done();
     response.constant("scenario", &Response::scenario, "").constant("samples", &Response::samples, "").done();
-    Record<ResponseOptions>(m, "ResponseOptions", "How responses are computed.")
+    Record<ResponseOptions>(m, "ResponseOptions", "Options of compute_responses().")
         .field("estimate_error", &ResponseOptions::estimate_error,
-               "fill Response.Sample.discretization_error")
+               "True: fill Response.Sample.discretization_error")
         .done();
     m.def(
         "compute_responses",
@@ -157,7 +159,8 @@ void bind_responses(py::module_& m) {
                                        std::to_string(setting.scenarios.size()));
             return linear_responses(model, setting);
         },
-        "model"_a, "setting"_a, "The responses of a linear model, from its displacements at 1 N.");
+        "model"_a, "setting"_a,
+        "The responses of a linear model at the setting's magnitudes, from its displacements at 1 N.");
     m.def(
         "unit_displacements",
         [](const Eigen::MatrixXd& stiffness, const Setting& setting) {
@@ -184,8 +187,8 @@ void bind_tile_frames(py::module_& m) {
             return pattern_frame(layout, pattern, setting);
         },
         "layout"_a, "pattern"_a, "setting"_a,
-        "The pattern's full model in the setting's polygon, neither held nor loaded; interface node i is "
-        "node i.");
+        "The pattern's full model in the setting's polygon, without supports and loads. Node i of the frame "
+        "is interface node i.");
     m.def(
         "fan_frame",
         [](const pattern::NodeLayout& layout, const pattern::Fan& fan, const geometry::Polygon& polygon,
@@ -205,14 +208,15 @@ void bind_tile_frames(py::module_& m) {
             return scenario_frame(tile, scenario);
         },
         "tile"_a, "scenario"_a,
-        "A tile's frame, held and loaded as a scenario says, at its largest magnitude.");
+        "A tile's frame with the supports and loads of a scenario at its largest magnitude.");
 }
 
 void bind_properties(py::module_& m) {
-    Record<EffectiveProperties>(m, "EffectiveProperties",
-                                "Stiffness and mass of an endless surface of one pattern as a thin plate.")
-        .constant("A", &EffectiveProperties::A, "3 x 3 floats, N/m: membrane forces by strains (Voigt)")
-        .constant("D", &EffectiveProperties::D, "3 x 3 floats, N m: moments by curvatures (Voigt)")
+    Record<EffectiveProperties>(
+        m, "EffectiveProperties",
+        "The stiffness and mass of the thin plate that is equivalent to an infinite surface of one pattern.")
+        .constant("A", &EffectiveProperties::A, "3 x 3 floats, N/m: from strains to membrane forces (Voigt)")
+        .constant("D", &EffectiveProperties::D, "3 x 3 floats, N m: from curvatures to moments (Voigt)")
         .constant("mass_per_area", &EffectiveProperties::mass_per_area, "kg/m^2")
         .done();
     m.def(
@@ -224,7 +228,7 @@ void bind_properties(py::module_& m) {
         },
         "layout"_a, "pattern"_a, "setting"_a, "Homogenize a pattern in the setting's regular polygon.");
     m.def("directional_stiffness", &directional_stiffness, "tensor"_a, "angle"_a,
-          "The stiffness of a strip along `angle` (rad) that is free to contract across.");
+          "The stiffness of a strip along `angle` (rad), which may contract freely across that direction.");
     m.def(
         "property_values",
         [](const EffectiveProperties& properties) {
@@ -232,7 +236,7 @@ void bind_properties(py::module_& m) {
             for (const auto& [name, value] : property_values(properties)) values.push_back({name, value});
             return values;
         },
-        "properties"_a, "The values that libraries store, by name.");
+        "properties"_a, "The named values that libraries store.");
 }
 
 }  // namespace

@@ -38,15 +38,15 @@ study::StudyPlan make_plan(const std::vector<std::string>& problems, const std::
 }  // namespace
 
 void bind_studies(py::module_& m) {
-    Record<study::StudyReport>(m, "StudyReport", "What run_study() did.")
-        .constant("runs_before", &study::StudyReport::runs_before, "that were in the table when it began")
+    Record<study::StudyReport>(m, "StudyReport", "The report of run_study().")
+        .constant("runs_before", &study::StudyReport::runs_before, "number of runs in the table at the start")
         .constant("runs_done", &study::StudyReport::runs_done, "")
-        .constant("runs_left_out", &study::StudyReport::runs_left_out, "since it was asked to stop")
+        .constant("runs_left_out", &study::StudyReport::runs_left_out,
+                  "number of runs not done because of a stop")
         .done(Made::ByFunctions);
     m.def("study_problem_ids", &reduction::study_problem_ids, "patterns"_a,
-          "Problems on which the framework compares optimizers: calibrations of this many patterns, "
-          "synthetic and "
-          "analytic ones. Ids as run_study() takes them.");
+          "The ids of the problems on which the framework compares optimizers: calibrations of this number "
+          "of patterns, synthetic problems and analytic problems. run_study() takes these ids.");
     m.def(
         "default_contenders",
         [] {
@@ -55,7 +55,7 @@ void bind_studies(py::module_& m) {
                 found.emplace_back(contender.method->name, contender.starts);
             return found;
         },
-        "All methods of the library with the number of starts that a study gives them.");
+        "All built-in methods with their numbers of starts in a study.");
     m.def(
         "run_study",
         [](const std::filesystem::path& folder, const std::vector<std::string>& problems,
@@ -75,8 +75,8 @@ void bind_studies(py::module_& m) {
         "folder"_a, "problems"_a, "contenders"_a, py::kw_only(), "repetitions"_a = 15, "cost"_a = 40000,
         "seed"_a = 1, "threads"_a = 0, "progress"_a = py::none(),
         "Run methods (pairs of a name or row and a number of starts) on problems, and write the table "
-        "results.csv into a "
-        "folder. Runs that are there already are not repeated. Stopped by Ctrl-C, it keeps what is done.");
+        "results.csv into a folder. Runs that are in the table are not repeated. After Ctrl-C, finished runs "
+        "are kept.");
     m.def(
         "spread_over_edges",
         [](const std::vector<pattern::Pattern>& patterns, std::size_t size) {

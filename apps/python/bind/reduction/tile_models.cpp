@@ -47,29 +47,30 @@ TileModel make_model(std::string name, BuildFunction build, std::string summary,
 }
 
 void bind_input(py::module_& m) {
-    py::class_<OwnedTileInput>(m, "TileInput", "What a tile model builds a tile from.")
-        .def_readonly("layout", &OwnedTileInput::layout, "the NodeLayout of the pattern")
-        .def_readonly("fan", &OwnedTileInput::fan, "the tile's pattern, around a polygon of as many sides")
-        .def_readonly("setting", &OwnedTileInput::setting, "with material and section of the beams")
+    py::class_<OwnedTileInput>(m, "TileInput", "The input from which a tile model builds a tile.")
+        .def_readonly("layout", &OwnedTileInput::layout, "NodeLayout of the pattern")
+        .def_readonly("fan", &OwnedTileInput::fan,
+                      "the tile's pattern around a polygon with as many sides as the tile")
+        .def_readonly("setting", &OwnedTileInput::setting, "Setting with material, section and joints")
         .def_property_readonly(
             "polygon", [](const OwnedTileInput& self) { return self.polygon; },
-            "n x 2 floats, m: convex, counterclockwise")
+            "polygon of the tile, n x 2 floats, m: convex, counterclockwise")
         .def_property_readonly(
             "parameters", [](const OwnedTileInput& self) { return self.parameters; },
-            "of the model, in the order of its row")
+            "parameters of the tile model, in the order of its row")
         .def_property_readonly(
             "interface_nodes", [](const OwnedTileInput& self) { return self.fan.interface_node_count; },
-            "their number n: side after side, counterclockwise from vertex 0; with one a side, "
-            "node i lies between polygon[i] and polygon[i + 1]")
+            "number of interface nodes, which come side after side, counterclockwise from vertex 0; with one "
+            "on each side, node i lies between polygon[i] and polygon[i + 1]")
         .def(
             "frame",
             [](const OwnedTileInput& self) {
                 return fan_frame(self.layout, self.fan, self.polygon, self.setting);
             },
-            "All beams of the tile as a Frame, neither held nor loaded, in the axes of `polygon`; its first "
-            "`interface_nodes` nodes are the interface nodes.");
+            "All beams of the tile as a Frame without supports and loads, in the axes of `polygon`. Its "
+            "first `interface_nodes` nodes are the interface nodes.");
     py::class_<TileStructure, std::shared_ptr<TileStructure>>(m, "TileStructure",
-                                                              "A tile as a tile model makes it.")
+                                                              "A tile as a tile model builds it.")
         .def_property_readonly(
             "inner_nodes",
             [](const TileStructure& self) {
@@ -93,7 +94,7 @@ void bind_parameter(py::module_& m) {
                 const auto bounds = self.bounds(setting);
                 return std::pair(bounds.lower, bounds.upper);
             },
-            "setting"_a, "The least and the largest value.");
+            "setting"_a, "The smallest and the largest value.");
 }
 
 void bind_model(py::module_& m) {
@@ -101,15 +102,12 @@ void bind_model(py::module_& m) {
     bind_enum<Role>(m);
     bind_enum<Sharing>(m);
     bind_parameter(m);
-    py::class_<TileModel>(m, "TileModel",
-                          "How a painted tile becomes elements between its interface nodes: a row of the "
-                          "catalogue, or your own.\n\n"
-                          ">>> import fretwork as fw\n"
-                          ">>> def build(tile):\n"
-                          "...     return 0.5 * fw.condensed_frame(tile.frame(), tile.interface_nodes)\n"
-                          ">>> soft = fw.TileModel('soft', build, summary='half as stiff')\n"
-                          ">>> soft.name\n"
-                          "'soft'\n")
+    py::class_<TileModel>(
+        m, "TileModel",
+        "A tile model, which turns a painted tile into elements between its interface nodes: a row of the "
+        "catalogue, or your own.\n\n>>> import fretwork as fw\n>>> def build(tile):\n...     return 0.5 * "
+        "fw.condensed_frame(tile.frame(), tile.interface_nodes)\n>>> soft = fw.TileModel('soft', build, "
+        "summary='half as stiff')\n>>> soft.name\n'soft'\n")
         .def(py::init(&make_model), "name"_a, "build"_a, py::kw_only(), "summary"_a = "",
              "role"_a = Role::Reduced, "displacements"_a = Displacements::Small, "sharing"_a = Sharing::None,
              "parameters"_a = std::vector<TileParameter>{},
@@ -132,7 +130,7 @@ void bind_model(py::module_& m) {
         [](std::string_view name, const std::optional<std::vector<TileModel>>& models) {
             return TileModel(find_tile_model(name, models_or_all(models)));
         },
-        "name"_a, "models"_a = py::none(), "A row by its name, of these and the built-in ones.");
+        "name"_a, "models"_a = py::none(), "The row with this name among these rows and the built-in rows.");
     m.def("parameter_index", &parameter_index, "model"_a, "name"_a);
 }
 
@@ -173,13 +171,14 @@ void bind_structures(py::module_& m) {
             return condensed_frame(tile, checked_interface(tile, interface_nodes));
         },
         "tile"_a, "interface_nodes"_a,
-        "A tile's own linear frame, condensed onto its first `interface_nodes` nodes: 6n x 6n floats, SI.");
+        "The linear stiffness of a tile's frame, condensed onto its first `interface_nodes` nodes: 6n x 6n "
+        "floats, SI.");
     m.def(
         "stiffness_tile",
         [](const Eigen::MatrixXd& stiffness) {
             return std::const_pointer_cast<TileStructure>(stiffness_tile(stiffness));
         },
-        "stiffness"_a, "A tile that answers to small displacements with a stiffness (6n x 6n).");
+        "stiffness"_a, "A tile given by its stiffness (6n x 6n) for small displacements.");
     m.def(
         "beam_tile",
         [](const mechanics::Frame& frame, int interface_nodes, TileBeams beams) {
@@ -193,7 +192,8 @@ void bind_structures(py::module_& m) {
             return std::const_pointer_cast<TileStructure>(
                 corotational_tile(tile, checked_interface(tile, interface_nodes)));
         },
-        "tile"_a, "interface_nodes"_a, "A tile that moves and turns at will with its corotating frame.");
+        "tile"_a, "interface_nodes"_a,
+        "A tile that may move and turn by any amount, with axes that follow it.");
     m.def(
         "corotational_tile",
         [](std::vector<Eigen::Vector3d> nodes, Eigen::MatrixXd stiffness) {
@@ -201,9 +201,8 @@ void bind_structures(py::module_& m) {
                 mechanics::CorotationalBody::Parts{std::move(nodes), std::move(stiffness)}));
         },
         "nodes"_a, "stiffness"_a,
-        "The same of interface nodes (n x 3, m) and a symmetric stiffness (6n x 6n, SI). Raises InputError "
-        "if it "
-        "resists a rigid motion.");
+        "A corotational tile with given interface nodes (n x 3, m) and a symmetric stiffness (6n x 6n, SI). "
+        "Raises InputError if the stiffness resists a rigid motion.");
 }
 
 void bind_answers(py::module_& m) {
@@ -243,7 +242,7 @@ void bind_answers(py::module_& m) {
         },
         "model"_a, "layout"_a, "pattern"_a, "setting"_a, "parameters"_a = std::vector<double>{},
         "progress"_a = py::none(),
-        "The nonlinear responses of a tile model, as compute_responses gives them.");
+        "The nonlinear responses of a tile model, in the form of compute_responses().");
 }
 
 }  // namespace

@@ -23,24 +23,26 @@ py::array_t<double> array_of(const std::vector<double>& numbers) {
 }
 
 void bind_sensitivity(py::module_& m) {
-    Record<Sensitivity>(
-        m, "Sensitivity",
-        "The derivatives of a function J of a surface's displacements at an equilibrium, by what the "
-        "equilibrium depends on.")
+    Record<Sensitivity>(m, "Sensitivity",
+                        "The derivatives of a function J of a surface's displacements at an equilibrium, "
+                        "with respect to the quantities on which the equilibrium depends.")
         .constant("loads", &Sensitivity::loads,
-                  "n x 6 floats: by forces (N) and true moments (N m) on each node")
+                  "n x 6 floats: with respect to forces (N) and true moments (N m) on each node")
         .constant("held_values", &Sensitivity::held_values,
-                  "n x 6 floats: by the values of held components, prescribed or zero; zero for free ones")
-        .constant("stiffness", &Sensitivity::stiffness, "by a factor on the stiffness of all tiles, at 1")
+                  "n x 6 floats: with respect to the values of held components, prescribed or zero; zero for "
+                  "free components")
+        .constant("stiffness", &Sensitivity::stiffness,
+                  "with respect to a factor on the stiffness of all tiles, at 1")
         .type()
         .def_property_readonly(
             "tile_stiffness",
             [](const Sensitivity& self) { return array_of(of_tiles(self, &TileSensitivity::stiffness)); },
-            "a float for each tile: by a factor on its stiffness, at 1; NaN for tiles made of beams")
+            "a float for each tile: with respect to a factor on its stiffness, at 1; NaN for tiles made of "
+            "beams")
         .def_property_readonly(
             "tile_mass",
             [](const Sensitivity& self) { return array_of(of_tiles(self, &TileSensitivity::mass)); },
-            "a float for each tile: by its mass, 1/kg; its weight is a load");
+            "a float for each tile: with respect to its mass, 1/kg; its weight is a load");
 }
 
 }  // namespace
@@ -49,10 +51,8 @@ void bind_derivatives(py::module_& m) {
     bind_sensitivity(m);
     m.def("with_energy", &with_energy, "by"_a, "weight"_a, "energy"_a,
           "The sensitivity of J + weight U, where U is the elastic energy (result.solution.energy, J): adds "
-          "how "
-          "U depends "
-          "on stiffnesses while nothing moves. The gradient of `by` has weight times "
-          "Session.energy_gradient in it already.");
+          "the derivatives of U with respect to stiffnesses while nothing moves. The gradient that gave the "
+          "sensitivity must include weight times Session.energy_gradient().");
     py::class_<CandidateTiles>(
         m, "CandidateTiles",
         "The condensed stiffness of every tile of a surface with each pattern of a palette.")
@@ -74,7 +74,7 @@ void bind_derivatives(py::module_& m) {
             "tile"_a, "pattern"_a,
             "6n x 6n floats, SI, in the axes in which tile models with sharing='congruent' build the tile.")
         .def_property_readonly("class_count", &CandidateTiles::class_count,
-                               "congruent tiles are of one class");
+                               "class of each tile; congruent tiles have the same class");
     m.def(
         "pattern_derivatives",
         [](const Sensitivity& sensitivity, const CandidateTiles& candidates) {
@@ -85,9 +85,8 @@ void bind_derivatives(py::module_& m) {
             return pattern_derivatives(sensitivity, candidates);
         },
         "sensitivity"_a, "candidates"_a,
-        "To first order, how J would change if one tile had another pattern: tiles x patterns floats, for "
-        "tiles "
-        "that are corotational or condensed; NaN for others.");
+        "The first-order change of J if one tile had another pattern: tiles x patterns floats, for "
+        "corotational and condensed tiles; NaN for others.");
     m.def(
         "derivative_along",
         [](const Sensitivity& sensitivity, const Surface& surface,
@@ -97,9 +96,8 @@ void bind_derivatives(py::module_& m) {
             return derivative_along(sensitivity, surface, setting, step);
         },
         "sensitivity"_a, "surface"_a, "setting"_a, "step"_a,
-        "The derivative of J along a curve of settings, setting(t), at t = 0; its values at -2, -1, 1 and 2 "
-        "steps are "
-        "asked for. Sections, joints, material and density act on stiffness and weight of the tiles.");
+        "The derivative of J along a curve of settings, setting(t), at t = 0; setting() is called at -2, -1, "
+        "1 and 2 steps. Sections, joints, material and density affect stiffness and weight of the tiles.");
 }
 
 }  // namespace fretwork::python

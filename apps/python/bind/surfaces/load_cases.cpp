@@ -34,7 +34,7 @@ void bind_selections(py::module_& m) {
 }
 
 void bind_entries(const py::object& load_case) {
-    Record<LoadCase::Support>(load_case, "Support", "What holds some interface nodes.")
+    Record<LoadCase::Support>(load_case, "Support", "A support of some interface nodes.")
         .field("where", &LoadCase::Support::where, "a selection")
         .field("fixed", &LoadCase::Support::fixed, "names of components: 'all', 'ux uy uz'")
         .done();
@@ -42,23 +42,23 @@ void bind_entries(const py::object& load_case) {
         .field("where", &LoadCase::Load::where, "a selection")
         .field("force", &LoadCase::Load::force, "3 floats, N")
         .field("moment", &LoadCase::Load::moment, "3 floats, N m")
-        .field("amount", &LoadCase::Load::amount, "for each node, for all together, or N/m along the rim")
+        .field("amount", &LoadCase::Load::amount,
+               "meaning of the values: for each node, for all nodes together, or per metre of the rim")
         .done();
     Record<LoadCase::PrescribedDisplacement>(load_case, "PrescribedDisplacement",
-                                             "A displacement that is given.")
+                                             "A displacement with a given value.")
         .field("where", &LoadCase::PrescribedDisplacement::where, "a selection")
         .field("dof", &LoadCase::PrescribedDisplacement::dof, "")
         .field("value", &LoadCase::PrescribedDisplacement::value, "m or rad")
         .done();
-    Record<LoadCase::AreaLoad> area_load(load_case, "AreaLoad", "A load that is spread over an area.");
+    Record<LoadCase::AreaLoad> area_load(load_case, "AreaLoad", "A load spread over an area.");
     Record<LoadCase::AreaLoad::Tiles>(area_load.type(), "Tiles", "Some tiles.")
         .field("numbers", &LoadCase::AreaLoad::Tiles::numbers, "")
         .done();
     area_load.field("where", &LoadCase::AreaLoad::where, "a selection, or LoadCase.AreaLoad.Tiles")
         .field("per_area", &LoadCase::AreaLoad::per_area, "3 floats, N/m2")
         .done();
-    Record<LoadCase::Share>(load_case, "Share",
-                            "Another load case of the same project, and how much of it acts.")
+    Record<LoadCase::Share>(load_case, "Share", "Another load case of the same project, with its factor.")
         .field("load_case", &LoadCase::Share::load_case, "its name")
         .field("factor", &LoadCase::Share::factor, "")
         .done();
@@ -66,14 +66,12 @@ void bind_entries(const py::object& load_case) {
 
 void bind_load_case(py::module_& m) {
     bind_enum<LoadCase::Amount>(m);
-    Record<LoadCase> outer(m, "LoadCase",
-                           "Supports and loads of a tessellation, all of them on interface nodes.\n\n"
-                           ">>> import fretwork as fw\n"
-                           ">>> case = fw.LoadCase(name='tip',\n"
-                           "...     supports=[fw.LoadCase.Support(fw.NodesAtSide('left'), 'all')],\n"
-                           "...     loads=[fw.LoadCase.Load(fw.NodesAtSide('right'), force=[0, 0, -0.1])])\n"
-                           ">>> fw.parse_load_case(fw.load_case_text(case)) == case\n"
-                           "True\n");
+    Record<LoadCase> outer(
+        m, "LoadCase",
+        "The supports and loads of a tessellation, all on interface nodes.\n\n>>> import fretwork as fw\n>>> "
+        "case = fw.LoadCase(name='tip',\n...     supports=[fw.LoadCase.Support(fw.NodesAtSide('left'), "
+        "'all')],\n...     loads=[fw.LoadCase.Load(fw.NodesAtSide('right'), force=[0, 0, -0.1])])\n>>> "
+        "fw.parse_load_case(fw.load_case_text(case)) == case\nTrue\n");
     bind_entries(outer.type());
     outer.field("name", &LoadCase::name, "")
         .field("description", &LoadCase::description, "")
@@ -91,22 +89,23 @@ void bind_load_case(py::module_& m) {
         [](const LoadCase& load_case, const std::vector<LoadCase>& cases) {
             return combined(load_case, cases);
         },
-        "load_case"_a, "cases"_a, "A load case with what it combines.");
+        "load_case"_a, "cases"_a, "A load case together with the load cases that it combines.");
     m.def("entry_texts", &entry_texts, "load_case"_a, "tessellation"_a,
           "One line for each entry, for people.");
     m.def("check_selections", &check_selections, "load_case"_a, "tessellation"_a,
-          "Check that every entry picks interface nodes. Raises InputError.");
+          "Check that every entry selects interface nodes. Raises InputError.");
 }
 
 void bind_stages(py::module_& m) {
-    Record<LoadStage>(m, "LoadStage", "The changes in one stage of loading. All else stays as it was.")
+    Record<LoadStage>(m, "LoadStage", "The changes in one load stage. Everything else stays unchanged.")
         .field("name", &LoadStage::name, "")
-        .field("loads", &LoadStage::loads, "load cases whose loads come to this factor")
-        .field("prescribed", &LoadStage::prescribed, "these components come to these values")
-        .field("keep", &LoadStage::keep, "these stay where they are")
-        .field("free", &LoadStage::free, "released, if they were prescribed or kept")
+        .field("loads", &LoadStage::loads, "load cases, with the factor that their loads reach")
+        .field("prescribed", &LoadStage::prescribed, "components that reach given values")
+        .field("keep", &LoadStage::keep, "components that stay where they are")
+        .field("free", &LoadStage::free, "components that are released, if they were prescribed or kept")
         .done();
-    m.def("parse_stages", &parse_stages, "text"_a, "source"_a = "text", "Read the text of a stages file.");
+    m.def("parse_stages", &parse_stages, "text"_a, "source"_a = "text",
+          "Parse the text of a file of load stages.");
     m.def(
         "stages_text", [](const std::vector<LoadStage>& stages) { return stages_text(stages); }, "stages"_a);
     m.def("read_stages", &read_stages, "path"_a);

@@ -25,12 +25,12 @@ using Tiles = std::vector<TileIndex>;
 void bind_painting_choices(py::module_& m) {
     Record<PaletteChoice>(m, "PaletteChoice", "The patterns that a painting chooses from.")
         .field("ids", &PaletteChoice::ids, "")
-        .field("file", &PaletteChoice::file, "a painting file; taken where no ids are given")
+        .field("file", &PaletteChoice::file, "a painting file; used if no ids are given")
         .done();
     Record<PaintOnePattern>(m, "PaintOnePattern", "All tiles have one pattern.")
         .field("id", &PaintOnePattern::id, "")
         .done();
-    Record<PaintFromFile>(m, "PaintFromFile", "As a painting file says.")
+    Record<PaintFromFile>(m, "PaintFromFile", "Paint by a painting file.")
         .field("file", &PaintFromFile::file, "")
         .done();
     Record<PaintAtRandom>(m, "PaintAtRandom", "By chance.")
@@ -38,20 +38,22 @@ void bind_painting_choices(py::module_& m) {
         .field("palette", &PaintAtRandom::palette, "")
         .field("weights", &PaintAtRandom::weights, "of the palette's ids; empty: all are equally likely")
         .done();
-    Record<FieldExpression>(m, "FieldExpression", "A number over the surface: of x, y (m) and u, v (0 to 1).")
+    Record<FieldExpression>(m, "FieldExpression",
+                            "A number over the surface, as an expression of x, y (m) and u, v (0 to 1).")
         .field("text", &FieldExpression::text, "")
         .done();
-    Record<FieldImage>(m, "FieldImage", "How dark a PNG image is that is stretched over the surface.")
+    Record<FieldImage>(m, "FieldImage", "The darkness of a PNG image that is stretched over the surface.")
         .field("file", &FieldImage::file, "")
         .done();
-    Record<PaintByField>(m, "PaintByField", "Along a palette, by a field that goes from 0 to 1.")
+    Record<PaintByField>(m, "PaintByField", "Paint along a palette, by a field that goes from 0 to 1.")
         .field("field", &PaintByField::field, "")
         .field("palette", &PaintByField::palette, "")
-        .field("property", &PaintByField::property, "of patterns; empty: the palette's order decides")
-        .field("range", &PaintByField::range, "the property's values where the field is 0 and 1")
+        .field("property", &PaintByField::property,
+               "property of patterns; empty: the palette's order decides")
+        .field("range", &PaintByField::range, "values of the property for fields of 0 and 1")
         .field("dithering", &PaintByField::dithering, "")
         .done();
-    Record<PaintByColours>(m, "PaintByColours", "By the colour that a drawing has where a tile lies.")
+    Record<PaintByColours>(m, "PaintByColours", "Paint by the colour of a drawing at each tile.")
         .field("drawing", &PaintByColours::drawing, "SVG")
         .field("palette", &PaintByColours::palette, "colours '#rrggbb', each with an id")
         .done();
@@ -88,18 +90,21 @@ void bind_project(py::module_& m) {
         ">>> project, report = fw.make_project(square, patterns='0-1+1-6', edge_length=0.025)\n"
         ">>> len(project.tessellation) == report.tiles\n"
         "True\n");
-    Record<Project::TileModelChoice>(project.type(), "TileModelChoice", "Tiles with their own tile model.")
-        .field("model", &Project::TileModelChoice::model, "a row of the catalogue")
+    Record<Project::TileModelChoice>(project.type(), "TileModelChoice",
+                                     "Some tiles with a tile model of their own.")
+        .field("model", &Project::TileModelChoice::model, "name of a row of the catalogue")
         .field("tiles", &Project::TileModelChoice::tiles, "")
         .done();
     project.constant("layout", &Project::layout, "of the tessellation's patterns")
         .constant("outline", &Project::outline, "")
-        .constant("further_outlines", &Project::further_outlines, "of a surface of several parts, the others")
-        .constant("tessellation", &Project::tessellation, "with its painting")
+        .constant("further_outlines", &Project::further_outlines,
+                  "further parts of a surface with several parts")
+        .constant("tessellation", &Project::tessellation, "tessellation with its painting")
         .field("load_cases", &Project::load_cases, "")
-        .field("setting", &Project::setting, "a copy; None: that of the library, or the paper's")
+        .field("setting", &Project::setting,
+               "setting, as a copy; None: the setting of the library, or the paper's setting")
         .field("tile_models", &Project::tile_models, "")
-        .field("library_path", &Project::library_path, "relative to the project file; empty: none")
+        .field("library_path", &Project::library_path, "library, relative to the project file; empty: none")
         .field("library_hash", &Project::library_hash, "")
         .done(Made::ByFunctions)
         .def("__repr__", [](const Project& self) {
@@ -108,11 +113,9 @@ void bind_project(py::module_& m) {
         });
     project.type()
         .def("paint", &paint_project, "patterns"_a, "tiles"_a = py::none(), "library"_a = py::none(),
-             "Paint tiles (None: all): with one pattern's id, with ids at random, as the command line's "
-             "--patterns says "
-             "('random:1', 'field:u', with palette=, property=, range=, dither=), or by a Paint.. value. "
-             "Returns the "
-             "tiles that were painted.")
+             "Paint tiles (None: all): with the id of a pattern, with a text as for --patterns on the "
+             "command line ('random:1', 'field:u', with palette=, property=, range=, dither=), or with a "
+             "Paint.. value. Returns the tiles that were painted.")
         .def(
             "paint_as",
             [](Project& self, const tiling::Painting& painting) {
@@ -122,14 +125,15 @@ void bind_project(py::module_& m) {
                         checked_index(entry, painting.patterns.size(), "pattern of the painting");
                 paint(self.tessellation, painting);
             },
-            "painting"_a, "Paint every tile as a painting says.")
+            "painting"_a, "Paint every tile with the pattern that a painting gives it.")
         .def(
             "turn",
             [](Project& self, const Tiles& tiles, int vertices) {
                 for (const TileIndex tile : tiles_or_all(self.tessellation, tiles))
                     tiling::turn(self.tessellation.tiles[tile], vertices);
             },
-            "tiles"_a, "vertices"_a, "Turn the patterns of tiles: their first vertex moves on by `vertices`.")
+            "tiles"_a, "vertices"_a,
+            "Turn the patterns of tiles: vertex 0 moves by `vertices` vertices counterclockwise.")
         .def(
             "mirror",
             [](Project& self, const Tiles& tiles) {
@@ -139,27 +143,32 @@ void bind_project(py::module_& m) {
         .def(
             "find_load_case",
             [](const Project& self, const std::string& name) { return find_load_case(self, name); },
-            "name"_a = "", "The load case of a name, with what it combines; '' is the only one there is.");
+            "name"_a = "",
+            "The load case with a name, together with the load cases that it combines; '' means the only "
+            "load case.");
     bind_files<Project>(m, "project", {&parse_project, &project_text, &read_project, &write_project});
     m.def("find_load_case", &find_load_case, "project"_a, "name"_a = "");
 }
 
 void bind_making(py::module_& m) {
     bind_enum<TilesFrom>(m);
-    Record<NewProjectOptions>(m, "NewProjectOptions", "How an outline becomes a project.")
+    Record<NewProjectOptions>(m, "NewProjectOptions", "Options of make_project().")
         .field("outline_name", &NewProjectOptions::outline_name,
-               "its file; of a mesh, where its faces come from")
+               "file of the outline, or of the mesh whose faces become tiles")
         .field("edge_length", &NewProjectOptions::edge_length,
-               "m, wanted mean side of the tiles; None: the setting's tile side")
-        .field("angle", &NewProjectOptions::angle, "rad, of the rows of tiles; None: the most regular tiling")
+               "wanted mean side of the tiles, m; None: the setting's tile side")
+        .field("angle", &NewProjectOptions::angle,
+               "angle of the rows of tiles, rad; None: the most regular tiling")
         .field("tiles", &NewProjectOptions::tiles, "")
-        .field("narrow", &NewProjectOptions::narrow, "what to do where the outline is narrower than a tile")
-        .field(
-            "layout", &NewProjectOptions::layout,
-            "a name that find_node_layout() knows, or a layout file (.json); empty: the library's, or paper7")
+        .field("narrow", &NewProjectOptions::narrow,
+               "treatment of places where the outline is narrower than a tile")
+        .field("layout", &NewProjectOptions::layout,
+               "a name that find_node_layout() knows, or a layout file (.json); empty: the library's layout, "
+               "or paper7")
         .field("own_layout", &NewProjectOptions::own_layout, "a NodeLayout of your own, in place of `layout`")
         .field("setting", &NewProjectOptions::setting,
-               "material, section and joints; None: the library's, or made_setting(), whose joints are stiff")
+               "material, section and joints; None: the library's setting, or made_setting(), whose joints "
+               "are stiff")
         .done();
     m.def(
         "make_project",
@@ -180,11 +189,10 @@ void bind_making(py::module_& m) {
             return std::pair(std::move(made.project), made.report);
         },
         "outline"_a, "patterns"_a = py::none(), "library"_a = py::none(),
-        "Tile an outline, or several that lie apart, and paint it as Project.paint does: `patterns` is an "
-        "id, "
-        "or says how tiles get theirs ('random:1', with a `palette` of ids). Returns the project and a "
-        "TessellationReport.\n\n"
-        "Options: NewProjectOptions, palette, property, range, dither, progress\n");
+        "Tile an outline, or several separate outlines, and paint the tiles as Project.paint() does: "
+        "`patterns` is an id, or a way of choosing ids ('random:1', with a `palette` of ids). Returns the "
+        "project and a TessellationReport.\n\nOptions: NewProjectOptions, palette, property, range, dither, "
+        "progress\n");
 }
 
 void bind_retiling(py::module_& m) {
@@ -237,23 +245,21 @@ void bind_retiling(py::module_& m) {
 }
 
 void bind_surface(py::module_& m) {
-    Record<Surface> outer(
-        m, "Surface",
-        "A painted tessellation with its setting and calibrations: what its tiles are built from. "
-        "Made by make_surface.\n\n"
-        ">>> import fretwork as fw\n"
-        ">>> square = fw.make_outline([[0, 0], [0.2, 0], [0.2, 0.2], [0, 0.2]])\n"
-        ">>> project, _ = fw.make_project(square, patterns='0-1+1-6', edge_length=0.025)\n"
-        ">>> surface = fw.make_surface(project)\n"
-        ">>> surface.tessellation.tiles[0].pattern\n"
-        "0\n");
+    Record<Surface> outer(m, "Surface",
+                          "A painted tessellation with its setting and calibrations, from which its tiles "
+                          "are built. Made by make_surface().\n\n>>> import fretwork as fw\n>>> square = "
+                          "fw.make_outline([[0, 0], [0.2, 0], [0.2, 0.2], [0, 0.2]])\n>>> project, _ = "
+                          "fw.make_project(square, patterns='0-1+1-6', edge_length=0.025)\n>>> surface = "
+                          "fw.make_surface(project)\n>>> surface.tessellation.tiles[0].pattern\n0\n");
     outer.constant("layout", &Surface::layout, "")
         .constant("tessellation", &Surface::tessellation, "")
         .constant("setting", &Surface::setting, "material and section of the beams")
-        .constant("calibrations", &Surface::calibrations, "for each pattern its best one of each tile model")
-        .constant("tile_models", &Surface::tile_models, "of each tile; '' where it is the simulation's");
+        .constant("calibrations", &Surface::calibrations,
+                  "for each pattern, its best calibration of each tile model")
+        .constant("tile_models", &Surface::tile_models,
+                  "tile model of each tile; '': the model of the simulation");
     outer.type()
-        .def_property_readonly("tile_masses", &tile_masses, "kg, of each tile's beams")
+        .def_property_readonly("tile_masses", &tile_masses, "mass of each tile's beams, kg")
         .def("__copy__", [](const Surface& self) { return self; })
         .def(
             "__deepcopy__", [](const Surface& self, const py::dict&) { return self; }, "memo"_a)
@@ -288,7 +294,7 @@ void bind_surface(py::module_& m) {
             return load_rows(resolve(load_case, surface), surface.tessellation.interface_nodes.size());
         },
         "load_case"_a, "surface"_a,
-        "Forces (N) and moments (N m) on each interface node, the shares of the tiles' weight included: n x "
+        "The forces (N) and moments (N m) on each interface node, including shares of the tiles' weight: n x "
         "6 floats.");
     m.def("surface_fan", &surface_fan, "surface"_a, "All beams of all tiles.");
     m.def(
@@ -300,7 +306,7 @@ void bind_surface(py::module_& m) {
             return std::make_shared<LibraryObject>(std::move(*opened), "library");
         },
         "project_file"_a, "project"_a, "wanted"_a = "",
-        "The library that a project is to be simulated with: the wanted one, else its own, else None.");
+        "The library for simulating a project: the wanted library, else the project's own, else None.");
 }
 
 }  // namespace

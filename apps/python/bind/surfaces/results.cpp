@@ -24,65 +24,71 @@ using Models = std::optional<std::vector<reduction::TileModel>>;
 void bind_subject(py::module_& m) {
     Record<ResultSubject>(m, "ResultSubject", "The surface, load case and model that a result belongs to.")
         .constant("model", &ResultSubject::model, "the tile model")
-        .constant("is_reference", &ResultSubject::is_reference, "every tile has all of its beams")
+        .constant("is_reference", &ResultSubject::is_reference, "True if every tile has all of its beams")
         .constant("load_case", &ResultSubject::load_case, "its name")
-        .constant("load_case_text", &ResultSubject::load_case_text, "the load case file")
+        .constant("load_case_text", &ResultSubject::load_case_text, "text of the load case file")
         .constant("tessellation_hash", &ResultSubject::tessellation_hash, "SHA-256")
         .constant("painting_hash", &ResultSubject::painting_hash, "SHA-256")
         .constant("setting_hash", &ResultSubject::setting_hash, "SHA-256")
-        .constant("joints", &ResultSubject::joints, "of the setting; None in older files")
-        .constant("full_tiles", &ResultSubject::full_tiles, "of a mixed model: those with all of their beams")
-        .constant("stages_text", &ResultSubject::stages_text, "the stages that were followed")
-        .constant("stage_load_cases", &ResultSubject::stage_load_cases, "load case files that stages name")
+        .constant("joints", &ResultSubject::joints, "joints of the setting; None in older files")
+        .constant("full_tiles", &ResultSubject::full_tiles, "tiles with all of their beams, in a mixed model")
+        .constant("stages_text", &ResultSubject::stages_text, "load stages that were followed")
+        .constant("stage_load_cases", &ResultSubject::stage_load_cases,
+                  "load case files that the load stages name")
         .done(Made::ByFunctions);
-    Record<ModelError>(m, "ModelError", "Estimated distance of a surface's solution from the full model's.")
-        .constant("mean", &ModelError::mean, "as a share of the largest displacement")
-        .constant("largest", &ModelError::largest, "as a share of the largest displacement")
-        .constant("relative_l2", &ModelError::relative_l2, "of all translations")
-        .constant("largest_stress", &ModelError::largest_stress, "a share, or None")
-        .constant("full_share", &ModelError::full_share, "of the tiles that the estimate took in full")
+    Record<ModelError>(m, "ModelError",
+                       "The estimated distance of a surface's solution from the full model's solution.")
+        .constant("mean", &ModelError::mean, "mean error, as a share of the largest displacement")
+        .constant("largest", &ModelError::largest, "largest error, as a share of the largest displacement")
+        .constant("relative_l2", &ModelError::relative_l2,
+                  "estimated |full - reduced| / |full| over all translations")
+        .constant("largest_stress", &ModelError::largest_stress,
+                  "error of the largest stress, a share, or None")
+        .constant("full_share", &ModelError::full_share,
+                  "share of the tiles that the estimate computes in full")
         .done(Made::ByFunctions);
-    Record<ModelDoubt>(
-        m, "ModelDoubt",
-        "What tells that a solution of tiles that turn with their frames may be far from the full "
-        "model's.")
+    Record<ModelDoubt>(m, "ModelDoubt",
+                       "The quantities that show whether a solution of corotational tiles may be far from "
+                       "the full model's solution.")
         .constant("tile_rotation", &ModelDoubt::tile_rotation,
-                  "rad, the largest turn of a node against its tile's frame")
-        .constant(
-            "change", &ModelDoubt::change,
-            "of mixed models: how far tiles in full moved the answer, a share of the largest displacement")
+                  "largest rotation of a node relative to the corotating axes of its tile, rad")
+        .constant("change", &ModelDoubt::change,
+                  "for mixed models, change of the solution by tiles in full, as a share of the largest "
+                  "displacement")
         .done(Made::ByFunctions);
 }
 
 void bind_surface_result(py::module_& m) {
     const auto base = py::reinterpret_borrow<py::class_<mechanics::Result>>(m.attr("Result"));
-    Record<SurfaceResult>(
-        m, "SurfaceResult", base,
-        "The solution of a surface. Rows are the interface nodes first; arrays are views that keep "
-        "their result alive.")
-        .constant("subject", &SurfaceResult::subject, "what it is a result of, or None")
-        .constant("linear_range", &SurfaceResult::linear_range, "of linear solutions; only where asked for")
+    Record<SurfaceResult>(m, "SurfaceResult", base,
+                          "The solution of a surface. Rows of interface nodes come first; arrays are views "
+                          "that keep their result alive.")
+        .constant("subject", &SurfaceResult::subject, "surface, load case and model of the result, or None")
+        .constant("linear_range", &SurfaceResult::linear_range,
+                  "error estimate of linear solutions; None unless the options ask for it")
         .constant("fit_error", &SurfaceResult::fit_error,
-                  "of linear solutions of fitted tiles, a share, or None")
+                  "error of the fit, for linear solutions of fitted tiles, a share, or None")
         .constant("model_doubt", &SurfaceResult::model_doubt,
-                  "of nonlinear results of reduced tiles, or None")
-        .constant("model_error", &SurfaceResult::model_error, "of reduced models; only where asked for")
-        .constant("buckled_tiles", &SurfaceResult::buckled_tiles, "only where the model error was asked for")
+                  "doubt about nonlinear results of reduced tiles, or None")
+        .constant("model_error", &SurfaceResult::model_error,
+                  "error estimate of reduced models; None unless the options ask for it")
+        .constant("buckled_tiles", &SurfaceResult::buckled_tiles,
+                  "tiles that buckle; None unless the options ask for the model error")
         .done(Made::ByFunctions)
         .def_property_readonly(
             "largest_displacement",
             [](const SurfaceResult& self) { return largest_displacement(self, self.solution); },
-            "m, of the interface nodes")
+            "The largest displacement of an interface node, m.")
         .def_property_readonly(
             "largest_rotation",
             [](const SurfaceResult& self) { return largest_rotation(self, self.solution); },
-            "rad, of the interface nodes");
+            "The largest rotation of an interface node, rad.");
     m.def("is_doubtful", &is_doubtful, "result"_a,
-          "Whether its error may be large, and has to be estimated.");
+          "True if the error of the result may be large and should be estimated.");
     m.def("path_warning", &path_warning, "result"_a,
-          "The warning about a result that is not the answer to its load, or is unstable; '': none.");
+          "A warning about a result that is not the answer to its load, or is unstable; '' if there is none.");
     m.def("model_warning", &model_warning, "result"_a,
-          "What there is to know of a result whose error is or may be large; '': nothing.");
+          "A warning about a result whose error is or may be large; '' if there is none.");
     bind_files<SurfaceResult>(
         m, "surface_result",
         {&parse_surface_result, &surface_result_text, &read_surface_result, &write_surface_result});
@@ -91,7 +97,7 @@ void bind_surface_result(py::module_& m) {
 void bind_comparison(py::module_& m) {
     Record<Comparison>(
         m, "Comparison",
-        "How far a reduced model's interface nodes are from the full model's: a row of Table 3.")
+        "The distance of a reduced model's interface nodes from the full model's: a row of Table 3.")
         .constant("width", &Comparison::width, "m")
         .constant("height", &Comparison::height, "m")
         .constant("max_displacement", &Comparison::max_displacement, "m")
@@ -102,38 +108,41 @@ void bind_comparison(py::module_& m) {
         .constant("max_rotation_error", &Comparison::max_rotation_error, "rad")
         .constant("mean_rotation_error", &Comparison::mean_rotation_error, "rad")
         .constant("sd_rotation_error", &Comparison::sd_rotation_error, "rad")
-        .constant("relative_l2_error", &Comparison::relative_l2_error, "of all translations")
+        .constant("relative_l2_error", &Comparison::relative_l2_error,
+                  "|full - reduced| / |full| over all translations")
         .constant("full_seconds", &Comparison::full_seconds, "")
         .constant("reduced_seconds", &Comparison::reduced_seconds, "")
         .constant("full_is_unstable", &Comparison::full_is_unstable, "")
-        .constant("joints", &Comparison::joints, "of the setting; None where no file names them")
+        .constant("joints", &Comparison::joints, "joints of the setting; None if no file names them")
         .done(Made::ByFunctions);
     m.def("compare", &compare, "full"_a, "reduced"_a,
           "Compare two results of one surface. Raises InputError if they do not belong together.");
-    m.def("comparison_text", &comparison_text, "comparison"_a, "In a few lines for people.");
+    m.def("comparison_text", &comparison_text, "comparison"_a, "The comparison in a few lines for people.");
     m.def("comparison_header", &comparison_header, "The header of the table.");
-    m.def("comparison_row", &comparison_row, "example"_a, "comparison"_a, "A row of it.");
+    m.def("comparison_row", &comparison_row, "example"_a, "comparison"_a, "A row of the table.");
 }
 
 void bind_beams(py::module_& m) {
     Record<BeamRow>(m, "BeamRow", "Forces and stress of one beam of a surface.")
         .constant("beam", &BeamRow::beam, "its number")
         .constant("tile", &BeamRow::tile, "")
-        .constant("nodes", &BeamRow::nodes, "numbers in the full model")
+        .constant("nodes", &BeamRow::nodes, "numbers of the ends in the full model")
         .constant("forces", &BeamRow::forces, "SectionForces at both ends")
-        .constant("stress", &BeamRow::stress, "Pa, the largest normal stress at each end")
-        .constant("von_mises", &BeamRow::von_mises, "Pa, at each end")
+        .constant("stress", &BeamRow::stress, "largest normal stress at each end, Pa")
+        .constant("von_mises", &BeamRow::von_mises, "largest von Mises stress at each end, Pa")
         .done(Made::ByFunctions)
         .def_property_readonly("largest_stress", &BeamRow::largest_stress, "Pa")
         .def_property_readonly("largest_von_mises", &BeamRow::largest_von_mises, "Pa");
     Record<BeamTable>(m, "BeamTable", "The beams of a surface in a result.")
-        .constant("rows", &BeamTable::rows, "over the beams whose tile model gives their motions")
-        .constant("unknown", &BeamTable::unknown, "beams of other tiles")
-        .constant("strength", &BeamTable::strength, "Pa, the reference of utilizations")
-        .constant("joints", &BeamTable::joints, "of the setting")
+        .constant("rows", &BeamTable::rows, "beams whose tile model knows their motion")
+        .constant("unknown", &BeamTable::unknown, "number of beams of other tiles")
+        .constant("strength", &BeamTable::strength,
+                  "strength of the material, Pa, the reference of utilizations")
+        .constant("joints", &BeamTable::joints, "joints of the setting")
         .constant("is_shape_given", &BeamTable::is_shape_given, "")
         .done(Made::ByFunctions)
-        .def("utilization", &BeamTable::utilization, "row"_a, "None without a strength.");
+        .def("utilization", &BeamTable::utilization, "row"_a,
+             "The utilization of a beam; None without a strength.");
     m.def(
         "beam_table",
         [](const Surface& surface, const SurfaceResult& result, const Models& models) {
@@ -143,20 +152,21 @@ void bind_beams(py::module_& m) {
         },
         "surface"_a, "result"_a, "models"_a = py::none(), "Section forces and stresses of all beams.");
     m.def("most_stressed", &most_stressed, "table"_a, "count"_a,
-          "The rows of the largest von Mises stress first.");
-    m.def("beam_table_csv", &beam_table_csv, "table"_a, "surface"_a, "As CSV, SI.");
+          "The rows, sorted by von Mises stress, the largest first.");
+    m.def("beam_table_csv", &beam_table_csv, "table"_a, "surface"_a, "The table as CSV, SI.");
 }
 
 void bind_surface_beams(py::module_& m) {
-    Record<SurfaceBeams>(m, "SurfaceBeams", "The beams of a surface as they lie in the plane.")
-        .constant("interface_nodes", &SurfaceBeams::interface_nodes, "the first nodes")
+    Record<SurfaceBeams>(m, "SurfaceBeams", "The beams of a surface in the plane, at rest.")
+        .constant("interface_nodes", &SurfaceBeams::interface_nodes,
+                  "number of interface nodes, which are the first nodes")
         .constant("nodes", &SurfaceBeams::nodes, "n x 3 floats, m: rest positions")
         .constant("ends", &SurfaceBeams::ends, "pairs of nodes")
-        .constant("tiles", &SurfaceBeams::tiles, "of each beam")
-        .constant("joint_reaches", &SurfaceBeams::joint_reaches, "of each beam")
+        .constant("tiles", &SurfaceBeams::tiles, "tile of each beam")
+        .constant("joint_reaches", &SurfaceBeams::joint_reaches, "joint reach of each beam")
         .done(Made::ByFunctions);
-    Record<BeamState>(m, "BeamState", "How the beams of a surface are displaced and strained.")
-        .constant("nodes", &BeamState::nodes, "n x 6 floats; NaN where a tile model does not give it")
+    Record<BeamState>(m, "BeamState", "The displacements and stresses of the beams of a surface.")
+        .constant("nodes", &BeamState::nodes, "n x 6 floats; NaN where a tile model does not know the motion")
         .constant("forces", &BeamState::forces,
                   "2b x 8 floats, two rows for each beam: N V2 V3 T M2 M3, stress and von Mises stress (Pa)")
         .done(Made::ByFunctions);
@@ -169,14 +179,16 @@ void bind_surface_beams(py::module_& m) {
             const SurfaceBeams beams = surface_beams(surface);
             return beam_state(surface, result, beams, beam_sections(beams, surface.setting), own);
         },
-        "surface"_a, "result"_a, "models"_a = py::none(), "The beams of surface_beams() in a result.");
+        "surface"_a, "result"_a, "models"_a = py::none(),
+        "The state of the beams of surface_beams() in a result.");
 }
 
 void bind_checks(py::module_& m) {
-    Record<CloseBars>(m, "CloseBars", "Two bars that come too near to each other.")
+    Record<CloseBars>(m, "CloseBars", "Two bars that are too near to each other.")
         .constant("bars", &CloseBars::bars, "")
-        .constant("tiles", &CloseBars::tiles, "that they are of")
-        .constant("gap", &CloseBars::gap, "m between their rims, below zero where they overlap")
+        .constant("tiles", &CloseBars::tiles, "tiles of the bars")
+        .constant("gap", &CloseBars::gap,
+                  "distance between the rims of the bars, m; below zero if they overlap")
         .done(Made::ByFunctions);
     m.def(
         "close_bars",
@@ -185,15 +197,17 @@ void bind_checks(py::module_& m) {
                 return close_bars(surface, clearance, control);
             });
         },
-        "surface"_a, "clearance"_a, "progress"_a = py::none(), "Bars whose rims are nearer than this (m).");
+        "surface"_a, "clearance"_a, "progress"_a = py::none(),
+        "The pairs of bars whose rims are nearer than a clearance (m).");
     Record<RefinedStress>(m, "RefinedStress",
-                          "A solution whose largest stress lies where all beams are computed.")
+                          "A solution whose largest stress lies in tiles with all of their beams.")
         .constant("result", &RefinedStress::result, "")
-        .constant("table", &RefinedStress::table, "of its beams")
-        .constant("full_tiles", &RefinedStress::full_tiles, "with all of their beams, ascending")
-        .constant("solutions", &RefinedStress::solutions, "that it took")
+        .constant("table", &RefinedStress::table, "forces and stresses of the beams")
+        .constant("full_tiles", &RefinedStress::full_tiles, "tiles with all of their beams, ascending")
+        .constant("solutions", &RefinedStress::solutions, "number of nonlinear solutions")
         .constant("is_settled", &RefinedStress::is_settled,
-                  "the tiles around the most stressed beam are in full; else an equilibrium was not found")
+                  "True if the tiles around the most stressed beam are in full; False if an equilibrium was "
+                  "not found")
         .done(Made::ByFunctions);
     bind_enum<ModeKind>(m);
     m.def(
@@ -214,9 +228,8 @@ void bind_checks(py::module_& m) {
             });
         },
         "surface"_a, "result"_a, "progress"_a = py::none(),
-        "From a nonlinear result of corotational or mixed tiles: the tiles around the most stressed beam are "
-        "put in full "
-        "until they all are.");
+        "From a nonlinear result of corotational or mixed tiles, put the tiles around the most stressed beam "
+        "in full until all of them are.");
     m.def(
         "surface_linear_range",
         [](const Surface& surface, const LoadCase& load_case, int threads, const py::object& progress) {
@@ -225,7 +238,8 @@ void bind_checks(py::module_& m) {
             });
         },
         "surface"_a, "load_case"_a, "threads"_a = 0, "progress"_a = py::none(),
-        "How far a linear solution of the surface is from that for large displacements.");
+        "An estimate of the distance between a linear solution of the surface and the solution for large "
+        "displacements.");
     m.def(
         "surface_frame",
         [](const Surface& surface, const LoadCase& load_case, const std::string& model,
@@ -234,7 +248,7 @@ void bind_checks(py::module_& m) {
             return surface_frame(surface, {model, rows}, resolve(load_case, surface));
         },
         "surface"_a, "load_case"_a, "model"_a = "full", "models"_a = py::none(),
-        "The surface under a load case as a frame, which any other solver can check.");
+        "The surface under a load case as a frame, which any other solver can solve for comparison.");
 }
 
 }  // namespace

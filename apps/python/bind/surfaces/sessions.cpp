@@ -66,54 +66,56 @@ SurfaceResult solve_session(SessionObject& self, mechanics::StabilityCheck check
 
 void bind_options(py::module_& m) {
     bind_enum<Analysis>(m);
-    Record<SimulationOptions>(m, "SimulationOptions", "How a surface is simulated.")
-        .field("model", &SimulationOptions::model, "of the tiles without their own; or 'mixed:SHARE'")
-        .field("analysis", &SimulationOptions::analysis, "of the model: what its row says")
-        .field("estimate_error", &SimulationOptions::estimate_error, "of the beams' divisions")
-        .field("estimate_model_error", &SimulationOptions::estimate_model_error, "of reduced models")
-        .field("load_steps", &SimulationOptions::load_steps, "results at equal shares of the load")
-        .field("branch", &SimulationOptions::branch, "where the path becomes unstable")
-        .field("vibration_modes", &SimulationOptions::vibration_modes, "of simulate() only")
-        .field("buckling_modes", &SimulationOptions::buckling_modes, "of simulate() only")
-        .field("estimate_linear_range", &SimulationOptions::estimate_linear_range, "of linear solutions")
-        .field("threads", &SimulationOptions::threads, "0: all there are; no bit of the result depends on it")
+    Record<SimulationOptions>(m, "SimulationOptions", "Options of a simulation.")
+        .field("model", &SimulationOptions::model,
+               "tile model of the tiles without their own; or 'mixed:SHARE'")
+        .field("analysis", &SimulationOptions::analysis, "theory; of the model: as stated in the model's row")
+        .field("estimate_error", &SimulationOptions::estimate_error,
+               "True: estimate the error of the beams' divisions")
+        .field("estimate_model_error", &SimulationOptions::estimate_model_error,
+               "True: estimate the error of reduced models")
+        .field("load_steps", &SimulationOptions::load_steps, "number of results at equal shares of the load")
+        .field("branch", &SimulationOptions::branch, "equilibria to follow when the path becomes unstable")
+        .field("vibration_modes", &SimulationOptions::vibration_modes, "for simulate() only")
+        .field("buckling_modes", &SimulationOptions::buckling_modes, "for simulate() only")
+        .field("estimate_linear_range", &SimulationOptions::estimate_linear_range,
+               "True: estimate the error of linear solutions")
+        .field("threads", &SimulationOptions::threads,
+               "number of threads; 0: one for each processor; no bit of the result depends on the number")
         .done();
     bind_enum<mechanics::FactorChange>(m);
     bind_enum<mechanics::StartingPoint>(m);
     bind_enum<mechanics::StabilityCheck>(m);
-    Record<TileDeformation>(m, "TileDeformation", "How far a tile is deformed.")
+    Record<TileDeformation>(m, "TileDeformation", "The deformation of a tile.")
         .constant("energy", &TileDeformation::energy, "J")
         .constant("rotation", &TileDeformation::rotation,
-                  "rad, the largest of a node against the tile's frame")
+                  "largest rotation of a node relative to the tile's corotating axes, rad")
         .done(Made::ByFunctions);
 }
 
 SessionClass bind_session(py::module_& m) {
-    SessionClass type(m, "Session",
-                      "A surface under a load case that is edited and solved again and again; what was "
-                      "computed is kept. Use by one "
-                      "thread at a time; different sessions may be solved at once.\n\n"
-                      ">>> import fretwork as fw\n"
-                      ">>> square = fw.make_outline([[0, 0], [0.2, 0], [0.2, 0.2], [0, 0.2]])\n"
-                      ">>> project, _ = fw.make_project(square, patterns='0-1+1-6', edge_length=0.025)\n"
-                      ">>> case = fw.LoadCase(name='tip',\n"
-                      "...     supports=[fw.LoadCase.Support(fw.NodesAtSide('left'), 'all')],\n"
-                      "...     loads=[fw.LoadCase.Load(fw.NodesAtSide('right'), force=[0, 0, -0.001])])\n"
-                      ">>> session = fw.Session(fw.make_surface(project), case, model='corotational')\n"
-                      ">>> before = session.solve().largest_displacement\n"
-                      ">>> session.paint([0, 1, 2], '0-5+5-6')\n"
-                      ">>> session.solve().largest_displacement < before\n"
-                      "True\n");
-    Record<Session::Report>(type, "Report", "What the last solution computed, and what it reused.")
-        .constant("tiles_built", &Session::Report::tiles_built, "shared ones once")
-        .constant("factors", &Session::Report::factors, "of a linear solution")
-        .constant("starting_point", &Session::Report::starting_point, "of a nonlinear solution")
+    SessionClass type(
+        m, "Session",
+        "A surface under a load case that is edited and solved repeatedly, with all data kept that an edit "
+        "leaves valid. Only one thread at a time may use a session; different sessions may be solved at "
+        "once.\n\n>>> import fretwork as fw\n>>> square = fw.make_outline([[0, 0], [0.2, 0], [0.2, 0.2], [0, "
+        "0.2]])\n>>> project, _ = fw.make_project(square, patterns='0-1+1-6', edge_length=0.025)\n>>> case = "
+        "fw.LoadCase(name='tip',\n...     supports=[fw.LoadCase.Support(fw.NodesAtSide('left'), "
+        "'all')],\n...     loads=[fw.LoadCase.Load(fw.NodesAtSide('right'), force=[0, 0, -0.001])])\n>>> "
+        "session = fw.Session(fw.make_surface(project), case, model='corotational')\n>>> before = "
+        "session.solve().largest_displacement\n>>> session.paint([0, 1, 2], '0-5+5-6')\n>>> "
+        "session.solve().largest_displacement < before\nTrue\n");
+    Record<Session::Report>(type, "Report",
+                            "The data that the last solution computed, and the data that it reused.")
+        .constant("tiles_built", &Session::Report::tiles_built,
+                  "number of tiles built; shared tiles count once")
+        .constant("factors", &Session::Report::factors, "effect on the factors of a linear solution")
+        .constant("starting_point", &Session::Report::starting_point,
+                  "starting point of a nonlinear solution")
         .done(Made::ByFunctions);
     type.def(py::init(&make_session), "surface"_a, "load_case"_a, "library"_a = py::none(),
-             "`library` gives the calibrations of patterns that come in by painting; `models` are tile "
-             "models of your "
-             "own beside the built-in ones.\n\n"
-             "Options: SimulationOptions, models\n")
+             "`library` has the calibrations of patterns that are painted later; `models` are your own tile "
+             "models in addition to the built-in models.\n\nOptions: SimulationOptions, models\n")
         .def_property_readonly(
             "surface", [](SessionObject& self) { return self.use()->session.surface(); }, "a copy")
         .def_property_readonly(
@@ -122,7 +124,7 @@ SessionClass bind_session(py::module_& m) {
                                [](SessionObject& self) { return self.use()->session.last_report(); })
         .def_property_readonly(
             "full_tiles", [](SessionObject& self) { return self.use()->session.full_tiles(); },
-            "that a mixed model has put in full, after solve()");
+            "The tiles that a mixed model has put in full, after solve().");
     return type;
 }
 
@@ -144,7 +146,7 @@ void bind_edits(SessionClass& type) {
             [](SessionObject& self, const Tiles& tiles, const std::string& model) {
                 self.use()->session.set_tile_model(tiles, model);
             },
-            "tiles"_a, "model"_a, "Give tiles their own tile model; '' takes it back.")
+            "tiles"_a, "model"_a, "Give tiles a tile model of their own; '' removes it.")
         .def(
             "set_model",
             [](SessionObject& self, const std::string& model) { self.use()->session.set_model(model); },
@@ -154,13 +156,13 @@ void bind_edits(SessionClass& type) {
             [](SessionObject& self, const reduction::Setting& setting) {
                 self.use()->session.set_setting(setting);
             },
-            "setting"_a, "Other material, section or scenarios.")
+            "setting"_a, "Change the material, the section or the scenarios.")
         .def(
             "set_calibrations",
             [](SessionObject& self, std::vector<std::vector<reduction::Calibration>> given) {
                 self.use()->session.set_calibrations(std::move(given));
             },
-            "calibrations"_a, "For each pattern of the surface in turn.")
+            "calibrations"_a, "Change the calibrations, for each pattern of the surface in turn.")
         .def(
             "set_load_case",
             [](SessionObject& self, const LoadCase& load_case) {
@@ -190,9 +192,8 @@ void bind_edits(SessionClass& type) {
 void bind_solutions(SessionClass& type) {
     type.def("solve", &solve_session, "check"_a = mechanics::StabilityCheck::Made, "subject"_a = false,
              "progress"_a = py::none(),
-             "The equilibrium of the surface as it is now. With `subject` the result says what it is of, as "
-             "files and "
-             "compare() want it.")
+             "The equilibrium of the present surface. With `subject`, the result has its subject, which "
+             "files and compare() need.")
         .def(
             "solve_adjoint",
             [](SessionObject& self, const Eigen::MatrixXd& rows, const py::object& progress) {
@@ -215,9 +216,9 @@ void bind_solutions(SessionClass& type) {
             },
             "gradient"_a, "progress"_a = py::none(),
             "The derivatives of a function J of the displacements at the equilibrium of the last solve(), "
-            "linear or nonlinear. gradient: n x 6 floats, a row for each node of the result: dJ by "
-            "displacements (per m) and rotation vectors (per rad). Raises InputError if there is no such "
-            "equilibrium: after an edit, or in several load steps.")
+            "linear or nonlinear. `gradient`: n x 6 floats, one row for each node of the result, the "
+            "derivatives of J with respect to displacements (1/m) and rotation vectors (1/rad). Raises "
+            "InputError if there is no such equilibrium, as after an edit or with several load steps.")
         .def(
             "energy_gradient",
             [](SessionObject& self, const SurfaceResult& result) {
@@ -225,15 +226,15 @@ void bind_solutions(SessionClass& type) {
                 return use->session.energy_gradient(checked(*use, result));
             },
             "result"_a,
-            "The gradient of result.solution.energy by displacements and rotation vectors: n x 6 floats "
-            "(N, N m).")
+            "The gradient of result.solution.energy with respect to displacements and rotation vectors: n x "
+            "6 floats (N, N m).")
         .def(
             "tile_deformations",
             [](SessionObject& self, const SurfaceResult& result) {
                 const auto use = self.use();
                 return use->session.tile_deformations(checked(*use, result));
             },
-            "result"_a, "How far each tile is deformed; zero for tiles made of beams.");
+            "result"_a, "The deformation of each tile; zero for tiles made of beams.");
 }
 
 void bind_simulate(py::module_& m) {
@@ -260,8 +261,8 @@ void bind_simulate(py::module_& m) {
             });
         },
         "surface"_a, "supports"_a, "cases"_a, "stages"_a,
-        "Simulate stage after stage, each from the equilibrium that the one before has led to.\n\n"
-        "Options: SimulationOptions, models, progress\n");
+        "Simulate load stages, one after the other, each from the equilibrium of the stage "
+        "before.\n\nOptions: SimulationOptions, models, progress\n");
     m.def(
         "result_subject",
         [](const Surface& surface, const LoadCase& load_case, const py::kwargs& named) {
@@ -269,7 +270,8 @@ void bind_simulate(py::module_& m) {
             return result_subject(surface, load_case, keywords.options);
         },
         "surface"_a, "load_case"_a,
-        "What a result of this surface under this load case is of.\n\nOptions: SimulationOptions, models\n");
+        "The subject of a result of this surface under this load case.\n\nOptions: SimulationOptions, "
+        "models\n");
 }
 
 }  // namespace

@@ -12,18 +12,21 @@ namespace {
 using namespace simulation;
 
 void bind_smooth_stress(py::module_& m) {
-    Record<SmoothStressOptions>(m, "SmoothStressOptions", "How smooth the stand-in for a largest stress is.")
-        .field("exponent", &SmoothStressOptions::exponent,
-               "p of the p-norm, at least 2: the larger, the nearer to the largest stress")
+    Record<SmoothStressOptions>(m, "SmoothStressOptions", "Options of smooth_stress().")
+        .field(
+            "exponent", &SmoothStressOptions::exponent,
+            "exponent p of the p-norm, at least 2; the larger p, the nearer the norm to the largest stress")
         .field("threads", &SmoothStressOptions::threads,
-               "0: all there are; no bit of the result depends on it")
+               "number of threads; 0: one for each processor; no bit of the result depends on the number")
         .done();
-    Record<SmoothStress>(m, "SmoothStress",
-                         "A smooth stand-in for the largest von Mises stress over the beams of a surface.")
-        .constant("value", &SmoothStress::value, "Pa: the p-norm over the points of all sections")
-        .constant("largest", &SmoothStress::largest, "Pa: the largest stress itself, at most `value`")
+    Record<SmoothStress>(
+        m, "SmoothStress",
+        "A smooth approximation of the largest von Mises stress over the beams of a surface.")
+        .constant("value", &SmoothStress::value, "p-norm over the points of all sections, Pa")
+        .constant("largest", &SmoothStress::largest, "largest stress itself, Pa, at most `value`")
         .constant("gradient", &SmoothStress::gradient,
-                  "n x 6 floats: of value by displacements (Pa/m) and rotation vectors (Pa/rad)")
+                  "n x 6 floats: derivatives of `value` with respect to displacements (Pa/m) and rotation "
+                  "vectors (Pa/rad)")
         .done(Made::ByFunctions);
     m.def(
         "smooth_stress",
@@ -34,10 +37,9 @@ void bind_smooth_stress(py::module_& m) {
             return smooth_stress(use->session, checked(*use, result), keywords.options);
         },
         "session"_a, "result"_a,
-        "The p-norm of the von Mises stresses (Pa) in a result that the session gave since its last edit. "
-        "Raises "
-        "InputError for tile models other than condensed and corotational.\n\n"
-        "Options: SmoothStressOptions\n");
+        "The p-norm of the von Mises stresses (Pa) in a result from the session since its last edit. Raises "
+        "InputError for tile models other than condensed and corotational.\n\nOptions: "
+        "SmoothStressOptions\n");
     m.def(
         "smooth_stress_along",
         [](SessionObject& session, const SurfaceResult& result,
@@ -49,10 +51,9 @@ void bind_smooth_stress(py::module_& m) {
             return smooth_stress_along(use->session, result, {setting, step}, keywords.options);
         },
         "session"_a, "result"_a, "setting"_a, "step"_a,
-        "How smooth_stress().value changes along a curve of settings, setting(t), at t = 0, while no node "
-        "moves; "
-        "derivative_along() has the rest. The values of the curve at -2, -1, 1 and 2 steps are asked for.\n\n"
-        "Options: SmoothStressOptions\n");
+        "The derivative of smooth_stress().value along a curve of settings, setting(t), at t = 0, while no "
+        "node moves; derivative_along() gives the remaining part. setting() is called at -2, -1, 1 and 2 "
+        "steps.\n\nOptions: SmoothStressOptions\n");
 }
 
 void bind_refinement(py::module_& m) {
@@ -68,8 +69,8 @@ void bind_refinement(py::module_& m) {
             });
         },
         "session"_a, "full_tiles"_a = std::vector<tiling::TileIndex>{}, "progress"_a = py::none(),
-        "The same of a session of reduced tiles, which keeps the tile models that it gets. `full_tiles` "
-        "(numbers) are in full from the beginning.");
+        "The same for a session of reduced tiles, which keeps its new tile models. `full_tiles` (numbers) "
+        "are in full from the start.");
 }
 
 }  // namespace

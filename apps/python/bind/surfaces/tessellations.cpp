@@ -27,8 +27,9 @@ const std::vector<TileIndex>& checked(const Tessellation& tessellation, const st
 
 void bind_tessellation(py::module_& m) {
     Record<Tile>(m, "Tile", "A convex polygon of the tessellation.")
-        .constant("vertices", &Tile::vertices, "numbers, counterclockwise; the first is the pattern's")
-        .constant("interface_nodes", &Tile::interface_nodes, "numbers, side by side")
+        .constant("vertices", &Tile::vertices,
+                  "numbers of the vertices, counterclockwise; the first is vertex 0 of the pattern")
+        .constant("interface_nodes", &Tile::interface_nodes, "numbers of the interface nodes, side by side")
         .constant("pattern", &Tile::pattern, "index into Tessellation.patterns; -1: not painted")
         .done(Made::ByFunctions);
     Record<Tessellation>(
@@ -37,7 +38,7 @@ void bind_tessellation(py::module_& m) {
         .constant("layout", &Tessellation::layout, "name of the node layout")
         .constant("vertices", &Tessellation::vertices, "n x 2 floats, m")
         .constant("tiles", &Tessellation::tiles, "")
-        .constant("interface_nodes", &Tessellation::interface_nodes, "n x 2 floats, m: places")
+        .constant("interface_nodes", &Tessellation::interface_nodes, "n x 2 floats, m: positions")
         .constant("patterns", &Tessellation::patterns, "the palette in use")
         .done(Made::ByFunctions)
         .def("__len__", [](const Tessellation& self) { return self.tiles.size(); })
@@ -47,7 +48,7 @@ void bind_tessellation(py::module_& m) {
                 const auto* found = pattern_of(self, tile_of(self, tile));
                 return found == nullptr ? std::nullopt : std::optional(*found);
             },
-            "tile"_a, "None if the tile is not painted.")
+            "tile"_a, "The pattern of a tile; None if it is not painted.")
         .def(
             "tile_polygon",
             [](const Tessellation& self, int tile) { return tile_polygon(self, tile_of(self, tile)); },
@@ -57,27 +58,29 @@ void bind_tessellation(py::module_& m) {
             "n x 2 floats, m: the centroid of each tile")
         .def_property_readonly("mean_tile_side", &mean_tile_side, "m")
         .def_property_readonly("rim_loops", &rim_loops,
-                               "numbers of the interface nodes along each line of the rim")
+                               "The numbers of the interface nodes along each line of the rim.")
         .def("__repr__", [](const Tessellation& self) {
             return "<Tessellation: " + std::to_string(self.tiles.size()) + " tiles, " +
                    std::to_string(self.interface_nodes.size()) + " interface nodes, " +
                    std::to_string(self.patterns.size()) + " patterns>";
         });
     m.def("validate", py::overload_cast<const Tessellation&, const pattern::NodeLayout&>(&tiling::validate),
-          "tessellation"_a, "layout"_a, "Check what every tessellation must obey. Raises InputError.");
+          "tessellation"_a, "layout"_a, "Check that a tessellation is valid. Raises InputError.");
 }
 
 void bind_tessellate(py::module_& m) {
     bind_enum<Narrow>(m);
-    Record<TessellationOptions>(m, "TessellationOptions", "How an outline is tiled.")
-        .field("edge_length", &TessellationOptions::edge_length, "m; wanted mean side of the polygons")
+    Record<TessellationOptions>(m, "TessellationOptions", "Options of tessellate().")
+        .field("edge_length", &TessellationOptions::edge_length, "wanted mean side of the polygons, m")
         .field("smallest_side", &TessellationOptions::smallest_side, "m; 0: no limit")
         .field("narrow", &TessellationOptions::narrow, "")
         .field("remeshing_iterations", &TessellationOptions::remeshing_iterations, "")
         .field("relaxation_iterations", &TessellationOptions::relaxation_iterations, "")
-        .field("lattice_angles", &TessellationOptions::lattice_angles, "number of lattices that are tried")
-        .field("angle", &TessellationOptions::angle, "rad, of the rows of tiles; None: the best of several")
-        .field("threads", &TessellationOptions::threads, "0: all there are; the result does not depend on it")
+        .field("lattice_angles", &TessellationOptions::lattice_angles, "number of triangular lattices to try")
+        .field("angle", &TessellationOptions::angle,
+               "angle of the rows of tiles, rad; None: the best of several")
+        .field("threads", &TessellationOptions::threads,
+               "number of threads; 0: one for each processor; the result does not depend on the number")
         .done();
     Record<TessellationReport>(m, "TessellationReport", "The measures of a tiling.")
         .constant("mean_side", &TessellationReport::mean_side, "m")
@@ -86,8 +89,9 @@ void bind_tessellate(py::module_& m) {
         .constant("smallest_angle", &TessellationReport::smallest_angle, "rad")
         .constant("hexagon_share", &TessellationReport::hexagon_share, "of the tiles")
         .constant("inner_hexagon_share", &TessellationReport::inner_hexagon_share,
-                  "of those not on the outline")
-        .constant("covered_share", &TessellationReport::covered_share, "of the outline's area")
+                  "share of hexagons among the tiles without a vertex on the outline")
+        .constant("covered_share", &TessellationReport::covered_share,
+                  "share of the outline's area that tiles cover")
         .constant("outside_share", &TessellationReport::outside_share, "")
         .constant("refined_share", &TessellationReport::refined_share, "of the tiles")
         .constant("tiles", &TessellationReport::tiles, "")
@@ -108,12 +112,10 @@ void bind_tessellate(py::module_& m) {
                 [&](const auto& options) { return tessellate_parts(parts, layout, options); });
         },
         "outline"_a, "layout"_a,
-        "Cover an outline, or several that lie apart, with convex polygons that share whole sides.\n\n"
-        "Options: TessellationOptions, progress\n\n"
-        ">>> import fretwork as fw\n"
-        ">>> square = fw.make_outline([[0, 0], [0.2, 0], [0.2, 0.2], [0, 0.2]])\n"
-        ">>> fw.tessellate(square, fw.paper_layout(), edge_length=0.025).report.tiles\n"
-        "33\n");
+        "Cover an outline, or several separate outlines, with convex polygons that share whole "
+        "sides.\n\nOptions: TessellationOptions, progress\n\n>>> import fretwork as fw\n>>> square = "
+        "fw.make_outline([[0, 0], [0.2, 0], [0.2, 0.2], [0, 0.2]])\n>>> fw.tessellate(square, "
+        "fw.paper_layout(), edge_length=0.025).report.tiles\n33\n");
     m.def("read_mesh_tessellation", &read_mesh_tessellation, "path"_a, "layout"_a,
           "Take the faces of a flat OBJ, PLY or OFF mesh as tiles.");
 }
@@ -124,11 +126,13 @@ void bind_fans(py::module_& m) {
         .constant("tile", &TessellationFan::Edge::tile, "")
         .done(Made::ByFunctions);
     Record<TessellationFan>(m, "TessellationFan", "The patterns of all tiles as one graph in the plane.")
-        .constant("interface_node_count", &TessellationFan::interface_node_count, "the first nodes")
+        .constant("interface_node_count", &TessellationFan::interface_node_count,
+                  "number of interface nodes, which are the first nodes")
         .constant("nodes", &TessellationFan::nodes, "n x 2 floats, m")
         .constant("edges", &TessellationFan::edges, "")
-        .constant("tile_nodes", &TessellationFan::tile_nodes, "for each tile its nodes")
-        .constant("first_edge", &TessellationFan::first_edge, "for each tile, and behind the last")
+        .constant("tile_nodes", &TessellationFan::tile_nodes, "for each tile, the nodes of its fan")
+        .constant("first_edge", &TessellationFan::first_edge,
+                  "for each tile, the index of its first edge, followed by the number of edges")
         .done(Made::ByFunctions);
     m.def("assemble_fans", &assemble_fans, "layout"_a, "tessellation"_a,
           "Repeat every tile's pattern around its polygon.");
@@ -136,15 +140,16 @@ void bind_fans(py::module_& m) {
 
 void bind_paintings(py::module_& m) {
     bind_enum<Dithering>(m);
-    Record<Painting>(m, "Painting", "The patterns in use, and for each tile one of them.")
+    Record<Painting>(m, "Painting", "The patterns in use, and the pattern of each tile.")
         .field("patterns", &Painting::patterns, "")
-        .field("tiles", &Painting::tiles, "index into `patterns`, one for each tile; empty: a palette")
+        .field("tiles", &Painting::tiles,
+               "for each tile, the index of its pattern in `patterns`; empty: a palette")
         .done();
-    Record<GradedPattern>(m, "GradedPattern", "A pattern and a number that belongs to it, such as its mass.")
+    Record<GradedPattern>(m, "GradedPattern", "A pattern with the value of a quantity, such as its mass.")
         .field("pattern", &GradedPattern::pattern, "")
         .field("value", &GradedPattern::value, "")
         .done();
-    Record<WeightedPattern>(m, "WeightedPattern", "A pattern and its weight against those of the others.")
+    Record<WeightedPattern>(m, "WeightedPattern", "A pattern with its weight in a random choice.")
         .field("pattern", &WeightedPattern::pattern, "")
         .field("weight", &WeightedPattern::weight, "")
         .done();
@@ -153,13 +158,15 @@ void bind_paintings(py::module_& m) {
         [](const pattern::NodeLayout& layout, const std::vector<std::string>& ids) {
             return make_palette(layout, ids);
         },
-        "layout"_a, "ids"_a, "The patterns of these ids, as a painting may have them. Raises InputError.");
+        "layout"_a, "ids"_a,
+        "The patterns with these ids, checked for use in a painting. Raises InputError.");
     m.def(
         "random_painting",
         [](std::size_t tiles, const std::vector<WeightedPattern>& patterns, std::uint64_t seed) {
             return random_painting(tiles, patterns, seed);
         },
-        "tiles"_a, "patterns"_a, "seed"_a, "A random painting; the same seed gives the same everywhere.");
+        "tiles"_a, "patterns"_a, "seed"_a,
+        "A random painting; the same seed gives the same painting on every machine.");
     m.def(
         "graded_painting",
         [](const Tessellation& tessellation, const std::vector<TileIndex>& tiles,
@@ -168,7 +175,7 @@ void bind_paintings(py::module_& m) {
             return graded_painting(tessellation, checked(tessellation, tiles), patterns, wanted, dithering);
         },
         "tessellation"_a, "tiles"_a, "patterns"_a, "wanted"_a, "dithering"_a = Dithering::None,
-        "Paint tiles with the patterns whose values are nearest to the wanted ones.");
+        "Paint tiles with the patterns whose values are nearest to the wanted values.");
     m.def("parse_painting", &parse_painting, "text"_a, "source"_a, "layout"_a);
     m.def("painting_text", &painting_text, "painting"_a, "layout"_a);
     m.def("read_painting", &read_painting, "path"_a, "layout"_a);
@@ -176,22 +183,23 @@ void bind_paintings(py::module_& m) {
 }
 
 void bind_choices(py::module_& m) {
-    Record<geometry::Box>(m, "Box", "A part of the plane.")
+    Record<geometry::Box>(m, "Box", "A box with sides parallel to the axes.")
         .field("xmin", &geometry::Box::xmin, "m")
         .field("ymin", &geometry::Box::ymin, "m")
         .field("xmax", &geometry::Box::xmax, "m")
         .field("ymax", &geometry::Box::ymax, "m")
         .done();
     m.def("bounding_box", &bounding_box, "tessellation"_a);
-    m.def("parse_tiles", &parse_tiles, "text"_a, "tessellation"_a, "Tiles of numbers and ranges: '3,7-11'.");
+    m.def("parse_tiles", &parse_tiles, "text"_a, "tessellation"_a,
+          "The tiles in a list of numbers and ranges: '3,7-11'.");
     m.def("tiles_in", py::overload_cast<const geometry::Box&, const Tessellation&>(&tiles_in), "box"_a,
-          "tessellation"_a, "Tiles whose centroid lies in a box.");
+          "tessellation"_a, "The tiles whose centroid lies in a box.");
     m.def("tiles_in", py::overload_cast<const geometry::Polygon&, const Tessellation&>(&tiles_in),
-          "polygon"_a, "tessellation"_a, "Tiles whose centroid lies in a polygon (n x 2, m).");
+          "polygon"_a, "tessellation"_a, "The tiles whose centroid lies in a polygon (n x 2, m).");
     m.def("expression_values", &expression_values, "expression"_a, "box"_a, "points"_a,
           "The values of an expression of x, y (m) and u, v (0 to 1 across the box) at points (n x 2).");
     m.def("image_values", &image_values, "image"_a, "box"_a, "points"_a,
-          "How dark a PNG image is: 0 white, 1 black.");
+          "The darkness of a PNG image: 0 is white, 1 is black.");
 }
 
 }  // namespace
