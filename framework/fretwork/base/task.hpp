@@ -4,6 +4,7 @@
 #include <fretwork/base/control.hpp>
 
 #include <cstddef>
+#include <mutex>
 #include <string_view>
 
 namespace fretwork::base {
@@ -28,6 +29,24 @@ class Task {
 
   private:
     Progress* progress_;
+};
+
+/// A task whose steps end on any thread, in any order.
+class ParallelTask {
+  public:
+    /// Begin a task of `steps` steps, and report its start.
+    ParallelTask(const Control& control, std::string_view name, std::size_t steps)
+        : task_(control, name, steps) {}
+    /// Count one more step as done, and report the number of steps done.
+    void advance() {
+        const std::lock_guard lock(mutex_);
+        task_.update(++done_);
+    }
+
+  private:
+    Task task_;
+    std::mutex mutex_;
+    std::size_t done_ = 0;
 };
 
 }  // namespace fretwork::base

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/task.hpp>
 #include <fretwork/optimization/minimize.hpp>
 
 #include <utility>
@@ -29,9 +30,9 @@ OptimizationReport minimize(const Problem& problem, const OptimizerRow& method,
                             const OptimizerOptions& options, const Budget& budget) {
     options.validate();
     if (!problem.offers(method.needs)) {
-        throw base::InputError("optimizer '" + std::string(method.name) + "' needs what problem '" +
-                               problem.name() +
-                               "' does not offer: " + std::string(evaluation_name(method.needs)));
+        throw base::InputError("optimizer '" + method.name + "' needs the evaluation '" +
+                               std::string(evaluation_name(method.needs)) + "', which problem '" +
+                               problem.name() + "' does not offer");
     }
     OptimizationReport report = minimize(problem, *method.make(options), budget);
     report.optimizer = method.name;
@@ -40,11 +41,8 @@ OptimizationReport minimize(const Problem& problem, const OptimizerRow& method,
 
 OptimizationReport minimize(const Problem& problem, const Optimizer& optimizer, const Budget& budget) {
     Evaluator evaluator(problem, budget);
-    base::Progress* progress = budget.control.progress;
-    if (progress != nullptr) progress->start("minimize", budget.cost);
-    RunOutcome outcome = optimizer.run(evaluator);
-    if (progress != nullptr) progress->finish();
-    return report_of(evaluator, std::move(outcome));
+    const base::Task task(budget.control, "minimize", budget.cost);
+    return report_of(evaluator, optimizer.run(evaluator));
 }
 
 }  // namespace fretwork::optimization

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/parallel.hpp>
+#include <fretwork/base/task.hpp>
 #include <fretwork/pattern/enumerate.hpp>
 #include <fretwork/pattern/search/search.hpp>
 
 #include <algorithm>
-#include <mutex>
 #include <numeric>
 #include <optional>
 
@@ -16,32 +16,11 @@ using detail::Search;
 using detail::SearchNode;
 using detail::SearchProblem;
 
-/// A piece of the search tree: a node alone, or with all that is below it.
+/// A piece of the search tree: a node alone, or a node with its subtree.
 template <class Word>
 struct Piece {
     SearchNode<Word> node;
     bool with_subtree = false;
-};
-
-/// Tells how many pieces are done, whichever threads do them.
-class PieceProgress {
-  public:
-    PieceProgress(const base::Control& control, std::size_t pieces) : progress_(control.progress) {
-        if (progress_ != nullptr) progress_->start("search", pieces);
-    }
-    void add_one() {
-        if (progress_ == nullptr) return;
-        const std::lock_guard lock(mutex_);
-        progress_->update(++done_);
-    }
-    void finish() {
-        if (progress_ != nullptr) progress_->finish();
-    }
-
-  private:
-    base::Progress* progress_;
-    std::mutex mutex_;
-    std::size_t done_ = 0;
 };
 
 /// Searches a tree in pieces, on several threads.
@@ -51,17 +30,16 @@ class PieceSearch {
     PieceSearch(const SearchProblem<Word>& problem, const EnumerationOptions& options)
         : problem_(problem), options_(options) {}
 
-    /// How many valid patterns have how many edges; entry k of `candidate_count + 1`.
+    /// The number of valid patterns with k edges, for k from 0 to `candidate_count`.
     [[nodiscard]] PatternCount count(std::size_t candidate_count) const {
         const std::vector<Piece<Word>> pieces = pieces_of_tree();
         const PatternCount nothing{std::vector<std::uint64_t>(candidate_count + 1)};
         std::vector<PatternCount> parts(pieces.size(), nothing);
-        PieceProgress progress(options_.control, pieces.size());
+        base::ParallelTask task(options_.control, "search", pieces.size());
         base::parallel_for(pieces.size(), options_.threads, [&](std::size_t i) {
             search(pieces[i], [&](Word, int edges) { ++parts[i].by_edges[edges]; });
-            progress.add_one();
+            task.advance();
         });
-        progress.finish();
         PatternCount sum = nothing;
         for (const PatternCount& part : parts) {
             for (std::size_t k = 0; k <= candidate_count; ++k) sum.by_edges[k] += part.by_edges[k];
@@ -69,21 +47,20 @@ class PieceSearch {
         return sum;
     }
 
-    /// Call tell(pattern) for every valid pattern in lexicographic order, on this thread.
-    template <class Tell>
-    void stream(const Tell& tell) const {
+    /// Call visit(pattern) for every valid pattern in lexicographic order, on this thread.
+    template <class Visit>
+    void stream(const Visit& visit) const {
         const std::vector<Piece<Word>> pieces = pieces_of_tree();
-        PieceProgress progress(options_.control, pieces.size());
-        stream_pieces(pieces, tell, [&progress] { progress.add_one(); });
-        progress.finish();
+        base::ParallelTask task(options_.control, "search", pieces.size());
+        stream_pieces(pieces, visit, [&task] { task.advance(); });
     }
 
   private:
     using Found = std::optional<std::vector<Word>>;
 
-    /// A whole tree, cut so that the concatenation of its pieces is lexicographic order.
+    /// The whole tree, cut so that its pieces, one after the other, give the lexicographic order.
     [[nodiscard]] std::vector<Piece<Word>> pieces_of_tree() const {
-        // Where a whole search takes milliseconds, more pieces would only cost time.
+        // The search of a small layout takes milliseconds, and more pieces would only cost time.
         constexpr int kSmallLayout = 20;
         const int depth = detail::bit_count(problem_.candidates) <= kSmallLayout ? 1 : 3;
         return cut({0, problem_.candidates}, depth);
@@ -124,10 +101,10 @@ class PieceSearch {
         return found;
     }
 
-    /// A batch of pieces is searched in parallel and then reported in order. A piece of too many patterns is
-    /// divided, and its parts are streamed when it is its turn.
-    template <class Tell>
-    void stream_pieces(const std::vector<Piece<Word>>& pieces, const Tell& tell,
+    /// Search a batch of pieces in parallel, then report the patterns in order. A piece with too many
+    /// patterns is divided, and its parts are searched one after the other when the turn of the piece comes.
+    template <class Visit>
+    void stream_pieces(const std::vector<Piece<Word>>& pieces, const Visit& visit,
                        const std::function<void()>& done) const {
         constexpr std::size_t kBatch = 256;
         for (std::size_t start = 0; start < pieces.size(); start += kBatch) {
@@ -138,10 +115,10 @@ class PieceSearch {
             });
             for (std::size_t i = 0; i < batch.size(); ++i) {
                 if (batch[i]) {
-                    for (const Word chosen : *batch[i]) tell(chosen);
+                    for (const Word chosen : *batch[i]) visit(chosen);
                     continue;
                 }
-                stream_pieces(cut(pieces[start + i].node, 1), tell, [] {});
+                stream_pieces(cut(pieces[start + i].node, 1), visit, [] {});
                 done();
             }
         }
@@ -151,7 +128,7 @@ class PieceSearch {
     const EnumerationOptions& options_;
 };
 
-/// Call body(problem) with the layout's problem in words just wide enough.
+/// Call body(problem) with the search problem of the layout, in the narrowest words that hold its edges.
 template <class Body>
 PatternCount with_problem(const NodeLayout& layout, const EnumerationOptions& options, const Body& body) {
     options.validate();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/parallel.hpp>
+#include <fretwork/base/task.hpp>
 #include <fretwork/pattern/detail/canonical_form.hpp>
 #include <fretwork/pattern/fan.hpp>
 #include <fretwork/pattern/mirror.hpp>
@@ -11,13 +12,13 @@
 namespace fretwork::pattern {
 namespace {
 
-/// Canonical forms are made in batches, so that memory is that of the classes and not of the patterns.
+/// The number of canonical forms made at a time. Batches keep memory proportional to the number of classes,
+/// not of patterns.
 constexpr std::size_t kBatch = 4096;
 
 void find_classes(const NodeLayout& layout, std::span<const Pattern> patterns, const SamenessOptions& options,
                   SamenessReport& report) {
-    base::Progress* progress = options.control.progress;
-    if (progress != nullptr) progress->start("canonical forms", patterns.size());
+    const base::Task task(options.control, "canonical forms", patterns.size());
     std::unordered_map<std::string, std::size_t> classes;
     for (std::size_t start = 0; start < patterns.size(); start += kBatch) {
         std::vector<std::string> forms(std::min(kBatch, patterns.size() - start));
@@ -29,9 +30,8 @@ void find_classes(const NodeLayout& layout, std::span<const Pattern> patterns, c
             const auto known = classes.try_emplace(std::move(forms[i]), classes.size()).first;
             report.of_pattern[start + i].isomorphism_class = known->second;
         }
-        if (progress != nullptr) progress->update(start + forms.size());
+        task.update(start + forms.size());
     }
-    if (progress != nullptr) progress->finish();
     report.up_to_isomorphism = classes.size();
 }
 

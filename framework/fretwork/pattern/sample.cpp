@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/parallel.hpp>
+#include <fretwork/base/task.hpp>
 #include <fretwork/pattern/sample.hpp>
 #include <fretwork/pattern/search/independent_sets.hpp>
 #include <fretwork/pattern/search/rule_test.hpp>
@@ -15,13 +16,14 @@ namespace {
 
 using detail::Word128;
 
-/// Trials that one thread makes at a time, and how many threads' worth are made before results are looked at.
+/// The number of trials that one thread makes at a time, and the number of such pieces between two looks at
+/// the results.
 constexpr std::uint64_t kPiece = 256;
 constexpr std::uint64_t kPiecesInABatch = 16;
-/// Parts that the counting may remember: some hundred megabytes at the very most.
+/// The largest number of parts that the count stores, which take a few hundred megabytes at most.
 constexpr std::size_t kMostParts = 1'000'000;
 
-/// Every pair of edges that some rule forbids.
+/// All pairs of edges that a rule forbids.
 std::vector<Word128> all_conflicts(const std::vector<Filter>& filters, std::size_t edge_count) {
     std::vector<Word128> conflicts(edge_count);
     for (const Filter& filter : filters) {
@@ -65,8 +67,8 @@ struct PatternSampler::Impl {
         return sets.draw(size, random);
     }
 
-    /// Call visit(piece, graph) for every valid graph among the trials first .. first + count, in parallel;
-    /// within a piece in their order.
+    /// Call visit(piece, graph) for every valid graph among the trials first .. first + count. Pieces run in
+    /// parallel; within a piece, the graphs come in their order.
     template <class Visit>
     void try_all(std::uint64_t first, std::uint64_t count, const Visit& visit) const {
         base::parallel_for((count + kPiece - 1) / kPiece, options.threads, [&](std::size_t piece) {
@@ -80,19 +82,17 @@ struct PatternSampler::Impl {
         });
     }
 
-    /// The number of valid trials, counted from trial 0. They are made in parts, between which progress is
-    /// reported.
+    /// The number of valid graphs among the trials from trial 0 on. The trials are made in parts, and
+    /// progress is reported after each part.
     [[nodiscard]] std::uint64_t count_hits(std::uint64_t trials) const {
         constexpr std::uint64_t kPart = 64 * kPiece;
-        base::Progress* progress = options.control.progress;
-        if (progress != nullptr) progress->start("trials", trials);
+        const base::Task task(options.control, "trials", trials);
         std::atomic<std::uint64_t> hits{0};
         for (std::uint64_t first = 0; first < trials; first += kPart) {
             const std::uint64_t count = std::min(kPart, trials - first);
             try_all(first, count, [&](std::size_t, Word128) { ++hits; });
-            if (progress != nullptr) progress->update(first + count);
+            task.update(first + count);
         }
-        if (progress != nullptr) progress->finish();
         return hits;
     }
 
@@ -103,7 +103,7 @@ struct PatternSampler::Impl {
     detail::IndependentSets<Word128> sets;
     GraphCount proposals = 0;
     std::uint64_t next_trial = 0;
-    std::vector<Pattern> drawn;  ///< found already, and not asked for yet
+    std::vector<Pattern> drawn;  ///< patterns found but not yet returned
 };
 
 PatternSampler::PatternSampler(const NodeLayout& layout, const EnumerationOptions& options,
@@ -118,8 +118,7 @@ PatternSampler::~PatternSampler() = default;
 std::vector<Pattern> PatternSampler::draw(std::size_t count, std::uint64_t most_trials) {
     Impl& impl = *impl_;
     const bool is_hopeless = impl.proposals == 0;
-    base::Progress* progress = impl.options.control.progress;
-    if (progress != nullptr) progress->start("draw", count);
+    const base::Task task(impl.options.control, "draw", count);
     for (std::uint64_t fruitless = 0; impl.drawn.size() < count;) {
         if (is_hopeless || fruitless >= most_trials)
             throw base::NumericalError("no valid pattern of the layout '" + impl.layout.name() +
@@ -132,9 +131,8 @@ std::vector<Pattern> PatternSampler::draw(std::size_t count, std::uint64_t most_
         const std::size_t before = impl.drawn.size();
         for (const auto& piece : found) impl.drawn.insert(impl.drawn.end(), piece.begin(), piece.end());
         fruitless = impl.drawn.size() > before ? 0 : fruitless + kPiece * kPiecesInABatch;
-        if (progress != nullptr) progress->update(std::min(count, impl.drawn.size()));
+        task.update(std::min(count, impl.drawn.size()));
     }
-    if (progress != nullptr) progress->finish();
     const auto end = impl.drawn.begin() + count;
     std::vector<Pattern> result(impl.drawn.begin(), end);
     impl.drawn.erase(impl.drawn.begin(), end);

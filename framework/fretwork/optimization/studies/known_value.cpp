@@ -3,6 +3,7 @@
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/base/quantity.hpp>
+#include <fretwork/base/task.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/optimization/sampling.hpp>
 #include <fretwork/optimization/studies/known_value.hpp>
@@ -11,12 +12,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <mutex>
 
 namespace fretwork::optimization::study {
 namespace {
 
-/// Apart from the seeds of the runs, which are hashes.
+/// The seed of the search for known values; the seeds of runs are hashes.
 constexpr std::uint64_t kReferenceSeed = 1'000'003;
 constexpr const char* kKnownHeader = "problem,best_value,scale,found_by";
 
@@ -102,18 +102,12 @@ std::vector<KnownValue> find_known_values(const std::vector<std::string>& proble
                                           const KnownValueOptions& options) {
     options.validate();
     std::vector<KnownValue> values(problems.size());
-    std::mutex mutex;
-    std::size_t done = 0;
-    base::Progress* progress = options.control.progress;
-    if (progress != nullptr) progress->start("best known values", problems.size());
+    base::ParallelTask task(options.control, "best known values", problems.size());
     base::parallel_for(problems.size(), options.threads, [&](std::size_t i) {
         options.control.check();
         values[i] = find_known_value(problems[i], options);
-        if (progress == nullptr) return;
-        const std::lock_guard lock(mutex);
-        progress->update(++done);
+        task.advance();
     });
-    if (progress != nullptr) progress->finish();
     return values;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/parallel.hpp>
+#include <fretwork/base/task.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/optimization/methods/ceres_residuals.hpp>
 #include <fretwork/optimization/methods/multistart.hpp>
@@ -106,8 +107,7 @@ Landscape explore_landscape(const std::vector<std::string>& problems, const Land
     options.validate();
     Landscape landscape{"problem,kind,descent,value,cost,shares\n",
                         "problem,variable,share,objective,smoothed_0.1,smoothed_0.01\n"};
-    base::Progress* progress = options.control.progress;
-    if (progress != nullptr) progress->start("landscape", problems.size());
+    const base::Task task(options.control, "landscape", problems.size());
     for (std::size_t p = 0; p < problems.size(); ++p) {
         const StudyProblem entry = make_study_problem(problems[p], options.families);
         Descent best;
@@ -119,9 +119,8 @@ Landscape explore_landscape(const std::vector<std::string>& problems, const Land
             }
         }
         if (best.point.size() > 0) landscape.sections += section_rows(entry, best.point);
-        if (progress != nullptr) progress->update(p + 1);
+        task.update(p + 1);
     }
-    if (progress != nullptr) progress->finish();
     return landscape;
 }
 

@@ -3,6 +3,7 @@
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/base/files/file_lock.hpp>
 #include <fretwork/base/parallel.hpp>
+#include <fretwork/base/task.hpp>
 #include <fretwork/optimization/studies/run_table.hpp>
 #include <fretwork/optimization/studies/study.hpp>
 
@@ -36,8 +37,8 @@ std::vector<Task> missing_tasks(const StudyPlan& plan, const RunTable& table) {
     return tasks;
 }
 
-/// Problems that were made once; making one takes longer than some runs. Threads may share it, and one makes
-/// a problem while others get theirs.
+/// The problems of a study, each of which is made once, because making a problem takes longer than some runs.
+/// Threads may share the store; one thread can make a problem while others get theirs.
 class ProblemStore {
   public:
     explicit ProblemStore(const ProblemFamilies& families) : families_(families) {}
@@ -74,7 +75,7 @@ void make_folder(const std::filesystem::path& folder) {
         throw base::IoError(folder.string(), "", "cannot be made: " + fault.message());
 }
 
-/// Takes what threads have done, in any order: the table sorts it.
+/// Adds the finished runs of all threads to the table, in any order, because the table sorts them.
 class TableWriter {
   public:
     TableWriter(RunTable table, std::filesystem::path folder, const StudyPlan& plan)
@@ -88,7 +89,7 @@ class TableWriter {
         if (Clock::now() >= next_write_) write();
     }
 
-    /// How many runs were added.
+    /// Write the table. Returns the number of runs that were added.
     std::size_t finish() {
         write();
         return runs_done_;
@@ -97,8 +98,8 @@ class TableWriter {
   private:
     using Clock = std::chrono::steady_clock;
 
-    /// Every few seconds, but at most a twentieth of the time goes into it: a whole table is tens of
-    /// megabytes.
+    /// Write the table every few seconds, but spend at most a twentieth of the time on it, because a whole
+    /// table has tens of megabytes.
     void write() {
         constexpr std::chrono::seconds kLeastPause(5);
         constexpr int kPausePerWrite = 19;
@@ -132,7 +133,7 @@ std::filesystem::path run_table_path(const std::filesystem::path& folder) {
 
 StudyReport run_study(const StudyPlan& plan, const std::filesystem::path& folder) {
     plan.validate();
-    make_folder(folder);  // before the first run: without it none could be written
+    make_folder(folder);  // before the first run, because no run could be stored without the folder
     RunTable table = stored_table(folder, plan);
     const std::vector<Task> tasks = missing_tasks(plan, table);
     const std::size_t runs_before = table.size();
@@ -140,19 +141,19 @@ StudyReport run_study(const StudyPlan& plan, const std::filesystem::path& folder
     conditions.budget.control = plan.control.silent();
     ProblemStore store(plan.families);
     TableWriter writer(std::move(table), folder, plan);
-    base::Progress* progress = plan.control.progress;
-    if (progress != nullptr) progress->start("run optimizers", tasks.size());
-    base::parallel_for(tasks.size(), plan.threads, [&](std::size_t i) {
-        if (plan.control.stop_wanted()) return;
-        const Task& task = tasks[i];
-        const StudyProblem& entry = store.get(task.key.problem);
-        try {
-            writer.add(record_run({*entry.problem, entry.optimum}, task.contender, task.key, conditions));
-        } catch (const base::Stopped&) {
-            return;  // what is done is stored below
-        }
-    });
-    if (progress != nullptr) progress->finish();
+    {
+        const base::Task progress(plan.control, "run optimizers", tasks.size());
+        base::parallel_for(tasks.size(), plan.threads, [&](std::size_t i) {
+            if (plan.control.stop_wanted()) return;
+            const Task& task = tasks[i];
+            const StudyProblem& entry = store.get(task.key.problem);
+            try {
+                writer.add(record_run({*entry.problem, entry.optimum}, task.contender, task.key, conditions));
+            } catch (const base::Stopped&) {
+                return;  // finished runs are stored below
+            }
+        });
+    }
     const std::size_t runs_done = writer.finish();
     return {runs_before, runs_done, tasks.size() - runs_done};
 }
