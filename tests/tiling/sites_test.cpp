@@ -13,8 +13,8 @@ TEST(RemeshedSites, FillABandWhoseEndsAreLongerThanRemeshingTakes) {
     const outlines::Outline band{{{0, 0}, {2, 0}, {2, 1.45 * kEdge}, {0, 1.45 * kEdge}}, {}};
     const SizeField field(kEdge);
     const Rim rim = sample_rim(band, {field, 1.0}, {});
-    Work work({}, "sites");
-    const std::vector<geometry::Point2> sites = remeshed_sites(rim, kEdge, 10, work);
+    SharedTask task({}, "sites");
+    const std::vector<geometry::Point2> sites = remeshed_sites(rim, kEdge, 10, task);
     EXPECT_GE(sites.size(), 15u);
     const InsideTest is_inside(rim, 0.01);
     for (const geometry::Point2& site : sites) {

@@ -22,71 +22,71 @@ namespace fretwork::tiling {
 namespace {
 
 using detail::Candidate;
+using detail::SharedTask;
 using detail::SizeField;
 using detail::Start;
-using detail::Task;
-using detail::Work;
+using detail::TilingProblem;
 using geometry::metres;
 using geometry::short_number;
 
 constexpr int kMostTiles = 100000;
-/// Where tiles are refined everywhere, all is done again up to eight times.
+/// The largest number of refined tiles; with refinement everywhere, all work is repeated up to eight times.
 constexpr double kMostRefinedTiles = 20000;
-constexpr int kAnglesOfMany = 2;        // of lattices that are sketched where there are many refined tiles
+constexpr int kAnglesOfMany = 2;  // number of lattices that are sketched if there are many refined tiles
 constexpr double kBytesPerTile = 8000;  // measured, rounded up
-/// The approximate number of tiles made in all attempts: a small outline can be tried in more ways.
+/// The approximate number of tiles made in all attempts, so a small outline is tried in more ways.
 constexpr double kTilesInFinal = 1600;
-constexpr double kTilesInGraded = 500;   // the same, where an attempt may be followed by others
-constexpr double kSketchingShare = 0.2;  // of the work that is left
-constexpr double kAttemptShare = 0.8;    // of the work that is left then
+constexpr double kTilesInGraded = 500;   // the same if further attempts may follow
+constexpr double kSketchingShare = 0.2;  // share of the remaining progress
+constexpr double kAttemptShare = 0.8;    // share of the progress that then remains
 constexpr int kAttempts = 8;
-constexpr std::array kTurnedBy = {0.0, 0.5, 0.25};  // of the angle between two lattices
-constexpr double kFiner = 0.7;                      // from one attempt to the next, where tiles had defects
-constexpr double kFinest = 0.1;                     // of the wanted side
-constexpr double kBarsInSide = 1.5;                 // the wanted side over the smallest allowed, at least
-constexpr double kSideInBand = 0.55;                // of a band's width: its tiles are about as long as wide
-constexpr double kSliver = 0.5;                     // of the side that would fit the mean width
-constexpr double kSideAtHole = 0.16;                // of its length: three tiles around it at least
-constexpr double kLimbArea = 0.01;                  // of the outline: what may be lost where no tile fits
-constexpr int kSidesTried = 5;                      // before an outline is refused
-constexpr double kNextSide = 0.7;                   // of the one tried before
-constexpr double kFewTiles = 4;  // no outline is tried with fewer: a drawing may be smaller than a tile
-constexpr double kMostTilesTried = 400;   // with all sides together: seconds, where a refusal is waited for
-constexpr double kTipArea = 1e-3;         // of the outline: a sharp tip may lose so much
-constexpr double kTipsArea = 8e-3;        // the same of all tips
-constexpr double kNegligibleArea = 4e-4;  // of the outline: a narrow part may lose so much
-/// Beyond, in tile sides from the origin, rounding of coordinates reaches the size of the smallest details.
+constexpr std::array kTurnedBy = {0.0, 0.5, 0.25};  // turns, as shares of the angle between two lattices
+constexpr double kFiner = 0.7;        // factor on the wanted side from an attempt with defects to the next
+constexpr double kFinest = 0.1;       // smallest share of the wanted side
+constexpr double kBarsInSide = 1.5;   // smallest ratio of the wanted side to the smallest side allowed
+constexpr double kSideInBand = 0.55;  // wanted side over a band's width: tiles about as long as wide
+constexpr double kSliver = 0.5;       // share of the side that would fit the mean width
+constexpr double kSideAtHole = 0.16;  // wanted side over a hole's length: at least three tiles around it
+constexpr double kLimbArea = 0.01;    // share of the outline's area that may be lost where no tile fits
+constexpr int kSidesTried = 5;        // number of smaller sides tried before an outline is refused
+constexpr double kNextSide = 0.7;     // factor from one tried side to the next
+constexpr double kFewTiles = 4;       // smallest number tried, because a drawing may be smaller than a tile
+constexpr double kMostTilesTried = 400;   // with all tried sides together, which takes seconds
+constexpr double kTipArea = 1e-3;         // share of the outline's area that a sharp tip may lose
+constexpr double kTipsArea = 8e-3;        // share that all tips together may lose
+constexpr double kNegligibleArea = 4e-4;  // share of the outline's area that a narrow part may lose
+/// The largest distance from the origin, in tile sides; beyond it, rounding destroys the smallest details.
 constexpr double kFarthest = 1e9;
-constexpr double kHexagonArea = 1.5 * std::numbers::sqrt3;  // of side 1
+constexpr double kHexagonArea = 1.5 * std::numbers::sqrt3;  // area of a hexagon with side 1
 
-/// About how many tiles an outline needs.
+/// The approximate number of tiles that an outline needs.
 double estimated_tiles(const outlines::Outline& outline, const TessellationOptions& options) {
     const double hexagon = kHexagonArea * options.edge_length * options.edge_length;
     return std::abs(geometry::signed_area(outline.boundary)) / hexagon;
 }
 
-/// The angles of the lattices that are sketched: the wanted one alone, or several, turned by a share of the
-/// angle between two of them. A triangular lattice is the same again after 60 degrees.
-std::vector<double> sketched_angles(const Task& task, double turned_by) {
-    if (task.options.angle) return {*task.options.angle};
-    const bool is_graded = !task.field.is_uniform();
-    const int wanted = is_graded ? (task.options.lattice_angles + 1) / 2 : task.options.lattice_angles;
-    const int count = task.has_many() ? std::min(wanted, kAnglesOfMany) : wanted;
+/// The angles of the lattices that are sketched: the wanted angle alone, or several angles, turned by a share
+/// of the angle between two of them. A triangular lattice repeats after 60 degrees.
+std::vector<double> sketched_angles(const TilingProblem& problem, double turned_by) {
+    if (problem.options.angle) return {*problem.options.angle};
+    const bool is_graded = !problem.field.is_uniform();
+    const int wanted = is_graded ? (problem.options.lattice_angles + 1) / 2 : problem.options.lattice_angles;
+    const int count = problem.has_many() ? std::min(wanted, kAnglesOfMany) : wanted;
     std::vector<double> angles(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) angles[i] = std::numbers::pi / 3 * (i + turned_by) / count;
     return angles;
 }
 
-/// The starts that look best in a first sketch, best first, and as many as the number of tiles allows.
-std::vector<Start> best_starts(const Task& task, double turned_by, Work& work) {
-    const bool is_graded = !task.field.is_uniform();
-    const std::vector<double> angles = sketched_angles(task, turned_by);
+/// The starts with the best sketches, best first, as many as the number of tiles allows.
+std::vector<Start> best_starts(const TilingProblem& problem, double turned_by, SharedTask& task) {
+    const bool is_graded = !problem.field.is_uniform();
+    const std::vector<double> angles = sketched_angles(problem, turned_by);
     const std::size_t count = angles.size();
     std::vector<std::pair<detail::Sketch, Start>> ranking(count);
-    work.begin_part(count * detail::rough_steps(task.options), kSketchingShare);
-    base::parallel_for(count, task.options.threads, [&](std::size_t i) {
+    task.begin_part(count * detail::rough_steps(problem.options), kSketchingShare);
+    base::parallel_for(count, problem.options.threads, [&](std::size_t i) {
         Start start{angles[i]};
-        const detail::Sketch sketch = detail::make_sketch(task, start, work);
+        const detail::Sketch sketch = detail::make_sketch(problem, start, task);
         start.factor = sketch.factor;
         ranking[i] = {sketch, start};
     });
@@ -103,20 +103,21 @@ std::vector<Start> best_starts(const Task& task, double turned_by, Work& work) {
     return starts;
 }
 
-Candidate best_candidate(const Task& task, const std::vector<Start>& starts, Work& work) {
-    work.begin_part(starts.size() * detail::candidate_steps(task.options), kAttemptShare);
+Candidate best_candidate(const TilingProblem& problem, const std::vector<Start>& starts, SharedTask& task) {
+    task.begin_part(starts.size() * detail::candidate_steps(problem.options), kAttemptShare);
     std::vector<Candidate> candidates(starts.size());
-    base::parallel_for(starts.size(), task.options.threads,
-                       [&](std::size_t i) { candidates[i] = detail::make_candidate(task, starts[i], work); });
+    base::parallel_for(starts.size(), problem.options.threads, [&](std::size_t i) {
+        candidates[i] = detail::make_candidate(problem, starts[i], task);
+    });
     return std::move(*std::min_element(candidates.begin(), candidates.end(), detail::is_better));
 }
 
-/// The smallest side that tiles may be wanted with.
+/// The smallest wanted side of tiles.
 double smallest_wanted(const TessellationOptions& options) {
     return std::max(kFinest * options.edge_length, kBarsInSide * options.smallest_side);
 }
 
-/// A tile with this side is about as wide as the widest place that counts as narrow.
+/// The limits of narrow places: the widest narrow place is about as wide as a tile with the wanted side.
 detail::NarrowLimits narrow_limits(const outlines::Outline& outline, const TessellationOptions& options) {
     const double side = options.edge_length;
     return {side / kSideInBand, std::min(kNegligibleArea * outlines::area_of(outline), 0.5 * side * side)};
@@ -129,7 +130,8 @@ double length_of_loops(const outlines::Outline& outline) {
     return sum;
 }
 
-/// Whether an outline is far too narrow for tiles with this side, nearly all of it: no attempt would succeed.
+/// True if nearly all of an outline is far too narrow for tiles with this side, so that no attempt would
+/// succeed.
 bool is_sliver(const outlines::Outline& outline, double side) {
     const double mean_width = 2.0 * outlines::area_of(outline) / length_of_loops(outline);
     return kSideInBand * mean_width < kSliver * side;
@@ -137,15 +139,16 @@ bool is_sliver(const outlines::Outline& outline, double side) {
 
 struct WantedSides {
     SizeField field;
-    /// Where the outline is too narrow for any tile, and more than a limb is behind.
+    /// A place at which the outline is too narrow for any tile and cuts off more than a limb.
     std::optional<detail::NarrowPlace> too_narrow;
 };
 
-/// About how many tiles the holes and narrow places of an outline want; 0 where all tiles are wanted alike.
-/// Samples lie in the box around it, and its share of that box counts.
+/// The approximate number of tiles with the sides that holes and narrow places want; 0 if all tiles have the
+/// same wanted side. Samples lie in the box around the outline, and are scaled by the outline's share of the
+/// box.
 double refined_tiles(const outlines::Outline& outline, const SizeField& field, const base::Control& control) {
     if (field.is_uniform() || outline.holes.empty()) return 0.0;
-    constexpr int kSamples = 400;  // along the longer side of the box
+    constexpr int kSamples = 400;  // number of samples along the longer side of the box
     const geometry::Box box = geometry::box_of(outline.boundary);
     const double step = std::max(box.width(), box.height()) / kSamples;
     double tiles = 0.0;
@@ -159,7 +162,7 @@ double refined_tiles(const outlines::Outline& outline, const SizeField& field, c
     return tiles * outlines::area_of(outline) / (box.width() * box.height());
 }
 
-/// Smaller tiles where the outline is narrow, and around small holes.
+/// The wanted sides: smaller where the outline is narrow, and around small holes.
 WantedSides wanted_sides(const outlines::Outline& outline, const TessellationOptions& options) {
     SizeField field(options.edge_length);
     const double side = options.edge_length;
@@ -188,7 +191,7 @@ detail::BluntLimits blunt_limits(const outlines::Outline& outline, const Tessell
     return {std::min(kTipArea * all, 0.25 * options.edge_length * options.edge_length), kTipsArea * all};
 }
 
-/// An outline with blunt tips, the sides that its tiles are wanted with, and what they are judged by.
+/// An outline with blunt tips, the wanted sides of its tiles, and the limits by which they are judged.
 struct Subject {
     const detail::BluntOutline& blunt;
     const SizeField& field;
@@ -196,21 +199,22 @@ struct Subject {
     double refined_tiles = 0.0;
 };
 
-/// The best tiling of several attempts: where one has defects, the tiles are wanted smaller in the next. All
-/// begin with lattices turned by a share of the angle between two of them.
+/// The best tiling of several attempts. Where an attempt has defects, the next attempt wants smaller tiles.
+/// All attempts begin with lattices turned by a share of the angle between two of them.
 Candidate best_attempt(const Subject& subject, const TessellationOptions& options, double turned_by,
-                       Work& work) {
+                       SharedTask& task) {
     SizeField field = subject.field;
     const double least = smallest_wanted(options);
     Candidate best;
     std::vector<Start> starts;
     std::optional<double> known_factor;
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
-        const Task task{subject.blunt.outline, field, options, subject.limits, subject.refined_tiles};
-        // Values that were uniform before may need other starts, and more of them.
-        if (attempt == 0 || (attempt == 1 && !known_factor)) starts = best_starts(task, turned_by, work);
+        const TilingProblem problem{subject.blunt.outline, field, options, subject.limits,
+                                    subject.refined_tiles};
+        // Wanted sides that were uniform before may need other and more starts.
+        if (attempt == 0 || (attempt == 1 && !known_factor)) starts = best_starts(problem, turned_by, task);
         if (known_factor) starts.front().factor = *known_factor;
-        Candidate candidate = best_candidate(task, starts, work);
+        Candidate candidate = best_candidate(problem, starts, task);
         if (starts.size() == 1 && candidate.factor) known_factor = candidate.factor;
         const bool is_first = attempt == 0;
         if (is_first || detail::is_better(candidate, best)) best = candidate;
@@ -225,9 +229,10 @@ Candidate best_attempt(const Subject& subject, const TessellationOptions& option
     return best;
 }
 
-/// The best tiling of all attempts. Those that end with defects begin again with lattices turned otherwise.
+/// The best tiling of all attempts. If attempts end with defects, further attempts begin with lattices at
+/// other angles.
 Candidate best_tiling(const outlines::Outline& outline, const TessellationOptions& options,
-                      std::span<const double> turns, Work& work) {
+                      std::span<const double> turns, SharedTask& task) {
     if (is_sliver(outline, smallest_wanted(options))) {
         Candidate none;
         none.defects.push_back({detail::DefectKind::TooNarrow, outline.boundary.front()});
@@ -255,7 +260,7 @@ Candidate best_tiling(const outlines::Outline& outline, const TessellationOption
                            .covered_share = detail::QualityLimits{}.covered_share / (1 - share)},
                           tiles};
     for (const double turned_by : turns) {
-        Candidate candidate = best_attempt(subject, options, turned_by, work);
+        Candidate candidate = best_attempt(subject, options, turned_by, task);
         if (best.dual.cells.empty() || detail::is_better(candidate, best)) best = std::move(candidate);
         if (best.defects.empty()) break;
     }
@@ -263,7 +268,7 @@ Candidate best_tiling(const outlines::Outline& outline, const TessellationOption
     return best;
 }
 
-/// How far the boundary reaches in x and in y, metres.
+/// The extent of the boundary in x and in y, m.
 std::pair<double, double> extent(const outlines::Outline& outline) {
     const auto [left, right] = std::minmax_element(outline.boundary.begin(), outline.boundary.end(),
                                                    [](auto& a, auto& b) { return a.x < b.x; });
@@ -272,7 +277,8 @@ std::pair<double, double> extent(const outlines::Outline& outline) {
     return {right->x - left->x, high->y - low->y};
 }
 
-/// A slip of units should not fill the memory. A needle without area has a long rim.
+/// Refuse sizes that would fill the memory, such as by a slip of units. A needle without area still has a
+/// long rim.
 void check_size(const outlines::Outline& outline, const TessellationOptions& options) {
     const auto [width, height] = extent(outline);
     const double rim = length_of_loops(outline);
@@ -290,7 +296,7 @@ void check_size(const outlines::Outline& outline, const TessellationOptions& opt
                            geometry::metres(enough) + " or more");
 }
 
-/// Coordinates have 53 bits: far from the origin small details are lost.
+/// Refuse an outline so far from the origin that small details are lost, because coordinates have 53 bits.
 void check_origin(const outlines::Outline& outline, const TessellationOptions& options) {
     double farthest = 0.0;
     for (const geometry::Point2& point : outline.boundary)
@@ -304,12 +310,12 @@ void check_origin(const outlines::Outline& outline, const TessellationOptions& o
 
 /// A smaller side of the tiles with which the outline can be tiled.
 struct SmallerSide {
-    std::optional<double> works;  ///< m; found by trying
-    int tried = 0;                ///< sides: as many as take a few seconds
+    std::optional<double> works;  ///< a side found by trying, m
+    int tried = 0;                ///< number of sides tried, as many as take a few seconds
 };
 
 SmallerSide side_that_works(const outlines::Outline& outline, const TessellationOptions& options,
-                            double first, Work& work) {
+                            double first, SharedTask& task) {
     const double side_of_few = std::sqrt(outlines::area_of(outline) / (kFewTiles * kHexagonArea));
     double side = std::min(first, side_of_few);
     double tiles = 0.0;
@@ -320,7 +326,7 @@ SmallerSide side_that_works(const outlines::Outline& outline, const Tessellation
         smaller.smallest_side = std::min(options.smallest_side, 0.25 * smaller.edge_length);
         tiles += estimated_tiles(outline, smaller);
         if (tiles > kMostTilesTried) return found;
-        if (best_tiling(outline, smaller, std::span(kTurnedBy).first(1), work).defects.empty()) {
+        if (best_tiling(outline, smaller, std::span(kTurnedBy).first(1), task).defects.empty()) {
             found.works = smaller.edge_length;
             return found;
         }
@@ -334,7 +340,7 @@ std::string advice(const SmallerSide& side) {
     return "; no smaller side that was tried works: make the outline wider there";
 }
 
-/// Thousands of small holes would take hours.
+/// Refuse an outline with thousands of small holes, which would take hours.
 [[noreturn]] void refuse_many(const outlines::Outline& outline, const TessellationReport& wanted) {
     throw base::InputError(
         "the outline has " + std::to_string(outline.holes.size()) + " holes: with sides down to " +
@@ -346,8 +352,8 @@ std::string advice(const SmallerSide& side) {
 }
 
 [[noreturn]] void refuse(const outlines::Outline& outline, const TessellationOptions& options,
-                         const detail::Defect& defect, Work& work) {
-    const auto works = side_that_works(outline, options, kNextSide * options.edge_length, work);
+                         const detail::Defect& defect, SharedTask& task) {
+    const auto works = side_that_works(outline, options, kNextSide * options.edge_length, task);
     throw base::GeometryError("the outline is too narrow for tiles with sides of " +
                               geometry::metres(options.edge_length) + " near " +
                               geometry::place_text(defect.place) + ": " +
@@ -360,8 +366,8 @@ void refuse_narrow(const outlines::Outline& outline, const TessellationOptions& 
     const detail::NarrowPlace& place = places.front();
     TessellationOptions silent = options;
     silent.control = options.control.silent();
-    Work work(silent.control, "");
-    const auto works = side_that_works(outline, silent, kSideInBand * place.width, work);
+    SharedTask task(silent.control, "");
+    const auto works = side_that_works(outline, silent, kSideInBand * place.width, task);
     throw base::GeometryError("the outline is " + geometry::metres(place.width) + " wide near " +
                               geometry::place_text(place.place) + ", narrower than tiles with sides of " +
                               geometry::metres(options.edge_length) + advice(works) +
@@ -379,13 +385,13 @@ TessellationResult tessellate(const outlines::Outline& outline, const pattern::N
         detail::without_negligible_points(outline, options.edge_length, options.control);
     detail::check_small_parts(clean.outline, options.edge_length, options.control);
     if (options.narrow == Narrow::Refuse) refuse_narrow(clean.outline, options);
-    Work work(options.control, "tiling");
+    SharedTask task(options.control, "tiling");
     const std::span<const double> turns = std::span(kTurnedBy).first(options.angle ? 1 : kTurnedBy.size());
-    Candidate best = best_tiling(clean.outline, options, turns, work);
+    Candidate best = best_tiling(clean.outline, options, turns, task);
     if (!best.defects.empty() && best.defects.front().kind == detail::DefectKind::TooMany)
         refuse_many(clean.outline, best.report);
-    if (!best.defects.empty()) refuse(clean.outline, options, best.defects.front(), work);
-    work.complete();
+    if (!best.defects.empty()) refuse(clean.outline, options, best.defects.front(), task);
+    task.complete();
     best.report.negligible_points = clean.left_out;
     return {detail::number(best.dual, layout, options.control), best.report};
 }

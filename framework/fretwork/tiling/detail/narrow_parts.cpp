@@ -13,10 +13,11 @@ namespace {
 using geometry::Point2;
 using geometry::Polygon;
 
-constexpr double kSampling = 0.05;    // of the width that counts as narrow: between points of the boundary
-constexpr double kLeastCut = 1.0;     // area that is cut off, over the square of the cut's length
-constexpr double kSharpCut = 0.9;     // the same of what is cut off as a sharp tip: of 31 degrees
-constexpr double kStraightCut = 1.2;  // length of a cut over the width there, at most
+// Distance of points on the boundary, as a share of the width that counts as narrow.
+constexpr double kSampling = 0.05;
+constexpr double kLeastCut = 1.0;     // smallest area cut off, over the square of the cut's length
+constexpr double kSharpCut = 0.9;     // smallest area of a sharp tip, in the same unit: a tip of 31 degrees
+constexpr double kStraightCut = 1.2;  // largest length of a cut over the width at the cut
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 void add_loop(const Polygon& points, LoopIndex loop, double longest, Rim& rim) {
@@ -41,13 +42,13 @@ Rim dense_rim(const outlines::Outline& outline, double longest) {
     return rim;
 }
 
-/// The triangles as a graph: what each edge cuts off.
+/// The triangles as a graph, with the part that each edge cuts off.
 class Cuts {
   public:
-    Cuts(const Triangulation& triangulation, const Work& work) : t_(triangulation), work_(work) {
+    Cuts(const Triangulation& triangulation, const SharedTask& task) : t_(triangulation), task_(task) {
         degrees_.assign(t_.triangles.size(), 0);
         for (std::size_t i = 0; i < t_.triangles.size(); ++i) {
-            work_.check();
+            task_.check();
             areas_.push_back(0.5 * cross(corner(i, 1) - corner(i, 0), corner(i, 2) - corner(i, 0)));
             total_ += areas_.back();
             cut_off_.push_back({kEndless, kEndless, kEndless});
@@ -57,11 +58,11 @@ class Cuts {
         prune();
     }
 
-    /// The smaller of the areas on both sides of an edge; endless if it does not part the shape.
+    /// The smaller of the areas on both sides of an edge; endless if the edge does not divide the shape.
     [[nodiscard]] double cut_off(std::size_t triangle, std::size_t side) const {
         return cut_off_[triangle][side];
     }
-    /// Whether the triangle is on the side of the edge that is cut off, and that is the smaller one.
+    /// True if the triangle lies on the side that the edge cuts off, which is the smaller side.
     [[nodiscard]] bool is_end(std::size_t triangle, std::size_t side) const {
         return is_end_[triangle][side];
     }
@@ -70,7 +71,7 @@ class Cuts {
     }
 
   private:
-    /// Take away triangles that hang on one edge, again and again.
+    /// Repeatedly remove triangles with a single neighbour.
     void prune() {
         std::vector<std::size_t> ends;
         for (std::size_t i = 0; i < degrees_.size(); ++i) {
@@ -79,7 +80,7 @@ class Cuts {
         std::vector<bool> is_gone(degrees_.size(), false);
         std::vector<double> area = areas_;
         for (std::size_t at = 0; at < ends.size(); ++at) {
-            work_.check();
+            task_.check();
             const std::size_t i = ends[at];
             if (is_gone[i]) continue;
             is_gone[i] = true;
@@ -100,7 +101,7 @@ class Cuts {
     }
 
     const Triangulation& t_;
-    const Work& work_;
+    const SharedTask& task_;
     std::vector<double> areas_;
     std::vector<int> degrees_;
     double total_ = 0.0;
@@ -108,7 +109,8 @@ class Cuts {
     std::vector<std::array<bool, 3>> is_end_;
 };
 
-/// How wide the shape is at an edge: from its ends to the side of the rim that one of its triangles has.
+/// The width of the shape at an edge: the smaller of the edge's length and the distance from a tip of its
+/// triangle to the triangle's side on the rim.
 double width_at(const Triangulation& triangulation, const Cuts& cuts, std::size_t triangle,
                 std::size_t side) {
     const Point2 from = cuts.corner(triangle, (side + 1) % 3);
@@ -128,12 +130,12 @@ double width_at(const Triangulation& triangulation, const Cuts& cuts, std::size_
 
 std::vector<NarrowPlace> narrow_places(const outlines::Outline& outline, const NarrowLimits& limits,
                                        const base::Control& control) {
-    const Work work(control.silent(), "");
-    const Triangulation triangulation = triangulate(dense_rim(outline, kSampling * limits.width), {}, work);
-    const Cuts cuts(triangulation, work);
+    const SharedTask task(control.silent(), "");
+    const Triangulation triangulation = triangulate(dense_rim(outline, kSampling * limits.width), {}, task);
+    const Cuts cuts(triangulation, task);
     std::vector<NarrowPlace> places;
     for (std::size_t i = 0; i < triangulation.triangles.size(); ++i) {
-        work.check();
+        task.check();
         for (std::size_t side = 0; side < 3; ++side) {
             if (!triangulation.neighbors[i][side].is_valid()) continue;
             const double width = width_at(triangulation, cuts, i, side);
@@ -149,19 +151,19 @@ std::vector<NarrowPlace> narrow_places(const outlines::Outline& outline, const N
 
 namespace {
 
-/// A cut: from one point of the rim to another, with the points between them, behind `to`, cut off.
+/// A cut from one point of the rim to another, which removes the points after `to`, between the two.
 struct TipCut {
     double area;
     PointIndex from;
     PointIndex to;
 };
 
-/// The cuts that make tips blunt, the largest first.
+/// The cuts that blunt tips, the largest first.
 std::vector<TipCut> tip_cuts(const Triangulation& triangulation, const Cuts& cuts, double most,
-                             const Work& work) {
+                             const SharedTask& task) {
     std::vector<TipCut> result;
     for (std::size_t i = 0; i < triangulation.triangles.size(); ++i) {
-        work.check();
+        task.check();
         for (std::size_t side = 0; side < 3; ++side) {
             const double area = cuts.cut_off(i, side);
             if (area > most || !cuts.is_end(i, side)) continue;
@@ -176,7 +178,7 @@ std::vector<TipCut> tip_cuts(const Triangulation& triangulation, const Cuts& cut
     return result;
 }
 
-/// The points of each loop that are left.
+/// The outline through the remaining points of each loop.
 outlines::Outline outline_of(const Rim& rim, const std::vector<bool>& is_gone, std::size_t loops) {
     base::IndexVector<LoopIndex, Polygon> polygons(loops);
     for (std::size_t i = 0; i < rim.points.size(); ++i) {
@@ -189,13 +191,13 @@ outlines::Outline outline_of(const Rim& rim, const std::vector<bool>& is_gone, s
 
 BluntOutline blunt(const outlines::Outline& outline, double narrow_width, const BluntLimits& limits,
                    const base::Control& control) {
-    const Work work(control.silent(), "");
+    const SharedTask task(control.silent(), "");
     const Rim rim = dense_rim(outline, kSampling * narrow_width);
-    const Triangulation triangulation = triangulate(rim, {}, work);
-    const Cuts cuts(triangulation, work);
+    const Triangulation triangulation = triangulate(rim, {}, task);
+    const Cuts cuts(triangulation, task);
     std::vector<bool> is_gone(rim.points.size(), false);
     BluntOutline result{outline, 0.0};
-    for (const TipCut& cut : tip_cuts(triangulation, cuts, limits.tip, work)) {
+    for (const TipCut& cut : tip_cuts(triangulation, cuts, limits.tip, task)) {
         if (is_gone[cut.from] || is_gone[cut.to] || result.lost_area + cut.area > limits.all) continue;
         result.lost_area += cut.area;
         for (PointIndex i = rim.next[cut.to]; i != cut.from; i = rim.next[i]) is_gone[i] = true;

@@ -1,50 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/tiling/detail/work.hpp>
+#include <fretwork/tiling/detail/shared_task.hpp>
 
 #include <algorithm>
 
 namespace fretwork::tiling::detail {
 namespace {
 
-constexpr std::size_t kTotal = 1000;       // the unit of the progress
-constexpr double kStepsUsuallyDone = 0.5;  // of the most that a part may take
+constexpr std::size_t kTotal = 1000;       // number of steps of the reported progress
+constexpr double kStepsUsuallyDone = 0.5;  // share of a part's largest number of steps
 
 }  // namespace
 
-Work::Work(const base::Control& control, std::string_view task) : control_(control) {
-    if (control_.progress) control_.progress->start(task, kTotal);
-}
+SharedTask::SharedTask(const base::Control& control, std::string_view name)
+    : control_(control), task_(control, name, kTotal) {}
 
-Work::~Work() {
-    if (control_.progress) control_.progress->finish();
-}
-
-void Work::begin_part(std::size_t most_steps, double share) {
+void SharedTask::begin_part(std::size_t most_steps, double share) {
     check();
-    before_ = last_told_;
+    before_ = last_reported_;
     share_ = share;
     steps_ = most_steps;
     done_ = 0;
 }
 
-void Work::advance() {
+void SharedTask::advance() {
     check();
     if (!control_.progress) return;
     const std::lock_guard lock(mutex_);
     ++done_;
     const double part =
         std::min(1.0, static_cast<double>(done_) / (kStepsUsuallyDone * static_cast<double>(steps_)));
-    tell(before_ + share_ * (1 - before_) * part);
+    report(before_ + share_ * (1 - before_) * part);
 }
 
-void Work::complete() {
+void SharedTask::complete() {
     check();
-    if (control_.progress) tell(1.0);
+    report(1.0);
 }
 
-void Work::tell(double share) {
-    last_told_ = share;
-    control_.progress->update(static_cast<std::size_t>(share * static_cast<double>(kTotal)));
+void SharedTask::report(double share) {
+    last_reported_ = share;
+    task_.update(static_cast<std::size_t>(share * static_cast<double>(kTotal)));
 }
 
 }  // namespace fretwork::tiling::detail

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fretwork/base/control.hpp>
+#include <fretwork/base/task.hpp>
 
 #include <cstddef>
 #include <mutex>
@@ -9,35 +10,34 @@
 
 namespace fretwork::tiling::detail {
 
-/// A long task that several threads share: whether it goes on, and how far it is. It comes in parts, whose
-/// number nobody knows beforehand: each is a share of what is left. Its progress ends with the object.
-class Work {
+/// The stop and the progress of a long task that several threads share. The task has parts, whose number is
+/// not known in advance, so each part is worth a share of the remaining progress. The destructor reports the
+/// end of the task.
+class SharedTask {
   public:
-    Work(const base::Control& control, std::string_view task);
-    ~Work();
-    Work(const Work&) = delete;
-    Work& operator=(const Work&) = delete;
+    SharedTask(const base::Control& control, std::string_view name);
 
     [[nodiscard]] const base::Control& control() const { return control_; }
-    /// Throws base::Stopped if the work is to stop.
+    /// Throws base::Stopped if the caller has asked to stop.
     void check() const { control_.check(); }
     /// Start a part of at most `most_steps` steps, worth `share` of the remaining progress; single-threaded.
     void begin_part(std::size_t most_steps, double share);
-    /// A step is done. Throws base::Stopped.
+    /// Count a step as done. Throws base::Stopped.
     void advance();
-    /// All is done.
+    /// Report that the whole task is done.
     void complete();
 
   private:
-    void tell(double share);
+    void report(double share);
 
     base::Control control_;
+    base::Task task_;
     std::mutex mutex_;
-    std::size_t steps_ = 0;   // of the part
-    std::size_t done_ = 0;    // of them
-    double before_ = 0.0;     // share of the work that was done before the part
-    double share_ = 0.0;      // of the part in what was left then
-    double last_told_ = 0.0;  // share of the work
+    std::size_t steps_ = 0;       // number of steps of the part
+    std::size_t done_ = 0;        // number of these steps that are done
+    double before_ = 0.0;         // share of the task that was done before the part
+    double share_ = 0.0;          // share of the part in the progress that then remained
+    double last_reported_ = 0.0;  // share of the task, as last reported
 };
 
 }  // namespace fretwork::tiling::detail

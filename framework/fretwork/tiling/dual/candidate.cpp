@@ -19,28 +19,28 @@ namespace {
 using geometry::Point2;
 
 constexpr int kSearchRounds = 6;
-constexpr double kFinestFactor = 0.45;       // finer sites make tiles of another size
+constexpr double kFinestFactor = 0.45;       // finer sites give tiles of another size
 constexpr double kGoodSideError = 0.008;     // ends the search for the density
 constexpr double kAcceptedSideError = 0.01;  // below, regularity decides
-/// Where the wanted side differs from place to place, its mean is matched less closely.
+/// The same limit if the wanted side differs from place to place, when its mean is matched less closely.
 constexpr double kGoodGradedError = 0.06;
 constexpr int kRegularizingIterations = 60;
-constexpr int kRepairs = 4;  // of short sides
+constexpr int kRepairs = 4;  // rounds of collapsing short sides
 constexpr int kRepairIterations = 30;
 constexpr int kEveningIterations = 40;
 constexpr std::size_t kMostToRemove = 12;  // more defects are left to smaller tiles
-constexpr double kRemovedShare = 1e-3;     // of the outline's area: so much may one removed tile uncover
-/// Distance of sites over wanted side: the range that the searches for lattices and meshes cover. A search
-/// does not come this near to a factor that was tried if its sides were that far off.
+constexpr double kRemovedShare = 1e-3;     // share of the outline's area that one removed tile may uncover
+/// A search for the factor (distance of sites over wanted side) avoids the range kNearFactor around a tried
+/// factor whose sides were farther off than kFarRatio. Both are differences of logarithms.
 constexpr double kNearFactor = 0.03;
 constexpr double kFarRatio = 0.2;
 constexpr double kRoughFactor = 1.6;
 constexpr int kRoughIterations = 8;
-constexpr int kLastRelaxations = 10;  // after chords are bridged
+constexpr int kLastRelaxations = 10;  // iterations after chords were bridged
 
-/// Looks for the distance of the sites at which the sides are the wanted ones. They grow with the distance,
-/// but in jumps, since the number of tiles is a whole number. A thousand equal holes make one large jump:
-/// there the search goes to the middle of what it knows, and not back to where it was.
+/// A search for the distance of sites that gives the wanted sides. Sides grow with this distance, but in
+/// jumps, because the number of tiles is a whole number. A thousand equal holes cause one large jump; the
+/// search then tries the middle of the known range instead of a factor that was tried before.
 class FactorSearch {
   public:
     explicit FactorSearch(double factor) : factor_(factor) {}
@@ -52,7 +52,7 @@ class FactorSearch {
         const double guess = factor_ / ratio;
         factor_ = low_ > 0 && high_ > 0 && is_refuted(guess) ? std::sqrt(low_ * high_) : guess;
     }
-    /// Whether the sides jumped from too short to too long.
+    /// True if the sides jumped from too short to too long.
     [[nodiscard]] bool has_jumped() const { return has_jumped_; }
 
   private:
@@ -63,8 +63,8 @@ class FactorSearch {
     }
 
     double factor_;
-    double low_ = 0.0;   // the last at which sides were too short
-    double high_ = 0.0;  // the last at which sides were too long
+    double low_ = 0.0;   // last factor with sides that were too short
+    double high_ = 0.0;  // last factor with sides that were too long
     std::vector<double> far_off_;
     bool has_jumped_ = false;
 };
@@ -72,24 +72,25 @@ class FactorSearch {
 /// Makes the tilings of one start.
 class Tiler {
   public:
-    Tiler(const Task& task, const Start& start, Work& work) : task_(task), start_(start), work_(work) {}
+    Tiler(const TilingProblem& problem, const Start& start, SharedTask& task)
+        : problem_(problem), start_(start), task_(task) {}
 
-    /// A first sketch of the tiles around sites at this many wanted sides from each other.
+    /// A first sketch of the tiles, with sites at this multiple of the wanted side from each other.
     [[nodiscard]] Dual sketch(double factor) const {
-        const Spacing spacing{task_.field, factor};
-        const Rim rim = sample_rim(task_.outline, spacing, work_.control());
-        if (!rim_crossings(rim, work_.control()).empty()) return {};
-        return tiles_around(
-            rim, relax(rim, task_.field, first_sites(rim, spacing), rough_iterations(task_.options), work_));
+        const Spacing spacing{problem_.field, factor};
+        const Rim rim = sample_rim(problem_.outline, spacing, task_.control());
+        if (!rim_crossings(rim, task_.control()).empty()) return {};
+        return tiles_around(rim, relax(rim, problem_.field, first_sites(rim, spacing),
+                                       rough_iterations(problem_.options), task_));
     }
 
-    /// The tiles around sites at this many wanted sides from each other, made as regular as they can be.
-    /// Their defects are in the candidate.
+    /// The tiles for sites at this multiple of the wanted side from each other, made as regular as possible.
+    /// The candidate lists their defects.
     [[nodiscard]] Candidate tiles(double factor) const {
-        const Spacing spacing{task_.field, factor};
-        const Rim rim = sample_rim(task_.outline, spacing, work_.control());
+        const Spacing spacing{problem_.field, factor};
+        const Rim rim = sample_rim(problem_.outline, spacing, task_.control());
         Candidate candidate;
-        for (const Point2& place : rim_crossings(rim, work_.control()))
+        for (const Point2& place : rim_crossings(rim, task_.control()))
             candidate.defects.push_back({DefectKind::Torn, place});
         if (!candidate.defects.empty()) return candidate;
         candidate.dual = tiles_around(rim, sites(rim, spacing));
@@ -97,7 +98,7 @@ class Tiler {
             candidate.defects.push_back({DefectKind::Uncovered, rim.points.front().place});
             return candidate;
         }
-        regularize(candidate.dual, rim, kRegularizingIterations, work_);
+        regularize(candidate.dual, rim, kRegularizingIterations, task_);
         repair(candidate, rim);
         if (candidate.defects.size() <= kMostToRemove) {
             while (remove_cell(candidate, rim)) {
@@ -106,11 +107,11 @@ class Tiler {
         if (candidate.defects.empty()) even(candidate, rim);
         return candidate;
     }
-    /// Merge the small tiles of narrow parts, if that makes no defects.
+    /// Merge the small tiles of narrow parts, if no defects result.
     void merge(Candidate& candidate) const {
-        const Rim rim = sample_rim(task_.outline, {task_.field, std::numbers::sqrt3}, work_.control());
+        const Rim rim = sample_rim(problem_.outline, {problem_.field, std::numbers::sqrt3}, task_.control());
         Candidate merged = candidate;
-        merge_small_cells(merged.dual, task_.field, work_.control());
+        merge_small_cells(merged.dual, problem_.field, task_.control());
         judge(merged, rim);
         if (merged.defects.empty()) candidate = std::move(merged);
     }
@@ -120,76 +121,78 @@ class Tiler {
 
   private:
     [[nodiscard]] std::vector<Point2> first_sites(const Rim& rim, const Spacing& spacing) const {
-        auto sites = start_.lattice_angle
-                         ? lattice_sites(rim, spacing, *start_.lattice_angle, work_)
-                         : remeshed_sites(rim, spacing.largest(), task_.options.remeshing_iterations, work_);
-        fill_empty_parts(rim, spacing, sites, work_);
+        auto sites = start_.lattice_angle ? lattice_sites(rim, spacing, *start_.lattice_angle, task_)
+                                          : remeshed_sites(rim, spacing.largest(),
+                                                           problem_.options.remeshing_iterations, task_);
+        fill_empty_parts(rim, spacing, sites, task_);
         return sites;
     }
     [[nodiscard]] std::vector<Point2> sites(const Rim& rim, const Spacing& spacing) const {
-        const int iterations = task_.options.relaxation_iterations;
-        auto places = relax(rim, task_.field, first_sites(rim, spacing), iterations, work_);
-        for (int round = 0; round < 3 && bridge_chords(rim, spacing, places, work_); ++round)
+        const int iterations = problem_.options.relaxation_iterations;
+        auto places = relax(rim, problem_.field, first_sites(rim, spacing), iterations, task_);
+        for (int round = 0; round < 3 && bridge_chords(rim, spacing, places, task_); ++round)
             places =
-                relax(rim, task_.field, std::move(places), std::min(kLastRelaxations, iterations), work_);
+                relax(rim, problem_.field, std::move(places), std::min(kLastRelaxations, iterations), task_);
         return places;
     }
     [[nodiscard]] Dual tiles_around(const Rim& rim, const std::vector<Point2>& sites) const {
         if (sites.empty()) return {};
-        Triangulation triangulation = triangulate(rim, sites, work_);
-        flip_ears(triangulation, work_);
-        Dual dual = dual_of(rim, triangulation, work_);
+        Triangulation triangulation = triangulate(rim, sites, task_);
+        flip_ears(triangulation, task_);
+        Dual dual = dual_of(rim, triangulation, task_);
         std::erase_if(dual.cells, [](const Cell& cell) { return cell.size() < 3; });
-        divide_long_rim_sides(dual, rim, {task_.field, task_.limits.smallest_side}, work_.control());
+        divide_long_rim_sides(dual, rim, {problem_.field, problem_.limits.smallest_side}, task_.control());
         return dual;
     }
 
     void judge(Candidate& tiling, const Rim& rim) const {
-        Shape shape = compare_with_outline(tiling.dual, rim, task_.field, task_.limits, work_.control());
+        Shape shape =
+            compare_with_outline(tiling.dual, rim, problem_.field, problem_.limits, task_.control());
         tiling.defects = std::move(shape.defects);
         tiling.report.covered_share = shape.covered_share;
         tiling.report.outside_share = shape.outside_share;
     }
-    /// Collapse short sides as long as that leaves fewer defects.
+    /// Collapse short sides as long as the number of defects falls.
     void repair(Candidate& candidate, const Rim& rim) const {
         judge(candidate, rim);
         for (int i = 0; i < kRepairs && !candidate.defects.empty(); ++i) {
             Candidate repaired = candidate;
-            if (collapse_short_sides(repaired.dual, task_.field, task_.limits.smallest_side,
-                                     work_.control()) == 0)
+            if (collapse_short_sides(repaired.dual, problem_.field, problem_.limits.smallest_side,
+                                     task_.control()) == 0)
                 return;
-            regularize(repaired.dual, rim, kRepairIterations, work_);
+            regularize(repaired.dual, rim, kRepairIterations, task_);
             judge(repaired, rim);
             if (repaired.defects.size() >= candidate.defects.size()) return;
             candidate = std::move(repaired);
         }
     }
 
-    /// Make the sides more even, if that makes no defects.
+    /// Make the sides more even, if no defects result.
     void even(Candidate& candidate, const Rim& rim) const {
         Candidate evened = candidate;
-        even_out(evened.dual, rim, task_.field, kEveningIterations, work_);
+        even_out(evened.dual, rim, problem_.field, kEveningIterations, task_);
         judge(evened, rim);
         if (evened.defects.empty()) candidate = std::move(evened);
     }
 
-    /// Take away a cell that has a defect, if that leaves fewer defects. Returns whether one was.
+    /// Remove a cell with a defect, if fewer defects remain. Returns true if a cell was removed.
     bool remove_cell(Candidate& candidate, const Rim& rim) const {
         for (const Defect& defect : candidate.defects) {
             for (const std::size_t cell : defect.cells) {
-                for (const Dual& dual : without_cell(candidate.dual, cell, most_removed(), work_.control())) {
+                for (const Dual& dual : without_cell(candidate.dual, cell, most_removed(), task_.control())) {
                     if (replace(candidate, dual, rim)) return true;
                 }
             }
         }
         return false;
     }
-    /// Take other tiles, made regular or as they are, if they have fewer defects. Returns whether they have.
+    /// Replace the tiles by other tiles, regularized or unchanged, if these have fewer defects. Returns true
+    /// if the tiles were replaced.
     bool replace(Candidate& candidate, const Dual& dual, const Rim& rim) const {
         for (const int iterations : {kRepairIterations, 0}) {
             Candidate other = candidate;
             other.dual = dual;
-            regularize(other.dual, rim, iterations, work_);
+            regularize(other.dual, rim, iterations, task_);
             judge(other, rim);
             if (other.defects.size() >= candidate.defects.size()) continue;
             candidate = std::move(other);
@@ -197,11 +200,11 @@ class Tiler {
         }
         return false;
     }
-    [[nodiscard]] double most_removed() const { return kRemovedShare * area_of(task_.outline); }
+    [[nodiscard]] double most_removed() const { return kRemovedShare * area_of(problem_.outline); }
 
-    const Task& task_;
+    const TilingProblem& problem_;
     const Start& start_;
-    Work& work_;
+    SharedTask& task_;
 };
 
 }  // namespace
@@ -220,17 +223,18 @@ std::string Start::name() const {
            base::format_number(std::round(*lattice_angle * 180 / std::numbers::pi * 10) / 10) + " deg";
 }
 
-Sketch make_sketch(const Task& task, const Start& start, Work& work) {
-    const Dual dual = Tiler(task, start, work).sketch(kRoughFactor);
+Sketch make_sketch(const TilingProblem& problem, const Start& start, SharedTask& task) {
+    const Dual dual = Tiler(problem, start, task).sketch(kRoughFactor);
     if (dual.cells.empty()) return {std::numeric_limits<double>::infinity(), std::numbers::sqrt3, 1};
-    const Measures measures = measure(dual, task.field, work.control());
+    const Measures measures = measure(dual, problem.field, task.control());
     return {measures.irregularity, kRoughFactor / std::clamp(measures.mean_ratio, 0.8, 1.25),
             measures.report.tiles};
 }
 
 namespace {
 
-/// Compares two densities of one start: the fewest defects first, then the right sides.
+/// True if the first of two densities of one start is better: with fewer defects or, if equal, with better
+/// sides.
 bool is_better_density(const Candidate& first, const Candidate& second) {
     const auto key = [](const Candidate& candidate) {
         return std::tuple(candidate.dual.cells.empty(), std::max(candidate.side_error, kAcceptedSideError),
@@ -239,8 +243,8 @@ bool is_better_density(const Candidate& first, const Candidate& second) {
     return key(first) < key(second);
 }
 
-void describe(Candidate& candidate, const Task& task, const Start& start, Work& work) {
-    const Measures measures = measure(candidate.dual, task.field, work.control());
+void describe(Candidate& candidate, const TilingProblem& problem, const Start& start, SharedTask& task) {
+    const Measures measures = measure(candidate.dual, problem.field, task.control());
     const TessellationReport shape = candidate.report;
     candidate.report = measures.report;
     candidate.report.covered_share = shape.covered_share;
@@ -250,26 +254,27 @@ void describe(Candidate& candidate, const Task& task, const Start& start, Work& 
     candidate.irregularity = measures.irregularity;
 }
 
-/// The mean of sides over wanted sides at a density, by a sketch, where it is far off: more than that need
-/// not be known of this density.
-std::optional<double> far_ratio(const Tiler& tiler, const Task& task, double factor, Work& work) {
+/// The mean of sides over wanted sides at a density, from a sketch, if this mean is far off; such a density
+/// needs no full tiling.
+std::optional<double> far_ratio(const Tiler& tiler, const TilingProblem& problem, double factor,
+                                SharedTask& task) {
     const Dual dual = tiler.sketch(factor);
     if (dual.cells.empty()) return std::nullopt;
-    const double ratio = measure(dual, task.field, work.control()).mean_ratio;
+    const double ratio = measure(dual, problem.field, task.control()).mean_ratio;
     return std::abs(std::log(ratio)) > kFarRatio ? std::optional(ratio) : std::nullopt;
 }
 
 }  // namespace
 
-Candidate make_candidate(const Task& task, const Start& start, Work& work) {
-    const Tiler tiler(task, start, work);
-    const bool is_graded = !task.field.is_uniform();
+Candidate make_candidate(const TilingProblem& problem, const Start& start, SharedTask& task) {
+    const Tiler tiler(problem, start, task);
+    const bool is_graded = !problem.field.is_uniform();
     std::optional<Candidate> best;
     FactorSearch search(start.factor);
     for (int round = 0; round < kSearchRounds; ++round) {
         if (best && search.factor() < kFinestFactor * start.factor) break;
-        if (const auto far = task.has_many() && round + 1 < kSearchRounds
-                                 ? far_ratio(tiler, task, search.factor(), work)
+        if (const auto far = problem.has_many() && round + 1 < kSearchRounds
+                                 ? far_ratio(tiler, problem, search.factor(), task)
                                  : std::nullopt) {
             search.learn(*far);
             continue;
@@ -277,8 +282,8 @@ Candidate make_candidate(const Task& task, const Start& start, Work& work) {
         Candidate candidate = tiler.tiles(search.factor());
         double ratio = 1.5;
         if (!candidate.dual.cells.empty()) {
-            describe(candidate, task, start, work);
-            ratio = measure(candidate.dual, task.field, work.control()).mean_ratio;
+            describe(candidate, problem, start, task);
+            ratio = measure(candidate.dual, problem.field, task.control()).mean_ratio;
         } else {
             candidate.side_error = std::numeric_limits<double>::infinity();
         }
@@ -290,11 +295,11 @@ Candidate make_candidate(const Task& task, const Start& start, Work& work) {
         if (best->side_error <= good && round >= 2) break;
     }
     if (!search.has_jumped()) best->factor.reset();
-    if (task.options.narrow == Narrow::Merge && is_graded && best->defects.empty()) {
+    if (problem.options.narrow == Narrow::Merge && is_graded && best->defects.empty()) {
         const double error = best->side_error;
         tiler.merge(*best);
-        describe(*best, task, start, work);
-        best->side_error = error;  // of the tiles before
+        describe(*best, problem, start, task);
+        best->side_error = error;  // error before the tiles were merged
     }
     return std::move(*best);
 }

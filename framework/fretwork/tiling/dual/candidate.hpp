@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/tiling/detail/work.hpp>
+#include <fretwork/tiling/detail/shared_task.hpp>
 #include <fretwork/tiling/dual/defects.hpp>
 #include <fretwork/tiling/dual/dual.hpp>
 #include <fretwork/tiling/tessellate.hpp>
@@ -19,7 +19,7 @@ struct Start {
 };
 
 /// The input of candidates, and the measures by which they are judged.
-struct Task {
+struct TilingProblem {
     const outlines::Outline& outline;
     const SizeField& field;
     const TessellationOptions& options;
@@ -51,12 +51,12 @@ struct Sketch {
     double factor = 0.0;
     int tiles = 0;
 };
-Sketch make_sketch(const Task& task, const Start& start, Work& work);
+Sketch make_sketch(const TilingProblem& problem, const Start& start, SharedTask& task);
 std::size_t rough_steps(const TessellationOptions& options);
 
 /// Make the tiling from a start, with the distance of sites that gives the wanted sides. Reports
 /// candidate_steps() steps of progress.
-Candidate make_candidate(const Task& task, const Start& start, Work& work);
+Candidate make_candidate(const TilingProblem& problem, const Start& start, SharedTask& task);
 std::size_t candidate_steps(const TessellationOptions& options);
 
 /// True if `first` is the better choice.

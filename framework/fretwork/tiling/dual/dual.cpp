@@ -11,11 +11,11 @@ namespace {
 using geometry::Point2;
 using geometry::Polygon;
 
-/// Where one tile has several points of the rim in a row, those at which the outline turns by less are left
-/// out.
+/// The turn of the outline below which a point of the rim is left out, if one tile has several points of the
+/// rim in sequence.
 constexpr double kSmallestKeptTurn = 20.0 * std::numbers::pi / 180;
 
-/// The circumcenter; of an obtuse triangle, the point of the triangle nearest to it.
+/// The circumcenter of a triangle or, for an obtuse triangle, the point of the triangle nearest to it.
 Point2 clamped_circumcenter(Point2 a, Point2 b, Point2 c) {
     if (dot(b - a, c - a) <= 0) return between(b, c, 0.5);
     if (dot(a - b, c - b) <= 0) return between(a, c, 0.5);
@@ -25,13 +25,13 @@ Point2 clamped_circumcenter(Point2 a, Point2 b, Point2 c) {
 
 class DualBuilder {
   public:
-    DualBuilder(const Rim& rim, const Triangulation& triangulation, const Work& work)
-        : rim_(rim), triangulation_(triangulation), work_(work) {
+    DualBuilder(const Rim& rim, const Triangulation& triangulation, const SharedTask& task)
+        : rim_(rim), triangulation_(triangulation), task_(task) {
         previous_.resize(rim.next.size());
         for (const PointIndex b : rim.next.indices()) previous_[rim.next[b]] = b;
         first_triangles_.resize(triangulation.points.size());
         for (const TriangleIndex triangle : triangulation.triangles.indices()) {
-            work_.check();
+            task_.check();
             for (const PointIndex corner : triangulation.triangles[triangle])
                 first_triangles_[corner] = triangle;
         }
@@ -44,21 +44,22 @@ class DualBuilder {
         for (const PointIndex b : rim_.points.indices()) add_rim_vertices(b);
         for (const PointIndex site : triangulation_.points.indices()) {
             if (is_rim(site)) continue;
-            work_.check();
+            task_.check();
             dual_.cells.push_back(cell_of(site));
         }
         return std::move(dual_);
     }
 
   private:
-    /// A vertex of the dual at a point of the rim, and the site in whose tile it lies (none: in each that
-    /// touches the point).
+    /// A vertex of the dual at a point of the rim, and the site whose tile has this vertex (none: every tile
+    /// that touches the point).
     struct Corner {
         DualVertexIndex vertex;
         PointIndex owner;
     };
 
-    /// The triangles around a point, counterclockwise; of the rim: from its next to its previous point.
+    /// The triangles around a point, counterclockwise; around a point of the rim, from its next point to its
+    /// previous point.
     struct Fan {
         std::vector<PointIndex> neighbors;
         std::vector<TriangleIndex> faces;  // face i has neighbors i and i + 1
@@ -75,8 +76,8 @@ class DualBuilder {
         const RimPoint& at = rim_.points[rim_point];
         return add({at.place, at.loop, at.is_corner, at.along});
     }
-    /// On the outline, at a share of the way to the next point of the rim, or, if it is negative, to the
-    /// previous one.
+    /// Add a vertex on the outline, at a share of the way to the next point of the rim or, for a negative
+    /// share, to the previous point.
     DualVertexIndex add_vertex_beside(PointIndex rim_point, double share) {
         const RimPoint& at = rim_.points[rim_point];
         const ClosedCurve& curve = rim_.curves[at.loop];
@@ -90,14 +91,14 @@ class DualBuilder {
 
     void add_inner_vertices() {
         for (const TriangleIndex face : triangulation_.triangles.indices()) {
-            work_.check();
+            task_.check();
             const auto& [a, b, c] = triangulation_.triangles[face];
             if (is_rim(a) || is_rim(b) || is_rim(c)) continue;
             side_ends_[face] = add({clamped_circumcenter(point(a), point(b), point(c))});
         }
     }
 
-    /// The triangle behind the side from a point to the corner before it, seen counterclockwise.
+    /// The neighbour of a triangle in the clockwise direction around a point.
     [[nodiscard]] TriangleIndex clockwise(TriangleIndex triangle, PointIndex point) const {
         const int corner = corner_at(triangulation_.triangles[triangle], point);
         return triangulation_.neighbors[triangle][(corner + 2) % 3];
@@ -111,7 +112,7 @@ class DualBuilder {
         return corners[(corner_at(corners, point) + steps) % 3];
     }
 
-    /// For a point of the rim, one neighbour more than faces.
+    /// The fan around a point; a point of the rim has one more neighbour than faces.
     [[nodiscard]] Fan fan_around(PointIndex center) const {
         Fan fan;
         TriangleIndex first = first_triangles_[center];
@@ -131,7 +132,7 @@ class DualBuilder {
     }
 
     void add_rim_vertices(PointIndex b) {
-        work_.check();
+        task_.check();
         const Fan fan = fan_around(b);
         std::vector<PointIndex> sites;
         for (const PointIndex neighbor : fan.neighbors) {
@@ -160,7 +161,7 @@ class DualBuilder {
         for (const TriangleIndex face : fan.faces) side_ends_[face] = vertex;
     }
 
-    /// The site that lies nearest to the middle of the angle at a corner.
+    /// The index of the site nearest to the bisector of the angle at a corner.
     [[nodiscard]] std::size_t most_central(PointIndex b, const std::vector<PointIndex>& sites,
                                            Point2 previous, Point2 next) const {
         const Point2 to_next = next - point(b);
@@ -175,15 +176,15 @@ class DualBuilder {
         return best;
     }
 
-    /// Sides between tiles end on the outline around b in their order; side j lies between sites j and j + 1,
-    /// and site `middle` (or the side in the middle) lies at b. No side ends beyond half of the way to the
-    /// next point of the rim.
+    /// Put the ends of the sides between tiles on the outline around b, in order. Side j lies between sites j
+    /// and j + 1, and site `middle` (or the middle side) lies at b. No side ends beyond half of the way to
+    /// the next point of the rim.
     void end_sides_beside(PointIndex b, const Fan& fan, double middle) {
-        const auto count = static_cast<double>(fan.faces.size()) - 2;  // of sides
+        const auto count = static_cast<double>(fan.faces.size()) - 2;  // number of sides
         const double most = std::max(middle, count - middle);
         for (std::size_t face = 1; face + 1 < fan.faces.size(); ++face) {
             const double place =
-                middle - (static_cast<double>(face) - 1 + 0.5);  // > 0: towards the next point
+                middle - (static_cast<double>(face) - 1 + 0.5);  // above zero: towards the next point
             side_ends_[fan.faces[face]] =
                 place == 0 ? add_vertex_at(b) : add_vertex_beside(b, 0.5 * place / most);
         }
@@ -193,7 +194,7 @@ class DualBuilder {
         const Fan fan = fan_around(site);
         Cell cell = walk(site, fan);
         if (cell.size() >= 3) return cell;
-        // Hardly more than this tile: every point of the rim counts.
+        // The outline is hardly larger than this tile, so every point of the rim matters.
         for (const PointIndex neighbor : fan.neighbors) {
             if (is_rim(neighbor) && !corners_[neighbor].vertex.is_valid() &&
                 is_only_touched_by(neighbor, site)) {
@@ -225,18 +226,18 @@ class DualBuilder {
 
     const Rim& rim_;
     const Triangulation& triangulation_;
-    const Work& work_;
-    base::IndexVector<PointIndex, TriangleIndex> first_triangles_;  // for each point one of its triangles
-    base::IndexVector<PointIndex, PointIndex> previous_;            // for each point of the rim
+    const SharedTask& task_;
+    base::IndexVector<PointIndex, TriangleIndex> first_triangles_;  // a triangle of each point
+    base::IndexVector<PointIndex, PointIndex> previous_;            // of each point of the rim
     Dual dual_;
-    base::IndexVector<TriangleIndex, DualVertexIndex> side_ends_;  // the vertex that a triangle gives
-    base::IndexVector<PointIndex, Corner> corners_;                // for each point of the rim
+    base::IndexVector<TriangleIndex, DualVertexIndex> side_ends_;  // vertex that each triangle gives
+    base::IndexVector<PointIndex, Corner> corners_;                // of each point of the rim
 };
 
 }  // namespace
 
-Dual dual_of(const Rim& rim, const Triangulation& triangulation, const Work& work) {
-    return DualBuilder(rim, triangulation, work).build();
+Dual dual_of(const Rim& rim, const Triangulation& triangulation, const SharedTask& task) {
+    return DualBuilder(rim, triangulation, task).build();
 }
 
 Polygon polygon_of(const Dual& dual, std::size_t cell) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/tiling/detail/work.hpp>
+#include <fretwork/tiling/detail/shared_task.hpp>
 #include <fretwork/tiling/remeshing/rim.hpp>
 #include <fretwork/tiling/remeshing/triangulation.hpp>
 
@@ -36,7 +36,7 @@ struct Dual {
 /// point of the triangle nearest to the circumcenter. In a triangle of two sites and a rim point, the side
 /// between the two tiles ends on the outline. A corner of the outline is a vertex of its tile if the tile
 /// stays convex. Pre: ears have been flipped (flip_ears).
-Dual dual_of(const Rim& rim, const Triangulation& triangulation, const Work& work);
+Dual dual_of(const Rim& rim, const Triangulation& triangulation, const SharedTask& task);
 
 /// The polygon of a tile.
 geometry::Polygon polygon_of(const Dual& dual, std::size_t cell);

@@ -14,11 +14,11 @@ namespace fretwork::tiling::detail {
 /// regular polygon, and every vertex moves to the mean of the proposals of its cells. The weight of cells
 /// that are far from regular grows. Vertices on the rim slide along the outline and keep their order; the
 /// outline's corners stay. Convex cells stay convex at vertices that divide sides.
-void regularize(Dual& dual, const Rim& rim, int iterations, const Work& work);
+void regularize(Dual& dual, const Rim& rim, int iterations, const SharedTask& task);
 
 /// Regularize, and in each iteration also move the ends of each side towards the side's wanted length. In
 /// this way, the sides that the outline cuts become as long as the others if angles allow.
-void even_out(Dual& dual, const Rim& rim, const SizeField& field, int iterations, const Work& work);
+void even_out(Dual& dual, const Rim& rim, const SizeField& field, int iterations, const SharedTask& task);
 
 /// Merge neighbouring cells where the wanted side is reduced, as long as the merged cells are convex, have no
 /// sharp angles, and have sides of at most 1.5 times the largest wanted side. In this way, a narrow band gets

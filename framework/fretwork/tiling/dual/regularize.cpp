@@ -16,7 +16,7 @@ using geometry::Polygon;
 
 using Complex = std::complex<double>;
 
-/// exp(2 pi i k / count) for each k, made once for each count.
+/// The roots of unity exp(2 pi i k / count) for each k, computed once for each count.
 class RootsOfUnity {
   public:
     const std::vector<Complex>& of(std::size_t count) {
@@ -33,8 +33,8 @@ class RootsOfUnity {
     std::vector<std::vector<Complex>> roots_;
 };
 
-/// The regular polygon that is nearest to a polygon in the least-squares sense: its mean, and the first
-/// Fourier coefficient of its vertices.
+/// The regular polygon nearest to a polygon in the least-squares sense, by the mean and the first Fourier
+/// coefficient of its vertices.
 Polygon nearest_regular_polygon(const Polygon& polygon, const std::vector<Complex>& roots) {
     Complex mean;
     Complex first;
@@ -52,19 +52,21 @@ Polygon nearest_regular_polygon(const Polygon& polygon, const std::vector<Comple
     return regular;
 }
 
-constexpr double kPullingAngle = 40 * std::numbers::pi / 180;  // cells with a sharper one pull harder
-constexpr double kPullingSide = 0.4;                           // of the cell's mean, the same
-/// Angles beyond count as straight: rounding may make them reflex.
+// Cells with a sharper angle get a growing weight.
+constexpr double kPullingAngle = 40 * std::numbers::pi / 180;
+// Share of the cell's mean side; cells with a shorter side get a growing weight.
+constexpr double kPullingSide = 0.4;
+/// The angle above which an angle counts as straight, because rounding may make it reflex.
 constexpr double kStraight = 170 * std::numbers::pi / 180;
-constexpr double kHarder = 1.2;  // by so much each time
+constexpr double kHarder = 1.2;  // factor of the weight in each iteration
 constexpr double kHardest = 10;
-/// The weight of a side against its cell, where sides are made even. Inside they become nearly even anyway,
-/// and more weight would cost angles.
+/// The weight of a side relative to its cell, when sides are made even. Inside, sides become nearly even
+/// anyway, and a larger weight would spoil angles.
 constexpr double kSidesAtRim = 2;
 constexpr double kSidesInside = 0.5;
-constexpr double kSlide = 0.9;  // of the way to the neighbour along the rim, at most
+constexpr double kSlide = 0.9;  // largest share of the way to the neighbour along the rim
 
-/// Whether a cell has a reflex or sharp angle or a short side.
+/// True if a cell has a reflex or sharp angle, or a short side.
 bool is_far_from_regular(const Polygon& polygon) {
     const double mean = perimeter(polygon) / static_cast<double>(polygon.size());
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -79,8 +81,8 @@ bool is_far_from_regular(const Polygon& polygon) {
 
 class Regularizer {
   public:
-    Regularizer(Dual& dual, const Rim& rim, const SizeField* field, const Work& work)
-        : dual_(dual), rim_(rim), field_(field), work_(work), weights_(dual.cells.size(), 1.0) {
+    Regularizer(Dual& dual, const Rim& rim, const SizeField* field, const SharedTask& task)
+        : dual_(dual), rim_(rim), field_(field), task_(task), weights_(dual.cells.size(), 1.0) {
         find_neighbors_on_rim();
     }
 
@@ -89,7 +91,7 @@ class Regularizer {
         weight_sums_.assign(dual_.vertices.size(), 0.0);
         for (std::size_t cell = 0; cell < dual_.cells.size(); ++cell) pull(cell);
         for (const DualVertexIndex v : dual_.vertices.indices()) {
-            work_.check();
+            task_.check();
             if (weight_sums_[v] > 0 && !dual_.vertices[v].is_fixed)
                 move(v, (1.0 / weight_sums_[v]) * sums_[v]);
         }
@@ -102,8 +104,8 @@ class Regularizer {
     void find_neighbors_on_rim() {
         previous_.resize(dual_.vertices.size());
         next_.resize(dual_.vertices.size());
-        const auto sides = sides_of_cells(dual_, work_.control());
-        for_each_side(sides, work_.control(), [&](std::span<const CellSide> same) {
+        const auto sides = sides_of_cells(dual_, task_.control());
+        for_each_side(sides, task_.control(), [&](std::span<const CellSide> same) {
             if (same.size() != 1) return;
             next_[same.front().from] = same.front().to;
             previous_[same.front().to] = same.front().from;
@@ -111,7 +113,7 @@ class Regularizer {
     }
 
     void pull(std::size_t cell) {
-        work_.check();
+        task_.check();
         const Polygon polygon = polygon_of(dual_, cell);
         double& weight = weights_[cell];
         weight = is_far_from_regular(polygon) ? std::min(kHardest, kHarder * weight)
@@ -121,7 +123,7 @@ class Regularizer {
         for (std::size_t i = 0; i < wanted.size(); ++i) add(dual_.cells[cell][i], wanted[i], weight);
     }
 
-    /// Each side pulls or pushes its ends to its wanted length.
+    /// Let each side pull or push its ends towards its wanted length.
     void pull_sides(std::size_t cell, const Polygon& polygon) {
         const Cell& vertices = dual_.cells[cell];
         const bool is_at_rim = std::ranges::any_of(
@@ -154,14 +156,14 @@ class Regularizer {
         vertex.along = curve.nearest_between(vertex.along - back, vertex.along + forth, wanted);
         vertex.place = curve.at(vertex.along);
     }
-    /// Its neighbours have moved, too.
+    /// Keep the cell convex at a vertex that divides a side, after its neighbours have moved.
     void keep_convex(DualVertexIndex v) {
         DualVertex& vertex = dual_.vertices[v];
         const auto place = [&](DualVertexIndex other) { return dual_.vertices[other].place; };
         const ClosedCurve& curve = rim_.curves[vertex.loop];
         vertex.place = convex_place(curve.at(vertex.along), {place(previous_[v]), place(next_[v])});
     }
-    /// Along the outline from one vertex to another in front of it; 0 if it is not in front.
+    /// The distance along the outline from one vertex forward to another; 0 if the other is not in front.
     [[nodiscard]] double way(DualVertexIndex from, DualVertexIndex to) const {
         if (!from.is_valid() || !to.is_valid()) return 0.0;
         const DualVertex& a = dual_.vertices[from];
@@ -174,11 +176,12 @@ class Regularizer {
 
     Dual& dual_;
     const Rim& rim_;
-    const SizeField* field_;  // of the sides that pull; null: they do not
-    const Work& work_;
+    const SizeField* field_;  // wanted sides, towards which sides pull; null: sides do not pull
+    const SharedTask& task_;
     RootsOfUnity roots_;
     std::vector<double> weights_;
-    base::IndexVector<DualVertexIndex, DualVertexIndex> previous_;  // for each vertex of the rim
+    // Previous vertex of each vertex of the rim.
+    base::IndexVector<DualVertexIndex, DualVertexIndex> previous_;
     base::IndexVector<DualVertexIndex, DualVertexIndex> next_;
     base::IndexVector<DualVertexIndex, Point2> sums_;
     base::IndexVector<DualVertexIndex, double> weight_sums_;
@@ -186,13 +189,13 @@ class Regularizer {
 
 }  // namespace
 
-void regularize(Dual& dual, const Rim& rim, int iterations, const Work& work) {
-    Regularizer regularizer(dual, rim, nullptr, work);
+void regularize(Dual& dual, const Rim& rim, int iterations, const SharedTask& task) {
+    Regularizer regularizer(dual, rim, nullptr, task);
     for (int iteration = 0; iteration < iterations; ++iteration) regularizer.iterate();
 }
 
-void even_out(Dual& dual, const Rim& rim, const SizeField& field, int iterations, const Work& work) {
-    Regularizer regularizer(dual, rim, &field, work);
+void even_out(Dual& dual, const Rim& rim, const SizeField& field, int iterations, const SharedTask& task) {
+    Regularizer regularizer(dual, rim, &field, task);
     for (int iteration = 0; iteration < iterations; ++iteration) regularizer.iterate();
 }
 

@@ -15,8 +15,8 @@ namespace {
 using geometry::Point2;
 using geometry::Polygon;
 
-/// The centroid of a tile, its parts weighted with the number of tiles that are wanted there.
-/// @param sides  wanted at the polygon's vertices
+/// The centroid of a tile, whose parts are weighted with the wanted density of tiles.
+/// @param sides  wanted sides at the polygon's vertices
 Point2 weighted_centroid(const Polygon& polygon, std::span<const double> sides) {
     const Point2 middle = geometry::centroid(polygon);
     Point2 sum{};
@@ -24,7 +24,7 @@ Point2 weighted_centroid(const Polygon& polygon, std::span<const double> sides) 
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const std::size_t next = (i + 1) % polygon.size();
         const double side = (sides[i] + sides[next]) / (sides[0] + sides[1]);
-        // Tiles of size h come about where the density of the centroid is h^-4.
+        // A density h^-4 of the centroid gives tiles of size h.
         const double weight =
             cross(polygon[i] - middle, polygon[next] - middle) / (side * side * side * side);
         sum = sum + (weight / 3) * (polygon[i] + polygon[next] + middle);
@@ -33,18 +33,18 @@ Point2 weighted_centroid(const Polygon& polygon, std::span<const double> sides) 
     return weights > 0 ? (1 / weights) * sum : middle;
 }
 
-/// Where the sites of a dual's tiles move to.
+/// The new places of sites, the centroids of a dual's tiles.
 class Centroids {
   public:
-    Centroids(const Dual& dual, const SizeField& field, const Work& work) : dual_(dual) {
+    Centroids(const Dual& dual, const SizeField& field, const SharedTask& task) : dual_(dual) {
         if (field.is_uniform()) return;
         for (const DualVertex& vertex : dual.vertices) {
-            work.check();
+            task.check();
             wanted_.push_back(field.at(vertex.place));
         }
     }
 
-    /// Nothing for a tile that is turned over.
+    /// The centroid of a site's tile; nothing for a tile that is turned over.
     std::optional<Point2> of(std::size_t site) {
         const Polygon polygon = polygon_of(dual_, site);
         if (polygon.size() < 3 || !(geometry::signed_area(polygon) > 0)) return std::nullopt;
@@ -56,24 +56,25 @@ class Centroids {
 
   private:
     const Dual& dual_;
-    base::IndexVector<DualVertexIndex, double> wanted_;  // sides at the vertices; empty: the same everywhere
+    // Wanted sides at the vertices; empty: the same side everywhere.
+    base::IndexVector<DualVertexIndex, double> wanted_;
     std::vector<double> sides_;
 };
 
 }  // namespace
 
 std::vector<Point2> relax(const Rim& rim, const SizeField& field, std::vector<Point2> sites, int iterations,
-                          Work& work) {
-    const InsideTest is_inside(rim, 0.0, work.control());
+                          SharedTask& task) {
+    const InsideTest is_inside(rim, 0.0, task.control());
     for (int i = 0; i < iterations; ++i) {
-        work.advance();
+        task.advance();
         if (sites.empty()) continue;
-        Triangulation triangulation = triangulate(rim, sites, work);
-        flip_ears(triangulation, work);
-        const Dual dual = dual_of(rim, triangulation, work);
-        Centroids centroids(dual, field, work);
+        Triangulation triangulation = triangulate(rim, sites, task);
+        flip_ears(triangulation, task);
+        const Dual dual = dual_of(rim, triangulation, task);
+        Centroids centroids(dual, field, task);
         for (std::size_t site = 0; site < sites.size(); ++site) {
-            work.check();
+            task.check();
             const auto target = centroids.of(site);
             if (target && is_inside(*target, 0.0)) sites[site] = *target;
         }

@@ -57,10 +57,6 @@ std::vector<TileIndex> parse_tiles(std::string_view text, const Tessellation& te
     return {chosen.begin(), chosen.end()};
 }
 
-bool is_inside(const geometry::Polygon& polygon, Point2 point) {
-    return geometry::winding_number(polygon, point) != 0;
-}
-
 std::vector<TileIndex> tiles_in(const geometry::Box& box, const Tessellation& tessellation) {
     return tiles_where(tessellation, [&](Point2 center) {
         return center.x >= box.xmin && center.x <= box.xmax && center.y >= box.ymin && center.y <= box.ymax;
@@ -68,7 +64,8 @@ std::vector<TileIndex> tiles_in(const geometry::Box& box, const Tessellation& te
 }
 
 std::vector<TileIndex> tiles_in(const geometry::Polygon& polygon, const Tessellation& tessellation) {
-    return tiles_where(tessellation, [&](Point2 center) { return is_inside(polygon, center); });
+    return tiles_where(tessellation,
+                       [&](Point2 center) { return geometry::winding_number(polygon, center) != 0; });
 }
 
 }  // namespace fretwork::tiling

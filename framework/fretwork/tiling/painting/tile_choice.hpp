@@ -19,9 +19,6 @@ base::IndexVector<TileIndex, geometry::Point2> tile_centers(const Tessellation& 
 /// states the range of valid numbers.
 std::vector<TileIndex> parse_tiles(std::string_view text, const Tessellation& tessellation);
 
-/// True if a closed polygon winds around a point. The polygon may cross itself.
-bool is_inside(const geometry::Polygon& polygon, geometry::Point2 point);
-
 /// The tiles in a box, whose edge belongs to the box; empty if there are none.
 std::vector<TileIndex> tiles_in(const geometry::Box& box, const Tessellation& tessellation);
 /// The tiles in a polygon; empty if there are none.

@@ -11,9 +11,9 @@ using geometry::Point2;
 
 class EarFlipper {
   public:
-    EarFlipper(Triangulation& triangulation, const Work& work) : t_(triangulation), work_(work) {}
+    EarFlipper(Triangulation& triangulation, const SharedTask& task) : t_(triangulation), task_(task) {}
 
-    /// A flip may make the next ear.
+    /// Flip all ears. A flip may make another ear.
     void run() {
         for (bool has_flipped = true; has_flipped;) {
             has_flipped = false;
@@ -31,7 +31,7 @@ class EarFlipper {
     }
     [[nodiscard]] Point2 place(PointIndex point) const { return t_.points[point]; }
 
-    /// The corner opposite to the only side of an ear that is not on the rim; -1: no ear.
+    /// The corner opposite to the only side of an ear that is not on the rim; -1: the triangle is not an ear.
     int tip_of(TriangleIndex triangle) {
         int open = -1;
         int count = 0;
@@ -44,14 +44,15 @@ class EarFlipper {
     }
 
     bool flip_if_ear(TriangleIndex ear) {
-        work_.check();
+        task_.check();
         const int tip = tip_of(ear);
         if (tip < 0) return false;
         const TriangleIndex other = behind(ear)[tip];
         const PointIndex a = corners(ear)[tip];
         const PointIndex b = corners(ear)[(tip + 1) % 3];
         const PointIndex c = corners(ear)[(tip + 2) % 3];
-        const int far = (corner_at(corners(other), b) + 1) % 3;  // c, b, d in the other triangle's order
+        // The other triangle has the corners c, b, d in this order.
+        const int far = (corner_at(corners(other), b) + 1) % 3;
         const PointIndex d = corners(other)[far];
         if (t_.is_rim(d) || !is_convex(a, b, c, d)) return false;
         const TriangleIndex behind_bd = behind(other)[corner_at(corners(other), c)];
@@ -63,7 +64,7 @@ class EarFlipper {
         if (behind_bd.is_valid()) std::ranges::replace(behind(behind_bd), other, ear);
         return true;
     }
-    /// Whether the diagonal from a to d lies within the quadrilateral a b d c.
+    /// True if the diagonal from a to d lies within the quadrilateral a b d c.
     [[nodiscard]] bool is_convex(PointIndex a, PointIndex b, PointIndex c, PointIndex d) const {
         const Point2 diagonal = place(d) - place(a);
         return cross(diagonal, place(c) - place(a)) > 0 && cross(diagonal, place(b) - place(a)) < 0 &&
@@ -71,13 +72,13 @@ class EarFlipper {
     }
 
     Triangulation& t_;
-    const Work& work_;
+    const SharedTask& task_;
 };
 
 }  // namespace
 
-void flip_ears(Triangulation& triangulation, const Work& work) {
-    EarFlipper(triangulation, work).run();
+void flip_ears(Triangulation& triangulation, const SharedTask& task) {
+    EarFlipper(triangulation, task).run();
 }
 
 std::vector<Chord> chords_of(const Triangulation& triangulation) {

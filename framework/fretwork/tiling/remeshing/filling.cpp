@@ -13,12 +13,13 @@ namespace {
 
 using geometry::Point2;
 
-// All of the spacing.
-constexpr double kEmptyRadius = 0.8;     // of a circle without sites; 0.58 in a regular lattice
-constexpr double kHalfBand = 0.45;       // the same between points of the rim
-constexpr double kRimDistance = 0.35;    // between a site that fills a gap and the rim
-constexpr double kLeastFilling = 0.65;   // between a site that fills a gap and the others
-constexpr double kBridgeDistance = 0.3;  // between a site that bridges a chord and the others
+// All values are shares of the spacing.
+// smallest radius of a circle without sites that is filled; 0.58 in a regular lattice
+constexpr double kEmptyRadius = 0.8;
+constexpr double kHalfBand = 0.45;       // the same radius between points of the rim
+constexpr double kRimDistance = 0.35;    // smallest distance of a filling site from the rim
+constexpr double kLeastFilling = 0.65;   // smallest distance of a filling site from other sites
+constexpr double kBridgeDistance = 0.3;  // smallest distance of a bridging site from other sites
 constexpr int kRounds = 8;
 
 /// The triangle's circumcenter and radius.
@@ -28,10 +29,10 @@ struct EmptyCircle {
 };
 
 std::vector<EmptyCircle> large_empty_circles(const Triangulation& triangulation, const Spacing& spacing,
-                                             const Work& work) {
+                                             const SharedTask& task) {
     std::vector<EmptyCircle> circles;
     for (const auto& [a, b, c] : triangulation.triangles) {
-        work.check();
+        task.check();
         const auto place = [&](PointIndex point) { return triangulation.points[point]; };
         if (cross(place(b) - place(a), place(c) - place(a)) <= 0) continue;
         const Point2 middle = circumcenter(place(a), place(b), place(c));
@@ -47,10 +48,11 @@ std::vector<EmptyCircle> large_empty_circles(const Triangulation& triangulation,
     return circles;
 }
 
-geometry::PointGrid grid_of(const std::vector<Point2>& sites, const Spacing& spacing, const Work& work) {
+geometry::PointGrid grid_of(const std::vector<Point2>& sites, const Spacing& spacing,
+                            const SharedTask& task) {
     geometry::PointGrid grid(spacing.largest());
     for (const Point2& site : sites) {
-        work.check();
+        task.check();
         grid.add(site);
     }
     return grid;
@@ -58,13 +60,14 @@ geometry::PointGrid grid_of(const std::vector<Point2>& sites, const Spacing& spa
 
 }  // namespace
 
-void fill_empty_parts(const Rim& rim, const Spacing& spacing, std::vector<Point2>& sites, const Work& work) {
-    const InsideTest is_inside(rim, kRimDistance * spacing.largest(), work.control());
-    geometry::PointGrid grid = grid_of(sites, spacing, work);
+void fill_empty_parts(const Rim& rim, const Spacing& spacing, std::vector<Point2>& sites,
+                      const SharedTask& task) {
+    const InsideTest is_inside(rim, kRimDistance * spacing.largest(), task.control());
+    geometry::PointGrid grid = grid_of(sites, spacing, task);
     for (int round = 0; round < kRounds; ++round) {
         const std::size_t before = sites.size();
-        for (const EmptyCircle& circle : large_empty_circles(triangulate(rim, sites, work), spacing, work)) {
-            work.check();
+        for (const EmptyCircle& circle : large_empty_circles(triangulate(rim, sites, task), spacing, task)) {
+            task.check();
             const double wanted = spacing.at(circle.middle);
             if (!is_inside(circle.middle, kRimDistance * wanted)) continue;
             if (grid.has_near(circle.middle, kLeastFilling * wanted)) continue;
@@ -75,13 +78,14 @@ void fill_empty_parts(const Rim& rim, const Spacing& spacing, std::vector<Point2
     }
 }
 
-bool bridge_chords(const Rim& rim, const Spacing& spacing, std::vector<Point2>& sites, const Work& work) {
-    Triangulation triangulation = triangulate(rim, sites, work);
-    flip_ears(triangulation, work);
-    geometry::PointGrid grid = grid_of(sites, spacing, work);
+bool bridge_chords(const Rim& rim, const Spacing& spacing, std::vector<Point2>& sites,
+                   const SharedTask& task) {
+    Triangulation triangulation = triangulate(rim, sites, task);
+    flip_ears(triangulation, task);
+    geometry::PointGrid grid = grid_of(sites, spacing, task);
     const std::size_t before = sites.size();
     for (const Chord& chord : chords_of(triangulation)) {
-        work.check();
+        task.check();
         const auto place = [&](PointIndex point) { return triangulation.points[point]; };
         const Point2 middle = between(place(chord.from), place(chord.to), 0.5);
         if (grid.has_near(middle, kBridgeDistance * spacing.at(middle))) continue;

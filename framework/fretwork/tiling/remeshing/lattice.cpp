@@ -12,18 +12,21 @@ namespace {
 
 using geometry::Point2;
 
-/// Half a tile's width: a tile at the rim then is about as large as one inside.
-constexpr double kLatticeMargin = 0.45;  // of the spacing
-constexpr double kFinerBy = 0.75;        // from one lattice to the next finer one
-constexpr double kLeastDistance = 0.7;   // of the wanted one, between sites of different lattices
+/// The margin of sites from the rim, half of a tile's width, so that tiles at the rim are about as large as
+/// tiles inside.
+constexpr double kLatticeMargin = 0.45;  // share of the spacing
+constexpr double kFinerBy = 0.75;        // factor from one lattice to the next finer lattice
+// Smallest distance between sites of different lattices, as a share of the wanted distance.
+constexpr double kLeastDistance = 0.7;
 
-/// The first and the last of -reach .. reach for which start + k step may lie in the box of these half sizes
-/// around the origin: a long, narrow outline has few lattice points in a box that could hold a great many.
+/// The first and the last k within -reach .. reach for which start + k step may lie in the box with these
+/// half sizes around the origin. This range saves time for a long, narrow outline, whose box has far fewer
+/// lattice points than -reach .. reach has steps.
 std::pair<int, int> steps_within(Point2 start, Point2 step, Point2 half, int reach) {
     double first = -reach;
     double last = reach;
     const auto narrow = [&](double from, double by, double bound) {
-        if (std::abs(by) * reach < 1e-9 * bound) return;  // hardly moves: the other direction decides
+        if (std::abs(by) * reach < 1e-9 * bound) return;  // moves too little; the other direction decides
         const double one = (-bound - from) / by;
         const double other = (bound - from) / by;
         first = std::max(first, std::ceil(std::min(one, other) - 1e-6));
@@ -44,7 +47,7 @@ struct LatticeBox {
 
 /// Call body with each point of the lattice in the box.
 template <class Body>
-void for_each_lattice_point(const LatticeBox& box, const Work& work, const Body& body) {
+void for_each_lattice_point(const LatticeBox& box, const SharedTask& task, const Body& body) {
     const auto direction = [&](double angle) {
         return Point2{box.edge * std::cos(angle), box.edge * std::sin(angle)};
     };
@@ -53,22 +56,22 @@ void for_each_lattice_point(const LatticeBox& box, const Work& work, const Body&
     // Rows of a triangular lattice are sqrt(3)/2 apart.
     const int reach = static_cast<int>(std::ceil(2 * length(box.half) / box.edge)) + 1;
     for (int row = -reach; row <= reach; ++row) {
-        work.check();
+        task.check();
         const Point2 start = static_cast<double>(row) * across;
         const auto [first, last] = steps_within(start, along, box.half, reach);
         for (int column = first; column <= last; ++column) {
-            work.check();
+            task.check();
             body(box.middle + static_cast<double>(column) * along + start);
         }
     }
 }
 
-/// Lattices as fine as the limits of the side ask for, each where it fits.
-void add_finer_lattices(const InsideTest& is_inside, const Spacing& spacing, double angle, const Work& work,
-                        std::vector<Point2>& sites) {
+/// Add finer and finer lattices, as the limits of the side require, each where it fits.
+void add_finer_lattices(const InsideTest& is_inside, const Spacing& spacing, double angle,
+                        const SharedTask& task, std::vector<Point2>& sites) {
     geometry::PointGrid grid(spacing.largest());
     for (const Point2& site : sites) {
-        work.check();
+        task.check();
         grid.add(site);
     }
     const double finest = spacing.factor * spacing.field.smallest();
@@ -86,7 +89,7 @@ void add_finer_lattices(const InsideTest& is_inside, const Spacing& spacing, dou
                 grid.add(site);
                 sites.push_back(site);
             };
-            for_each_lattice_point({square.middle, {square.half_width, square.half_width}, edge, angle}, work,
+            for_each_lattice_point({square.middle, {square.half_width, square.half_width}, edge, angle}, task,
                                    add);
         }
     }
@@ -94,7 +97,8 @@ void add_finer_lattices(const InsideTest& is_inside, const Spacing& spacing, dou
 
 }  // namespace
 
-std::vector<Point2> lattice_sites(const Rim& rim, const Spacing& spacing, double angle, const Work& work) {
+std::vector<Point2> lattice_sites(const Rim& rim, const Spacing& spacing, double angle,
+                                  const SharedTask& task) {
     Point2 low = rim.points.front().place;
     Point2 high = low;
     for (const RimPoint& point : rim.points) {
@@ -102,16 +106,16 @@ std::vector<Point2> lattice_sites(const Rim& rim, const Spacing& spacing, double
         high = {std::max(high.x, point.place.x), std::max(high.y, point.place.y)};
     }
     const double edge = spacing.largest();
-    const InsideTest is_inside(rim, kLatticeMargin * edge, work.control());
+    const InsideTest is_inside(rim, kLatticeMargin * edge, task.control());
     std::vector<Point2> sites;
     const double coarsest = std::sqrt(kFinerBy) * edge;
-    for_each_lattice_point({between(low, high, 0.5), 0.5 * (high - low), edge, angle}, work,
+    for_each_lattice_point({between(low, high, 0.5), 0.5 * (high - low), edge, angle}, task,
                            [&](Point2 site) {
                                const double wanted = spacing.at(site);
                                if (wanted >= coarsest && is_inside(site, kLatticeMargin * wanted))
                                    sites.push_back(site);
                            });
-    if (!spacing.field.is_uniform()) add_finer_lattices(is_inside, spacing, angle, work, sites);
+    if (!spacing.field.is_uniform()) add_finer_lattices(is_inside, spacing, angle, task, sites);
     return sites;
 }
 

@@ -14,8 +14,8 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 struct FaceInfo {
-    int depth = -1;            // rims between the face and infinity: odd is inside
-    TriangleIndex triangle{};  // of those inside
+    int depth = -1;            // number of rims between the face and infinity; odd: inside
+    TriangleIndex triangle{};  // index of a face inside
 };
 struct VertexInfo {
     PointIndex point{};
@@ -29,12 +29,12 @@ using Delaunay =
                                                CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
                                                CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
-/// Count for every face how many rims lie between it and infinity.
-void mark_depths(Delaunay& delaunay, const Work& work) {
+/// Count, for every face, the rims between the face and infinity.
+void mark_depths(Delaunay& delaunay, const SharedTask& task) {
     std::deque<Delaunay::Face_handle> open{delaunay.infinite_face()};
     delaunay.infinite_face()->info().depth = 0;
     while (!open.empty()) {
-        work.check();
+        task.check();
         const Delaunay::Face_handle face = open.front();
         open.pop_front();
         for (int i = 0; i < 3; ++i) {
@@ -42,17 +42,17 @@ void mark_depths(Delaunay& delaunay, const Work& work) {
             if (other->info().depth >= 0) continue;
             const bool crosses_rim = face->is_constrained(i);
             other->info().depth = face->info().depth + (crosses_rim ? 1 : 0);
-            // All of one region before the next, so that each face gets its smallest depth.
+            // Visit a whole region before the next one, so that each face gets its smallest depth.
             crosses_rim ? open.push_back(other) : open.push_front(other);
         }
     }
 }
 
-/// The faces inside the rim, and which are neighbours.
-void add_triangles(Delaunay& delaunay, const Work& work, Triangulation& result) {
+/// Add the faces inside the rim as triangles, with their neighbours.
+void add_triangles(Delaunay& delaunay, const SharedTask& task, Triangulation& result) {
     const auto is_inside = [](Delaunay::Face_handle face) { return face->info().depth % 2 != 0; };
     for (const Delaunay::Face_handle face : delaunay.finite_face_handles()) {
-        work.check();
+        task.check();
         if (!is_inside(face)) continue;
         face->info().triangle = TriangleIndex(result.triangles.size());
         result.triangles.push_back(
@@ -60,7 +60,7 @@ void add_triangles(Delaunay& delaunay, const Work& work, Triangulation& result) 
     }
     result.neighbors.reserve(result.triangles.size());
     for (const Delaunay::Face_handle face : delaunay.finite_face_handles()) {
-        work.check();
+        task.check();
         if (!is_inside(face)) continue;
         const auto behind = [&](int i) {
             return face->is_constrained(i) ? TriangleIndex() : face->neighbor(i)->info().triangle;
@@ -80,14 +80,15 @@ geometry::Point2 circumcenter(geometry::Point2 a, geometry::Point2 b, geometry::
     return a + geometry::Point2{scale * (v.y * uu - u.y * vv), scale * (u.x * vv - v.x * uu)};
 }
 
-Triangulation triangulate(const Rim& rim, const std::vector<geometry::Point2>& sites, const Work& work) {
+Triangulation triangulate(const Rim& rim, const std::vector<geometry::Point2>& sites,
+                          const SharedTask& task) {
     Triangulation result;
     Delaunay delaunay;
     result.rim_count = static_cast<int>(rim.points.size());
     base::IndexVector<PointIndex, Delaunay::Vertex_handle> handles;
     const auto insert = [&](geometry::Point2 point) {
-        work.check();
-        // The last vertex is near the next one: points come loop by loop and site by site.
+        task.check();
+        // Start the search at the last vertex, because the next point is usually near it.
         const auto near = handles.empty() ? Delaunay::Face_handle() : handles.back()->face();
         const Delaunay::Vertex_handle vertex = delaunay.insert(Kernel::Point_2(point.x, point.y), near);
         if (!vertex->info().point.is_valid()) vertex->info().point = PointIndex(result.points.size());
@@ -96,12 +97,12 @@ Triangulation triangulate(const Rim& rim, const std::vector<geometry::Point2>& s
     };
     for (const RimPoint& point : rim.points) insert(point.place);
     for (std::size_t i = 0; i < rim.next.size(); ++i) {
-        work.check();
+        task.check();
         delaunay.insert_constraint(handles[i], handles[rim.next[i]]);
     }
     for (const geometry::Point2& site : sites) insert(site);
-    mark_depths(delaunay, work);
-    add_triangles(delaunay, work, result);
+    mark_depths(delaunay, task);
+    add_triangles(delaunay, task, result);
     return result;
 }
 

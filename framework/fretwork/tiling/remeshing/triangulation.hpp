@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/tiling/detail/work.hpp>
+#include <fretwork/tiling/detail/shared_task.hpp>
 #include <fretwork/tiling/remeshing/rim.hpp>
 
 #include <array>
@@ -26,7 +26,7 @@ struct Triangulation {
 
 /// The constrained Delaunay triangulation: the rim's sides are edges, and no triangle lies outside. Pre: the
 /// sites lie strictly inside and are distinct.
-Triangulation triangulate(const Rim& rim, const std::vector<geometry::Point2>& sites, const Work& work);
+Triangulation triangulate(const Rim& rim, const std::vector<geometry::Point2>& sites, const SharedTask& task);
 
 /// The center of the circle through three points, which must not lie on a line.
 geometry::Point2 circumcenter(geometry::Point2 a, geometry::Point2 b, geometry::Point2 c);
@@ -39,7 +39,7 @@ inline int corner_at(const std::array<PointIndex, 3>& triangle, PointIndex point
 /// Flip ears. An ear is a triangle of three rim points, which cuts off a corner of the outline. Flipping the
 /// edge between the ear and its neighbour gives the corner to the tiles behind the ear. An edge is flipped if
 /// its two triangles form a convex quadrilateral. Throws base::Stopped.
-void flip_ears(Triangulation& triangulation, const Work& work);
+void flip_ears(Triangulation& triangulation, const SharedTask& task);
 
 /// An inner edge that joins two points of the rim.
 struct Chord {
