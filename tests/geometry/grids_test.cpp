@@ -41,6 +41,16 @@ TEST(PointGrid, NumbersPointsAsTheyCome) {
     EXPECT_THAT(seen, testing::UnorderedElementsAre(0U, 1U));
 }
 
+TEST(PointGrid, GivesNearPointsTheSmallestNumberAmongThem) {
+    PointGrid grid(1.0);
+    EXPECT_EQ(grid.number_of({0.0, 0.0}, 0.5), 0U);
+    EXPECT_EQ(grid.number_of({0.75, 0.0}, 0.5), 1U);
+    EXPECT_EQ(grid.number_of({0.45, 0.0}, 0.5), 0U) << "both are within reach, and the second is nearer";
+    EXPECT_EQ(grid.number_of({1.25, 0.0}, 0.5), 1U) << "the reach itself counts";
+    EXPECT_EQ(grid.number_of({1.26, 0.0}, 0.5), 2U);
+    EXPECT_EQ(grid.points().size(), 3U);
+}
+
 TEST(BoxGrid, FindsWhatALookAtEveryBoxFinds) {
     base::SplitMix64 random(2);
     const auto random_box = [&] {

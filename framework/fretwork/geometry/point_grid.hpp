@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -62,6 +63,16 @@ class PointGrid {
     [[nodiscard]] bool has_near(Point2 place, double reach) const {
         return any_around(place,
                           [&](std::size_t number) { return distance(points_[number], place) < reach; });
+    }
+
+    /// The smallest number of a point at most `reach` away from `point`. If there is no such point, `point`
+    /// is added. Pre: `reach` is at most the width of a cell.
+    std::size_t number_of(Point2 point, double reach) {
+        std::optional<std::size_t> found;
+        visit_around(point, [&](std::size_t other) {
+            if (distance(points_[other], point) <= reach && (!found || other < *found)) found = other;
+        });
+        return found ? *found : add(point);
     }
 
   private:

@@ -15,20 +15,20 @@ constexpr std::size_t kLongestKind = 60;
 
 }  // namespace
 
-void Remarks::tell(const Region& region, double tolerance) {
+void Remarks::add_changes(const Region& region, double tolerance) {
     const std::string width = roughly_in_millimetres(tolerance) + " mm";
     if (region.doubled > 0)
-        say(base::counted(region.doubled, "shape") + " drawn over an equal one counted once");
+        add(base::counted(region.doubled, "shape") + " drawn over an equal one counted once");
     if (region.touches > 0)
-        say(base::counted(region.touches, "point") + " where the shape touches itself opened by " + width);
-    if (region.slits > 0) say(base::counted(region.slits, "hole") + " narrower than " + width + " filled");
+        add(base::counted(region.touches, "point") + " where the shape touches itself opened by " + width);
+    if (region.slits > 0) add(base::counted(region.slits, "hole") + " narrower than " + width + " filled");
     if (region.is_welded)
-        say("slits and needles narrower than " + roughly_in_millimetres(kWeldShare * tolerance) +
+        add("slits and needles narrower than " + roughly_in_millimetres(kWeldShare * tolerance) +
             " mm closed or cut off");
 }
 
 std::vector<std::string> Remarks::list() const {
-    std::vector<std::string> list = said_;
+    std::vector<std::string> list = remarks_;
     if (std::string text = left_out(); !text.empty()) list.push_back(std::move(text));
     return list;
 }
@@ -54,7 +54,7 @@ std::string in_millimetres(double length) {
 
 std::string roughly_in_millimetres(double length) {
     if (!(length > 0)) return "0";
-    constexpr double kRounding = 1e-9;  // so that 0.02 stays 0.02
+    constexpr double kRounding = 1e-9;  // keeps 0.02 at 0.02
     const double digit = std::pow(10, std::floor(std::log10(length)) - 1);
     return in_millimetres(digit * std::ceil(length / digit - kRounding));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Closed curves of the model space of a DXF drawing, on layers that are on.
+// Reads the closed curves in the model space of a DXF drawing, on layers that are on.
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/base/text.hpp>
@@ -19,9 +19,9 @@ namespace {
 using geometry::Point2;
 using geometry::Polygon;
 
-constexpr int kDeepestBlock = 32;             // blocks in blocks
+constexpr int kDeepestBlock = 32;             // depth of blocks in blocks
 constexpr int kMostEntities = 200'000;        // blocks of blocks grow fast
-constexpr std::size_t kMostPoints = 200'000;  // of which crossings are looked for
+constexpr std::size_t kMostPoints = 200'000;  // points whose lines are tested for crossings
 
 struct UnitName {
     long number;
@@ -45,10 +45,10 @@ constexpr std::array<UnitName, 16> kUnits = {{{1, 0.0254, "in"},
                                               {21, 1200.0 / 3937, "US survey ft"},
                                               {22, 100.0 / 3937, "US survey in"}}};
 
-/// Where an entity stands: in the drawing, or in a block that is put there.
+/// The place of an entity: in the drawing, or in a block that the drawing inserts.
 struct Place {
     Affine to_metres{};
-    std::string_view layer = "0";  // for entities on layer 0
+    std::string_view layer = "0";  // layer of entities on layer 0
     int depth = 0;
 };
 
@@ -66,17 +66,17 @@ class DxfReader {
         Region region = nested_region(enclosed.curves, how_.tolerance);
         if (region.parts.empty()) fail_open();
         tell_open();
-        remarks_.tell(region, how_.tolerance);
+        remarks_.add_changes(region, how_.tolerance);
         return {std::move(region.parts), remarks_.list()};
     }
 
   private:
-    /// $INSUNITS of the header; without it (or "unitless"), millimetres.
+    /// The unit of $INSUNITS in the header; millimetres if the header states none or "unitless".
     double metres_per_unit() {
         const auto group = file_.units();
         const long number = group ? file_.whole_number(*group) : 0;
         if (number == 0) {
-            remarks_.say("it does not say its unit; it is taken as mm");
+            remarks_.add("it does not say its unit; it is taken as mm");
             return 1e-3;
         }
         const auto unit = std::ranges::find(kUnits, number, &UnitName::number);
@@ -88,15 +88,15 @@ class DxfReader {
                                         base::join(known, ", ") + " is needed");
     }
 
-    /// Roughly how large the drawing is, in its unit; of a drawing with nothing but blocks, how large these
-    /// are.
+    /// The approximate extent of the drawing, in its unit. For a drawing with nothing but blocks, the extent
+    /// of the blocks.
     [[nodiscard]] double extent() const {
         double extent = extent_of(file_.entities());
         if (extent > 0) return extent;
         for (const auto& [name, block] : file_.blocks()) extent = std::max(extent, extent_of(block.entities));
         return extent;
     }
-    /// The largest of the coordinates' ranges, or of the radii.
+    /// The largest range of a coordinate, or the largest radius.
     [[nodiscard]] double extent_of(const std::vector<DxfEntity>& entities) const {
         std::array<std::optional<std::array<double, 2>>, 2> range;
         double extent = 0;
@@ -136,7 +136,8 @@ class DxfReader {
         if (layer == "0") layer = place.layer;
         const DxfFile::Layer state = file_.layer(layer);
         const bool is_insert = entity.name == "INSERT";
-        // Entities in a block on a layer that is off follow their own layers; a frozen layer hides them all.
+        // If the layer of a block is off, its entities follow their own layers; a frozen layer hides all of
+        // them.
         if (state == DxfFile::Layer::Frozen || (state == DxfFile::Layer::Off && !is_insert))
             return remarks_.leave_out("on layers that are off");
         if (is_insert) return read_insert(entity, {place.to_metres, layer, place.depth + 1});
@@ -223,8 +224,8 @@ class DxfReader {
     DxfFile file_;
     Flattening how_{.tolerance = kFlatteningTolerance};
     DrawnLines lines_;
-    std::vector<int> line_numbers_;  // in the file, of the open lines
-    std::vector<std::size_t> open_;  // open lines that enclose nothing
+    std::vector<int> line_numbers_;  // lines in the file of the open lines
+    std::vector<std::size_t> open_;  // indices of the open lines that enclose nothing
     std::vector<const DxfFile::Block*> inserting_;
     Remarks remarks_;
     int entities_ = 0;

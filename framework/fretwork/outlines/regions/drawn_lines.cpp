@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/text.hpp>
+#include <fretwork/geometry/box.hpp>
 #include <fretwork/geometry/plane.hpp>
 #include <fretwork/outlines/detail/outline_readers.hpp>
 #include <fretwork/outlines/regions/drawn_lines.hpp>
+#include <fretwork/outlines/regions/filled_region.hpp>
 #include <fretwork/outlines/regions/line_joining.hpp>
-#include <fretwork/outlines/regions/map_parts.hpp>
 
 #include <algorithm>
 
@@ -13,16 +14,17 @@ namespace {
 
 using geometry::Polygon;
 
-/// Loose ends nearer than this to each other are joined, metres; in drawings smaller than a thousand times
-/// that, within a thousandth of their size.
+/// The largest distance at which loose ends are joined, m. In drawings smaller than a thousand times this
+/// distance, a thousandth of their size.
 constexpr double kWidestGap = 2e-4;
 constexpr double kGapPerTolerance = kDetail / 1000;
-/// Ends nearer than this share of the flattening tolerance are one point: drawings are rounded.
+/// The distance, as a share of the flattening tolerance, below which two ends are one point, because drawings
+/// are rounded.
 constexpr double kSameShare = 0.5;
 
 double width_of(const Polygon& line) {
-    const auto [low, high] = box_of({line});
-    return distance(low, high);
+    const geometry::Box box = geometry::box_of(line);
+    return geometry::length({box.width(), box.height()});
 }
 
 }  // namespace
@@ -42,10 +44,10 @@ Enclosed enclosed_by(DrawnLines lines, double tolerance, Remarks& remarks) {
     DistinctCurves distinct = distinct_curves(std::move(lines.closed), same);
     enclosed.curves = std::move(distinct.curves);
     if (joined.gaps > 0)
-        remarks.say(base::counted(joined.gaps, "gap") + " of at most " +
+        remarks.add(base::counted(joined.gaps, "gap") + " of at most " +
                     roughly_in_millimetres(joined.widest_gap) + " mm closed");
     if (const int doubled = joined.doubled + distinct.doubled; doubled > 0)
-        remarks.say(base::counted(doubled, "doubled line") + " taken once");
+        remarks.add(base::counted(doubled, "doubled line") + " taken once");
     return enclosed;
 }
 

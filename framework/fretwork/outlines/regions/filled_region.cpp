@@ -14,14 +14,14 @@ namespace {
 
 using geometry::Polygon;
 
-/// The limit of curves that lie in one another: each pair of them is compared.
+/// The largest number of curves that lie in one another, of which each pair is compared.
 constexpr std::size_t kMostNested = 256;
 
 bool is_inside(FillRule rule, int winding) {
     return rule == FillRule::Nonzero ? winding != 0 : winding % 2 != 0;
 }
 
-/// Which shapes of a picture are open above the face that is looked at.
+/// The shapes of a picture that contain the present face.
 class OpenShapes {
   public:
     explicit OpenShapes(const Picture& picture) : picture_(picture), clipped_(picture.clips.size()) {
@@ -53,7 +53,8 @@ class OpenShapes {
   private:
     struct Member {
         const FilledShape* shape;
-        std::optional<std::size_t> clip;  // that it belongs to; none: it is filled itself
+        // Clip to which the shape belongs; none: a shape that is filled itself.
+        std::optional<std::size_t> clip;
         int winding = 0;
     };
     void add(const FilledShape& shape, std::optional<std::size_t> clip) {
@@ -77,17 +78,17 @@ class OpenShapes {
     std::vector<Member> members_;
     std::vector<MapLine> lines_;
     std::vector<std::size_t> shape_of_line_;
-    std::set<std::size_t> filled_;                // shapes of the picture around the face
-    std::vector<std::set<std::size_t>> clipped_;  // for each clip, its shapes around the face
+    std::set<std::size_t> filled_;                // shapes of the picture that contain the face
+    std::vector<std::set<std::size_t>> clipped_;  // for each clip, its shapes that contain the face
 };
 
-/// The shape with the largest box: only this one may cover all others.
+/// The shape with the largest box, the only shape that can cover all others.
 std::size_t widest_shape(const Picture& picture) {
     std::size_t widest = 0;
     double most = -1;
     for (std::size_t shape = 0; shape < picture.shapes.size(); ++shape) {
-        const auto box = box_of(picture.shapes[shape].loops);
-        const double area = (box[1].x - box[0].x) * (box[1].y - box[0].y);
+        const geometry::Box box = box_of(picture.shapes[shape].loops);
+        const double area = box.width() * box.height();
         if (area > most) {
             most = area;
             widest = shape;
@@ -96,7 +97,7 @@ std::size_t widest_shape(const Picture& picture) {
     return widest;
 }
 
-/// Which curves contain which: A contains B if no face lies in B and not in A.
+/// The nesting of curves: A contains B if every face in B is also in A.
 class Nesting {
   public:
     explicit Nesting(std::size_t curves) : winding_(curves, 0), around_(curves), depth_(curves, -1) {}
@@ -125,7 +126,7 @@ class Nesting {
         }
         faces_.emplace_back(open_.begin(), open_.end());
     }
-    /// Filled is a face whose innermost curve lies in an even number of others.
+    /// True if the innermost curve around a face lies in an even number of other curves.
     [[nodiscard]] bool is_filled(std::size_t face) const {
         int deepest = -1;
         for (const int curve : faces_[face]) deepest = std::max(deepest, depth(curve));
@@ -133,7 +134,7 @@ class Nesting {
     }
 
   private:
-    /// Curves that contain each other are one, drawn twice.
+    /// The number of curves around a curve. Two curves that contain each other are one curve, drawn twice.
     [[nodiscard]] int depth(int curve) const {
         int& known = depth_[curve];
         if (known >= 0) return known;
@@ -150,7 +151,7 @@ class Nesting {
     mutable std::vector<int> depth_;
 };
 
-/// The points of a curve, the same wherever it begins and whichever way it runs.
+/// The points of a curve, independent of its first point and its direction.
 using Places = std::vector<std::array<double, 2>>;
 Places places_of(const Polygon& curve) {
     const auto begun_at_the_least = [](Places places) {
@@ -163,7 +164,7 @@ Places places_of(const Polygon& curve) {
     return std::min(begun_at_the_least(std::move(places)), begun_at_the_least(std::move(back)));
 }
 
-/// Shapes that fill what an earlier one fills, too.
+/// The number of shapes that fill the same area as an earlier shape.
 int count_doubled(const std::vector<FilledShape>& shapes) {
     std::set<std::pair<std::vector<Places>, FillRule>> seen;
     int doubled = 0;

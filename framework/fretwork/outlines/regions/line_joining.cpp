@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/geometry/box.hpp>
 #include <fretwork/geometry/internal/segment_box.hpp>
 #include <fretwork/geometry/plane.hpp>
 #include <fretwork/geometry/point_grid.hpp>
 #include <fretwork/outlines/regions/line_joining.hpp>
-#include <fretwork/outlines/regions/map_parts.hpp>
 
 #include <CGAL/box_intersection_d.h>
 
@@ -19,7 +19,8 @@ namespace {
 using geometry::Point2;
 using geometry::Polygon;
 
-/// The two ends of each line as numbered points: ends nearer than the tolerance have one number.
+/// The two ends of each line as numbered points. Ends nearer to each other than the tolerance have the same
+/// number.
 class Ends {
   public:
     Ends(std::vector<Polygon>& lines, double same) : places_(same), same_(same) {
@@ -29,15 +30,11 @@ class Ends {
     [[nodiscard]] std::size_t count() const { return places_.points().size(); }
 
   private:
-    /// The number of an end, which is moved to the place of its number.
+    /// The number of an end. The end is moved to the point with this number.
     std::size_t number_of(Point2& end) {
-        std::optional<std::size_t> found;
-        places_.visit_around(end, [&](std::size_t other) {
-            if (distance(places_.points()[other], end) <= same_ && (!found || other < *found)) found = other;
-        });
-        if (!found) found = places_.add(end);
-        end = places_.points()[*found];
-        return *found;
+        const std::size_t number = places_.number_of(end, same_);
+        end = places_.points()[number];
+        return number;
     }
     geometry::PointGrid places_;
     double same_;
@@ -60,7 +57,7 @@ Point2 middle_of(const Polygon& line) {
     return line.back();
 }
 
-/// Lines with the same ends, the same middle and the same length.
+/// True for each line with the same ends, middle and length as an earlier line.
 std::vector<bool> find_doubled(const std::vector<Polygon>& lines, const Ends& ends, double same) {
     std::map<std::array<std::size_t, 2>, std::vector<std::size_t>> by_ends;
     std::vector<bool> is_doubled(lines.size(), false);
@@ -80,10 +77,10 @@ std::vector<bool> find_doubled(const std::vector<Polygon>& lines, const Ends& en
 
 struct LooseEnd {
     Point2 place;
-    std::size_t line;  // of the joined ones
+    std::size_t line;  // index of the joined line
 };
 
-/// Ends that no other line shares.
+/// The ends that no other line shares.
 std::vector<LooseEnd> loose_ends(const JoinedLines& joined, const Ends& ends) {
     std::vector<int> degree(ends.count(), 0);
     for (const std::size_t given : joined.given)
@@ -112,7 +109,7 @@ std::vector<Gap> gaps_between(const std::vector<LooseEnd>& loose, const JoinedLi
             if (other <= end) return;
             const double width = distance(loose[end].place, loose[other].place);
             const bool is_itself = loose[end].line == loose[other].line;
-            constexpr double kMuchLonger = 4;  // a line that closes on itself is no short stroke
+            constexpr double kMuchLonger = 4;  // a line that closes on itself is not a short stroke
             if (width <= most &&
                 (!is_itself || length_of(joined.lines[loose[end].line]) > kMuchLonger * most))
                 gaps.push_back({width, end, other});
@@ -135,7 +132,7 @@ void close_gaps(JoinedLines& joined, const Ends& ends, double most) {
     }
 }
 
-/// A side of a line by its first point.
+/// A side of a line, given by its first point.
 struct Side {
     std::size_t line;
     std::size_t index;
@@ -149,7 +146,7 @@ std::vector<Side> sides_of(const std::vector<Polygon>& lines) {
     return sides;
 }
 
-/// For each side (by number), the loose ends of other lines that lie on it and at none of its ends.
+/// For each side (by number), the loose ends of other lines that lie on the side, but not at its ends.
 std::map<std::size_t, std::vector<Point2>> ends_on(const std::vector<Side>& sides,
                                                    const std::vector<LooseEnd>& loose,
                                                    const JoinedLines& joined, double same) {
@@ -179,11 +176,11 @@ std::map<std::size_t, std::vector<Point2>> ends_on(const std::vector<Side>& side
     return found;
 }
 
-/// A loose end that lies on another line, up to rounding, becomes a point of it.
+/// Insert each loose end that lies on another line, up to rounding, as a point of that line.
 void put_ends_on_lines(JoinedLines& joined, const Ends& ends, double same) {
     const std::vector<Side> sides = sides_of(joined.lines);
     auto found = ends_on(sides, loose_ends(joined, ends), joined, same);
-    // From the last side of a line to the first, so that the places of the others stay.
+    // From the last side of a line to the first, so that the indices of the remaining sides stay valid.
     for (auto on = found.rbegin(); on != found.rend(); ++on) {
         const Side& side = sides[on->first];
         Polygon& line = joined.lines[side.line];
@@ -215,28 +212,31 @@ JoinedLines join_lines(const std::vector<Polygon>& lines, const JoiningTolerance
 
 DistinctCurves distinct_curves(std::vector<Polygon> curves, double same) {
     struct Measured {
-        std::array<Point2, 2> box;
+        Point2 low, high;  // corners of the box around the curve
         double area;
         double around;
     };
     const auto is_same = [&](const Measured& a, const Measured& b) {
-        return distance(a.box[0], b.box[0]) <= same && distance(a.box[1], b.box[1]) <= same &&
+        return distance(a.low, b.low) <= same && distance(a.high, b.high) <= same &&
                std::abs(a.area - b.area) <= same * a.around;
     };
     geometry::PointGrid corners(same);
     std::vector<Measured> measured;
     DistinctCurves distinct;
     for (Polygon& curve : curves) {
-        const Measured here{box_of({curve}), std::abs(geometry::signed_area(curve)), perimeter(curve)};
+        const geometry::Box box = geometry::box_of(curve);
+        const Measured here{{box.xmin, box.ymin},
+                            {box.xmax, box.ymax},
+                            std::abs(geometry::signed_area(curve)),
+                            perimeter(curve)};
         bool is_doubled = false;
-        corners.visit_around(here.box[0], [&](std::size_t other) {
-            is_doubled = is_doubled || is_same(measured[other], here);
-        });
+        corners.visit_around(
+            here.low, [&](std::size_t other) { is_doubled = is_doubled || is_same(measured[other], here); });
         if (is_doubled) {
             ++distinct.doubled;
             continue;
         }
-        corners.add(here.box[0]);
+        corners.add(here.low);
         measured.push_back(here);
         distinct.curves.push_back(std::move(curve));
     }

@@ -10,6 +10,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -22,21 +23,23 @@ using geometry::Polygon;
 using Halfedge = PlanarMap::Halfedge_handle;
 using Face = PlanarMap::Face_handle;
 
-/// Rounding crossings to doubles may make new ones; rarely one more round is needed, and never many.
+/// The largest number of rounds. Rounding crossings to doubles may make new crossings; rarely, one more round
+/// is needed, and never many.
 constexpr int kMostRounds = 5;
 
-/// A closed curve with what it fills on its left.
+/// A closed curve with the filled area on its left.
 struct Loop {
     Polygon points;
     int touches = 0;
-    int first_side = 0;  ///< of its sides' numbers the least: loops come in the order of their file
+    int first_side = 0;  ///< smallest number of its sides, which keeps loops in the order of their file
 };
 
 bool is_rim(Halfedge halfedge) {
     return halfedge->face()->data().is_filled && !halfedge->twin()->face()->data().is_filled;
 }
 
-/// The next one along the rim, around what is filled: so parts that only touch at a point stay apart.
+/// The next halfedge along the rim of the filled area, chosen so that parts that only touch at a point stay
+/// separate.
 Halfedge next_on_rim(Halfedge halfedge) {
     Halfedge next = halfedge->next();
     while (!is_rim(next)) next = next->twin()->next();
@@ -66,10 +69,10 @@ void mark_parts(PlanarMap& map) {
 
 struct Corner {
     Point2 place;
-    bool is_touch;  // the loop comes to it again
+    bool is_touch;  // true if the loop passes the corner more than once
 };
 
-/// Corners so near to a touch that nothing could be opened between them are left out.
+/// Remove corners so near to a touching point that there is no room to open it.
 void leave_room_at_touches(std::vector<Corner>& corners, double room) {
     const auto is_beside = [&](std::size_t i) {
         const std::size_t n = corners.size();
@@ -84,11 +87,11 @@ void leave_room_at_touches(std::vector<Corner>& corners, double room) {
             continue;
         }
         corners.erase(corners.begin() + i);
-        i -= std::min<std::size_t>(i, 1);  // the one before may be beside it now
+        i -= std::min<std::size_t>(i, 1);  // the corner before may now be next to a touching point
     }
 }
 
-/// The corners; at a touch, each of them moves into what is filled.
+/// The polygon through the corners; a corner at a touching point is moved into the filled area.
 Polygon opened(std::vector<Corner> corners, double tolerance) {
     leave_room_at_touches(corners, 4 * tolerance);
     const std::size_t n = corners.size();
@@ -105,8 +108,8 @@ Polygon opened(std::vector<Corner> corners, double tolerance) {
     return apart;
 }
 
-/// A row of halfedges, turned so that it begins where its first side (by number) does: outlines keep the
-/// first point that their file gives them.
+/// A closed chain of halfedges that begins at the start of its first side (by number), so that outlines keep
+/// the first point from their file.
 struct Row {
     std::vector<Halfedge> along;
     int first_side = std::numeric_limits<int>::max();
@@ -123,13 +126,14 @@ Row row_from(Halfedge first, const std::vector<LineMap::Side>& sides) {
             (next->direction() == CGAL::ARR_LEFT_TO_RIGHT ? 1 : -1) == sides[least].direction;
         start = row.along.size() - (is_forward ? 1 : 0);
     }
-    // Points are the targets of halfedges: the one that ends at the first point comes first.
+    // Points are the targets of halfedges, so the halfedge that ends at the first point comes first.
     const std::size_t n = row.along.size();
     std::rotate(row.along.begin(), row.along.begin() + (start + n - 1) % n, row.along.end());
     return row;
 }
 
-/// Points of the map that the rim goes straight through stay: they are points of a file, or crossings.
+/// The loop along a chain of halfedges. Points at which the rim goes straight on stay, because they are
+/// points of the file, or crossings.
 Loop loop_of(const Row& row, double tolerance) {
     std::unordered_map<const void*, int> visits;
     for (const Halfedge halfedge : row.along) ++visits[&*halfedge->target()];
@@ -144,10 +148,11 @@ Loop loop_of(const Row& row, double tolerance) {
 
 struct PartLoops {
     Polygon boundary;
-    std::multimap<int, Polygon> holes;  // by their first side; pieces of one side may be rims of several
+    // By first side; pieces of one side may belong to the rims of several holes.
+    std::multimap<int, Polygon> holes;
 };
 
-/// Curves less wide than `tolerance` are dropped: a crossing of two nearly equal lines leaves such.
+/// True if a curve is narrower than `tolerance`; crossings of two nearly equal lines leave such curves.
 bool is_thin(const Polygon& points, double tolerance) {
     return points.size() < 3 || 2 * std::abs(geometry::signed_area(points)) < tolerance * perimeter(points);
 }
@@ -168,7 +173,7 @@ Collected collect(LineMap& lines, double tolerance) {
         const Row row = row_from(halfedge, lines.sides);
         for (const Halfedge next : row.along) done.insert(&*next);
         Loop loop = loop_of(row, tolerance);
-        // Lines that nearly run along each other cross beside points of the file.
+        // Lines that nearly coincide cross close to points of the file.
         geometry::remove_repeated_points(loop.points, kClosingShare * tolerance);
         PartLoops& loops = collected.parts[part];
         const bool is_boundary = geometry::signed_area(loop.points) > 0;
@@ -195,7 +200,7 @@ int weld_parts(std::map<int, PartLoops>& parts, double width) {
     return weld(loops, width);
 }
 
-/// The parts as outlines; nothing if rounding has made one of them cross itself.
+/// The parts as outlines; nothing if a part crosses itself because of rounding.
 std::optional<std::vector<Outline>> outlines_of(const std::map<int, PartLoops>& parts) {
     std::vector<Outline> outlines;
     for (const auto& [number, part] : parts) {
@@ -207,7 +212,8 @@ std::optional<std::vector<Outline>> outlines_of(const std::map<int, PartLoops>& 
     return outlines;
 }
 
-/// The map of the rounded loops: as filled as before, since boundaries turn left and holes turn right.
+/// The map of the rounded loops. The same area is filled, because boundaries run counterclockwise and holes
+/// clockwise.
 LineMap map_of(const std::map<int, PartLoops>& parts) {
     std::vector<MapLine> lines;
     for (const auto& [number, part] : parts) {
@@ -253,16 +259,14 @@ Polygon polygon_around(PlanarMap::Ccb_halfedge_const_circulator first) {
     return points;
 }
 
-std::array<Point2, 2> box_of(const std::vector<Polygon>& polygons) {
-    std::optional<std::array<Point2, 2>> box;
+geometry::Box box_of(const std::vector<Polygon>& polygons) {
+    std::optional<geometry::Box> box;
     for (const Polygon& polygon : polygons) {
-        for (const Point2& point : polygon) {
-            if (!box) box = {point, point};
-            (*box)[0] = {std::min((*box)[0].x, point.x), std::min((*box)[0].y, point.y)};
-            (*box)[1] = {std::max((*box)[1].x, point.x), std::max((*box)[1].y, point.y)};
-        }
+        if (polygon.empty()) continue;
+        const geometry::Box own = geometry::box_of(polygon);
+        box = box ? geometry::united(*box, own) : own;
     }
-    return box.value_or(std::array<Point2, 2>{});
+    return box.value_or(geometry::Box{});
 }
 
 }  // namespace fretwork::outlines::detail

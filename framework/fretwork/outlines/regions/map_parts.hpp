@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/geometry/box.hpp>
 #include <fretwork/outlines/regions/filled_region.hpp>
 #include <fretwork/outlines/regions/planar_map.hpp>
 
-#include <array>
+#include <vector>
 
 namespace fretwork::outlines::detail {
 
-/// The parts of a map. Filled faces that share a side belong to the same part. A part that
-/// touches itself at a point is opened at that point, so that every part is an outline.
+/// The parts of a map. Filled faces that share a side belong to the same part. A part that touches itself at
+/// a point is opened at that point, so that every part is an outline.
 Region region_of_map(LineMap& lines, double tolerance);
 
 /// The points along a closed chain of halfedges.
 geometry::Polygon polygon_around(PlanarMap::Ccb_halfedge_const_circulator first);
 
-/// The lower left and the upper right corner of the box around all polygons; both are the origin if there are
-/// no points.
-std::array<geometry::Point2, 2> box_of(const std::vector<geometry::Polygon>& polygons);
+/// The smallest box around all polygons; zero if there are no points.
+geometry::Box box_of(const std::vector<geometry::Polygon>& polygons);
 
 }  // namespace fretwork::outlines::detail

@@ -12,7 +12,7 @@ namespace {
 using geometry::Point2;
 using geometry::Polygon;
 
-/// Copy a clip with those that it needs to another picture; its number there.
+/// Copy a clip, with the clips that it needs, to another picture. Returns the index of the copy.
 std::size_t copy_clip(const Picture& from, std::size_t clip, Picture& to) {
     Clip made = from.clips[clip];
     if (made.outer) made.outer = copy_clip(from, *made.outer, to);
@@ -32,9 +32,9 @@ OutlineFile SvgReader::run() {
     } else if (lines_ > 0) {
         remarks_.leave_out("unfilled line" + std::string(lines_ == 1 ? "" : "s"), lines_);
     }
-    remarks_.tell(region, how_.tolerance);
+    remarks_.add_changes(region, how_.tolerance);
     if (region.cover)
-        remarks_.say(document_.place(places_[*region.cover]) +
+        remarks_.add(document_.place(places_[*region.cover]) +
                      ", covers all other shapes; if it is a background, take it out");
     return {std::move(region.parts), remarks_.list()};
 }
@@ -42,7 +42,7 @@ OutlineFile SvgReader::run() {
 ColouredPicture SvgReader::run_for_colours() {
     read();
     if (picture_.shapes.empty())
-        throw base::GeometryError("nothing in it is filled, and colours are those of what is filled" +
+        throw base::GeometryError("nothing in it is filled, so that it has no colours" +
                                   left_out_text());
     return {std::move(picture_), std::move(colours_)};
 }
@@ -54,7 +54,7 @@ Region SvgReader::stroked_region() {
     if (region.parts.empty()) throw base::GeometryError(nothing_filled());
     std::size_t holes = 0;
     for (const Outline& part : region.parts) holes += part.holes.size();
-    remarks_.say("nothing is filled: the closed lines are taken as " +
+    remarks_.add("nothing is filled: the closed lines are taken as " +
                  base::counted(region.parts.size(), "outline") + " with " + base::counted(holes, "hole"));
     if (!enclosed.open.empty())
         leave_out_open(lines_drawn_.open, enclosed.open,
@@ -96,7 +96,7 @@ void SvgReader::add_stroke(pugi::xml_node node, const Surroundings& around) {
 
 void SvgReader::add_open_line(Polygon points, pugi::xml_node node, std::optional<std::size_t> clip) {
     if (points.size() < 2 || perimeter(points) <= how_.tolerance) return;  // a dot
-    // Construction lines reach far; they do not spoil what else is drawn.
+    // Construction lines that reach far outside are left out, and do not spoil the rest of the drawing.
     if (!std::ranges::all_of(points, [&](Point2 point) { return is_near_page(point); }))
         return remarks_.leave_out("open line that reaches far out of the drawing");
     check_loops({points}, node);
@@ -113,7 +113,7 @@ void SvgReader::add_closed_line(Polygon points, std::optional<std::size_t> clip)
         lines_drawn_.closed.push_back(std::move(points));
         return;
     }
-    // Cuts the elements inside as if they were filled.
+    // The clip, as if its elements were filled.
     Picture cut;
     cut.shapes.push_back({.loops = {std::move(points)}, .rule = FillRule::Evenodd, .clip = {}});
     if (clip) cut.shapes.front().clip = copy_clip(picture_, *clip, cut);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Clips of an SVG drawing, and the boxes that they are measured by.
+// Clips of an SVG drawing, and the boxes by which they are measured.
 #include <fretwork/outlines/regions/map_parts.hpp>
 #include <fretwork/outlines/svg/svg_reader.hpp>
 
@@ -35,7 +35,7 @@ std::size_t SvgReader::read_clip(pugi::xml_node clip, const SvgElement& clipped,
     if (std::string_view(clip.attribute("clipPathUnits").value()) == "objectBoundingBox")
         around.map = around.map.after(unit_box_of(clipped, around));
     around.map = around.map.after(element.transform(around.measure));
-    around.clip = clip_of(element, around);  // a clip may be clipped
+    around.clip = clip_of(element, around);  // a clip may have a clip of its own
     around.style = style_in({}, properties, document_);
     Clip made{{}, around.clip};
     around.clip.reset();
@@ -53,7 +53,7 @@ Affine SvgReader::unit_box_of(const SvgElement& element, const Surroundings& aro
     std::vector<FilledShape> found;
     const auto shapes = std::exchange(shapes_, &found);
     const auto purpose = std::exchange(purpose_, Purpose::Box);
-    constexpr double kBoxShare = 1e-4;  // of the viewport, by which the box may be off
+    constexpr double kBoxShare = 1e-4;  // largest error of the box, as a share of the viewport
     const double tolerance =
         std::exchange(how_.tolerance, kBoxShare * std::max(around.measure.width, around.measure.height));
     Surroundings inside{.style = around.style, .measure = around.measure, .depth = around.depth};
@@ -63,8 +63,8 @@ Affine SvgReader::unit_box_of(const SvgElement& element, const Surroundings& aro
     how_.tolerance = tolerance;
     std::vector<Polygon> loops;
     for (FilledShape& shape : found) std::ranges::move(shape.loops, std::back_inserter(loops));
-    const auto [low, high] = box_of(loops);
-    return {high.x - low.x, 0, 0, high.y - low.y, low.x, low.y};
+    const geometry::Box box = box_of(loops);
+    return {box.width(), 0, 0, box.height(), box.xmin, box.ymin};
 }
 
 }  // namespace fretwork::outlines::detail

@@ -8,11 +8,11 @@ namespace {
 
 constexpr double kMetresPerPixel = 0.0254 / 96;
 
-/// The size of a drawing without a size, by CSS, pixels.
+/// The size, by CSS, of a drawing that states no size, in pixels.
 constexpr double kDefaultWidth = 300;
 constexpr double kDefaultHeight = 150;
 
-/// A length of the root; nothing if it has none, or a share of the window.
+/// A length of the root element; nothing if the root does not state it, or states a share of the window.
 std::optional<double> root_length(const char* name, const SvgElement& root, const SvgDocument& document) {
     const std::string_view text = root.properties().find(name);
     if (text.empty() || text == "auto") return std::nullopt;
@@ -29,7 +29,7 @@ struct Size {
     double height;
 };
 
-/// The size of a drawing whose root does not say it in full.
+/// The size of a drawing whose root does not state it completely.
 Size guessed_size(const std::optional<double>& width, const std::optional<double>& height,
                   const std::optional<std::array<double, 4>>& box) {
     const Size whole = box ? Size{(*box)[2], (*box)[3]} : Size{kDefaultWidth, kDefaultHeight};
@@ -57,7 +57,7 @@ SvgPage page_of(pugi::xml_node root, const SvgDocument& document, Remarks& remar
     Size size{width.value_or(0), height.value_or(0)};
     if (!width || !height) {
         size = guessed_size(width, height, box);
-        remarks.say("it does not say its width and height; " +
+        remarks.add("it does not say its width and height; " +
                     std::string(box ? "from its viewBox" : "as a browser would,") + " it is taken as " +
                     size_text(size));
     }
