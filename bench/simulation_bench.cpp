@@ -5,6 +5,7 @@
 // Rows `bent_*` of corotational tiles also say how many factorizations of the same tangent, made in the same
 // run on one thread, would take as long (`factorizations`): that differs little from machine to machine.
 #include <fretwork/base/random.hpp>
+#include <fretwork/geometry/point_grid.hpp>
 #include <fretwork/mechanics/nonlinear/nonlinear_system.hpp>
 #include <fretwork/mechanics/sparse/ldlt.hpp>
 #include <fretwork/pattern/enumerate.hpp>
@@ -27,20 +28,8 @@ namespace {
 
 enum class Lattice { Equal, Irregular };
 
-/// Numbers points; those within a micrometre are one.
-class Points {
-  public:
-    int number(const geometry::Point2& point) {
-        const auto key = std::pair(std::lround(point.x * 1e6), std::lround(point.y * 1e6));
-        const auto [entry, is_new] = numbers_.emplace(key, static_cast<int>(points.size()));
-        if (is_new) points.push_back(point);
-        return entry->second;
-    }
-    std::vector<geometry::Point2> points;
-
-  private:
-    std::map<std::pair<long, long>, int> numbers_;
-};
+/// Points nearer to each other than this are one, m.
+constexpr double kSame = 1e-6;
 
 const std::vector<std::string>& patterns() {
     static const std::vector<std::string> ids = [] {
@@ -60,7 +49,7 @@ tiling::Tessellation hexagons(int count, double side) {
     tessellation.layout = "paper7";
     tessellation.patterns = pattern::parse_named_patterns(pattern::find_node_layout("paper7"), patterns());
     base::RandomStream random(1, 0);
-    Points vertices;
+    geometry::PointGrid vertices(kSame);
     for (int i = 0; i < count; ++i) {
         const int column = i / rows;
         const double x = 1.5 * side * column;
@@ -68,23 +57,23 @@ tiling::Tessellation hexagons(int count, double side) {
         tiling::Tile tile;
         tile.pattern = static_cast<int>(random.uniform() * 24.0);
         for (const geometry::Point2& vertex : hexagon)
-            tile.vertices.emplace_back(vertices.number({x + vertex.x, y + vertex.y}));
+            tile.vertices.emplace_back(vertices.number_of({x + vertex.x, y + vertex.y}, kSame));
         tessellation.tiles.push_back(std::move(tile));
     }
-    tessellation.vertices = std::move(vertices.points);
+    tessellation.vertices = vertices.points();
     return tessellation;
 }
 
 void place_interface_nodes(tiling::Tessellation& tessellation) {
-    Points nodes;
+    geometry::PointGrid nodes(kSame);
     for (tiling::Tile& tile : tessellation.tiles) {
         for (std::size_t k = 0; k < 6; ++k) {
             const auto& a = tessellation.vertices[tile.vertices[k]];
             const auto& b = tessellation.vertices[static_cast<std::size_t>(tile.vertices[(k + 1) % 6])];
-            tile.interface_nodes.emplace_back(nodes.number({(a.x + b.x) / 2, (a.y + b.y) / 2}));
+            tile.interface_nodes.emplace_back(nodes.number_of({(a.x + b.x) / 2, (a.y + b.y) / 2}, kSame));
         }
     }
-    tessellation.interface_nodes = std::move(nodes.points);
+    tessellation.interface_nodes = nodes.points();
 }
 
 const Surface& surface_of(Lattice lattice, int tiles) {

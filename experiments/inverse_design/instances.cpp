@@ -3,6 +3,7 @@
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/random.hpp>
+#include <fretwork/geometry/point_grid.hpp>
 #include <fretwork/pattern/enumerate.hpp>
 #include <fretwork/simulation/derivatives/candidate_tiles.hpp>
 #include <fretwork/simulation/simulate.hpp>
@@ -17,20 +18,8 @@
 namespace fretwork::experiments {
 namespace {
 
-/// Numbers points; those within a micrometre are one.
-class PlacedPoints {
-  public:
-    int number(const geometry::Point2& point) {
-        const auto key = std::pair(std::lround(point.x * 1e6), std::lround(point.y * 1e6));
-        const auto [entry, is_new] = numbers_.emplace(key, static_cast<int>(points.size()));
-        if (is_new) points.push_back(point);
-        return entry->second;
-    }
-    std::vector<geometry::Point2> points;
-
-  private:
-    std::map<std::pair<long, long>, int> numbers_;
-};
+/// Points nearer to each other than this are one, m.
+constexpr double kSame = 1e-6;
 
 /// A sum of three random waves, from 0 to 1 over the tiles.
 std::vector<double> smooth_field(const std::vector<geometry::Point2>& places, base::SplitMix64& random) {
@@ -92,8 +81,8 @@ simulation::Project lattice(int columns, int rows) {
     tessellation.layout = "paper7";
     tessellation.patterns =
         pattern::parse_named_patterns(project.layout, std::vector<std::string>{"0-1+1-6"});
-    PlacedPoints vertices;
-    PlacedPoints nodes;
+    geometry::PointGrid vertices(kSame);
+    geometry::PointGrid nodes(kSame);
     for (int column = 0; column < columns; ++column) {
         for (int row = 0; row < rows; ++row) {
             const double x = 1.5 * side * column;
@@ -103,14 +92,14 @@ simulation::Project lattice(int columns, int rows) {
             for (std::size_t k = 0; k < 6; ++k) {
                 const geometry::Point2 a{x + hexagon[k].x, y + hexagon[k].y};
                 const geometry::Point2 b{x + hexagon[(k + 1) % 6].x, y + hexagon[(k + 1) % 6].y};
-                tile.vertices.emplace_back(vertices.number(a));
-                tile.interface_nodes.emplace_back(nodes.number({(a.x + b.x) / 2, (a.y + b.y) / 2}));
+                tile.vertices.emplace_back(vertices.number_of(a, kSame));
+                tile.interface_nodes.emplace_back(nodes.number_of({(a.x + b.x) / 2, (a.y + b.y) / 2}, kSame));
             }
             tessellation.tiles.push_back(std::move(tile));
         }
     }
-    tessellation.vertices = std::move(vertices.points);
-    tessellation.interface_nodes = std::move(nodes.points);
+    tessellation.vertices = vertices.points();
+    tessellation.interface_nodes = nodes.points();
     const double w = 1.5 * side * (columns + 1);
     const double h = std::sqrt(3.0) * side * (rows + 1);
     project.outline = outlines::make_outline({{-w, -h}, {w, -h}, {w, h}, {-w, h}}, {});

@@ -142,20 +142,12 @@ void print_design(const Arguments& arguments, const Instance& instance) {
     const design::DesignReport report =
         design::design(instance.project, nullptr, instance.target, options_of(arguments, instance));
     row.seconds = processor_seconds() - before;
-    if (report.error) row.error = report.error->mean;
+    experiments::take_report(report, row);
     if (report.best_uniform) row.uniform = std::min(row.uniform, report.best_uniform->mean);
     for (const design::DesignProgress& own : report.history) {
         if (std::isnan(row.half) && own.misfit <= 0.5 * std::min(1.0, row.uniform))
             row.half = own.seconds / report.seconds * row.seconds;
     }
-    row.solutions = report.solutions;
-    row.full_solutions = report.full_solutions;
-    row.patterns = report.patterns.size();
-    row.swaps = report.swaps_scored;
-    row.model_error = report.model_error;
-    row.end = design::design_end_name(report.end);
-    row.relaxed = report.relaxed.value_or(NAN);
-    row.outside = report.gamut.share_outside().value_or(NAN);
     if (arguments.angle <= 0.0) {
         row.equal = 0.0;
         const tiling::Tessellation& found = report.project.tessellation;

@@ -2,6 +2,8 @@
 // One row of a table; tables.py names its columns.
 #pragma once
 
+#include <fretwork/design/design.hpp>
+
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -16,9 +18,9 @@ struct Row {
     std::string palette;
     std::uint64_t seed = 0;
     double bent = NAN;  ///< the largest displacement wanted over the span
-    double uniform =
-        NAN;  ///< mean distance of the best single pattern, a share of the largest displacement wanted
-    double error = NAN;  ///< that of the design
+    /// Mean distance of the best single pattern from the target, a share of the largest displacement wanted.
+    double uniform = NAN;
+    double error = NAN;  ///< the same distance of the design
     int solutions = 0;
     int full_solutions = 0;
     std::size_t patterns = 0;
@@ -32,6 +34,19 @@ struct Row {
     double relaxed = NAN;  ///< misfit that mixtures of patterns are predicted to reach
     double outside = NAN;  ///< share of the tiles whose wanted curvatures are outside of the gamut
 };
+
+/// Set the figures of a row that a design reports.
+inline void take_report(const design::DesignReport& report, Row& row) {
+    if (report.error) row.error = report.error->mean;
+    row.solutions = report.solutions;
+    row.full_solutions = report.full_solutions;
+    row.patterns = report.patterns.size();
+    row.swaps = report.swaps_scored;
+    row.model_error = report.model_error;
+    row.end = design::design_end_name(report.end);
+    row.relaxed = report.relaxed.value_or(NAN);
+    row.outside = report.gamut.share_outside().value_or(NAN);
+}
 
 inline void print(const Row& row) {
     std::printf(

@@ -252,15 +252,7 @@ void print_shape(const Arguments& arguments) {
     row.seed = arguments.seed;
     row.bent = shape.largest / experiments::span_of(shape.project);
     row.uniform = uniform_error(shape, report);
-    if (report.error) row.error = report.error->mean;
-    row.solutions = report.solutions;
-    row.full_solutions = report.full_solutions;
-    row.patterns = report.patterns.size();
-    row.swaps = report.swaps_scored;
-    row.model_error = report.model_error;
-    row.end = design::design_end_name(report.end);
-    row.relaxed = report.relaxed.value_or(NAN);
-    row.outside = report.gamut.share_outside().value_or(NAN);
+    experiments::take_report(report, row);
     for (const std::string& warning : report.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
     experiments::print(row);
 }

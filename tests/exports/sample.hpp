@@ -2,12 +2,12 @@
 // A honeycomb with made-up displacements to draw and to write.
 #pragma once
 
+#include "hexagons.hpp"
 #include "support.hpp"
 
 #include <fretwork/exports/writer_catalogue.hpp>
 
 #include <cmath>
-#include <map>
 #include <utility>
 
 namespace fretwork::exports::test {
@@ -17,49 +17,14 @@ using fretwork::test::TemporaryFolder;
 
 inline constexpr double kSide = 0.026;
 
-/// Points that are the same to a tenth of a micrometre are one.
-class PointSet {
-  public:
-    int index(const geometry::Point2& point) {
-        const auto key = std::pair{std::lround(point.x * 1e7), std::lround(point.y * 1e7)};
-        const auto [place, is_new] = indices_.try_emplace(key, static_cast<int>(points_.size()));
-        if (is_new) points_.push_back(point);
-        return place->second;
-    }
-    [[nodiscard]] const std::vector<geometry::Point2>& points() const { return points_; }
-
-  private:
-    std::map<std::pair<long, long>, int> indices_;
-    std::vector<geometry::Point2> points_;
-};
-
 /// A honeycomb of the paper's layout, tile t painted with pattern t modulo their number.
-inline tiling::Tessellation honeycomb(int columns, int rows, std::vector<std::string> patterns) {
-    tiling::Tessellation tessellation;
-    PointSet vertices;
-    PointSet interfaces;
-    const geometry::Polygon hexagon = geometry::regular_polygon(6, kSide);
+inline tiling::Tessellation honeycomb(int columns, int rows, const std::vector<std::string>& patterns) {
+    fretwork::test::Honeycomb tiles(kSide);
     for (int row = 0; row < rows; ++row) {
-        for (int column = 0; column < columns; ++column) {
-            const double x = 1.5 * kSide * column;
-            const double y = std::sqrt(3.0) * kSide * (row + 0.5 * (column % 2));
-            tiling::Tile tile;
-            for (std::size_t k = 0; k < hexagon.size(); ++k) {
-                const auto& a = hexagon[k];
-                const auto& b = hexagon[(k + 1) % hexagon.size()];
-                tile.vertices.emplace_back(vertices.index({x + a.x, y + a.y}));
-                tile.interface_nodes.emplace_back(
-                    interfaces.index({x + 0.5 * (a.x + b.x), y + 0.5 * (a.y + b.y)}));
-            }
-            tile.pattern = static_cast<int>(tessellation.tiles.size() % patterns.size());
-            tessellation.tiles.push_back(tile);
-        }
+        for (int column = 0; column < columns; ++column)
+            tiles.add(column, row, static_cast<int>(tiles.size() % patterns.size()));
     }
-    tessellation.layout = "paper7";
-    tessellation.vertices = vertices.points();
-    tessellation.interface_nodes = interfaces.points();
-    tessellation.patterns = pattern::parse_named_patterns(pattern::find_node_layout("paper7"), patterns);
-    return tessellation;
+    return std::move(tiles).painted(patterns);
 }
 
 inline simulation::Surface sample_surface(int columns = 3, int rows = 2) {

@@ -2,6 +2,7 @@
 // Honeycombs to make, and plans of a few bars.
 #pragma once
 
+#include "hexagons.hpp"
 #include "support.hpp"
 
 #include <fretwork/base/random.hpp>
@@ -10,7 +11,6 @@
 #include <fretwork/simulation/project/project.hpp>
 
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <utility>
 
@@ -24,54 +24,17 @@ inline constexpr double kSide = 0.026;   // m
 inline constexpr double kWidth = 0.002;  // m
 inline constexpr double kPi = std::numbers::pi;
 
-/// Points that are the same to a tenth of a micrometre are one.
-class PointSet {
-  public:
-    int index(const Point2& point) {
-        const auto key = std::pair{std::lround(point.x * 1e7), std::lround(point.y * 1e7)};
-        const auto [place, is_new] = indices_.try_emplace(key, static_cast<int>(points.size()));
-        if (is_new) points.push_back(point);
-        return place->second;
-    }
-    std::vector<Point2> points;
-
-  private:
-    std::map<std::pair<long, long>, int> indices_;
-};
-
-inline tiling::Tile add_hexagon(const Point2& center, PointSet& vertices, PointSet& interfaces) {
-    const geometry::Polygon hexagon = geometry::regular_polygon(6, kSide);
-    tiling::Tile tile;
-    for (std::size_t k = 0; k < 6; ++k) {
-        const Point2& a = hexagon[k];
-        const Point2& b = hexagon[(k + 1) % 6];
-        tile.vertices.emplace_back(vertices.index({center.x + a.x, center.y + a.y}));
-        tile.interface_nodes.emplace_back(
-            interfaces.index({center.x + 0.5 * (a.x + b.x), center.y + 0.5 * (a.y + b.y)}));
-    }
-    return tile;
-}
-
 /// Columns of hexagons, painted with patterns by chance.
 inline simulation::Surface honeycomb(int columns, int rows, const std::vector<std::string>& patterns,
                                      std::uint64_t seed = 1) {
-    simulation::Project project;
-    PointSet vertices;
-    PointSet interfaces;
+    fretwork::test::Honeycomb tiles(kSide);
     base::RandomStream random(seed, 0);
-    tiling::Tessellation& tessellation = project.tessellation;
     for (int column = 0; column < columns; ++column) {
-        for (int row = 0; row < rows; ++row) {
-            const Point2 center{1.5 * kSide * column, std::sqrt(3.0) * kSide * (row + 0.5 * (column % 2))};
-            tiling::Tile tile = add_hexagon(center, vertices, interfaces);
-            tile.pattern = static_cast<int>(random.uniform() * static_cast<double>(patterns.size()));
-            tessellation.tiles.push_back(std::move(tile));
-        }
+        for (int row = 0; row < rows; ++row)
+            tiles.add(column, row, static_cast<int>(random.uniform() * static_cast<double>(patterns.size())));
     }
-    tessellation.layout = "paper7";
-    tessellation.vertices = vertices.points;
-    tessellation.interface_nodes = interfaces.points;
-    tessellation.patterns = pattern::parse_named_patterns(project.layout, patterns);
+    simulation::Project project;
+    project.tessellation = std::move(tiles).painted(patterns);
     return simulation::make_surface(project, nullptr);
 }
 
