@@ -13,20 +13,19 @@
 namespace fretwork::mechanics::nonlinear {
 namespace {
 
-constexpr double kPush = 0.02;  // from an unstable equilibrium; rad, or element lengths
+constexpr double kPush = 0.02;  // size of the push from an unstable equilibrium, rad or element lengths
 
-/// A branch whose lowest eigenvalue is below this share of the one that was lost is taken to be neutral: else
-/// it is about twice as large.
+/// The share of the lost eigenvalue below which the lowest eigenvalue of a branch counts as zero. On branches
+/// that are not neutral, it is about twice the lost eigenvalue.
 constexpr double kNeutral = 0.5;
 
-/// rad: a path goes to its next load in strides, or along its arc, if the guess turns a node by more than
-/// this; below, Newton's method needs a step or two from the guess.
+/// The rotation of a node, rad, above which a path goes to its next load in strides or along its arc.
 constexpr double kStride = 0.3;
-constexpr int kMostSteps = 3000;  // along the path, to one load
+constexpr int kMostSteps = 3000;  // largest number of steps along the path to one load
 
-/// Above a limit load by this share of it, no equilibrium is left nearby.
+/// The share of a limit load above the limit load at which no equilibrium is left nearby.
 constexpr double kBeyondLimit = 1e-3;
-/// Limit loads are found to this relative accuracy, with at most this many equilibria.
+/// The relative accuracy of limit loads, and the largest number of equilibria to find one.
 constexpr double kLimitWidth = 1e-6;
 constexpr int kLimitSteps = 30;
 
@@ -76,7 +75,7 @@ class LoadPath::Impl {
         progress.task.update(static_cast<std::size_t>(kThousandths * share));
     }
 
-    /// Released components may have made the equilibrium inexact, or unstable.
+    /// Begin at an equilibrium, which released components may have made inexact or unstable.
     Termination begin_at(const PathStart& start) {
         system_.begin_at(start.configuration, start.loads + start.released);
         Configuration beginning = point_.configuration;
@@ -88,15 +87,15 @@ class LoadPath::Impl {
         if (point_.outcome.zero_pivot >= 0) return Termination::Diverged;
         if (!point_.outcome.positive_definite() && options_.branch != Branch::Primary) {
             if (start.released.isZero(0.0)) return leave(0.0, {}, beginning);
-            // As loads, the forces that held it would push it on. It is let go of.
+            // Drop the forces of the released supports: as loads, they would push the structure on.
             system_.begin_at(start.configuration, start.loads);
             return snap_to(0.0);
         }
-        predict_anew();
+        restart_prediction();
         return Termination::Converged;
     }
 
-    /// In strides, or in one step: without the arc between this load and the wanted one.
+    /// Go to the wanted load in strides or in one step, without following the arc between the loads.
     Termination jump_to(double target) {
         const Eigen::VectorXd guess = predictor_.step_to(target);
         const bool is_far = turn_of(guess, target) > kStride;
@@ -105,13 +104,13 @@ class LoadPath::Impl {
         return !is_far && step_to(target, guess) ? Termination::Converged : Termination::Diverged;
     }
 
-    /// The largest turn of a node on the way to a guess.
+    /// The largest rotation of a node on the way to the predicted equilibrium.
     [[nodiscard]] double turn_of(const Eigen::VectorXd& guess, double target) const {
         const double prescribed = unknowns_.largest_prescribed_rotation() * (target - point_.load_factor);
         return std::max(prescribed, unknowns_.largest_rotation(guess));
     }
 
-    /// Where only the equilibria at the loads count, not where stability is lost on the way to them.
+    /// True if only the equilibria at the given loads are wanted, and no losses of stability between them.
     [[nodiscard]] bool may_stride() const {
         if (options_.branch != Branch::Primary || options_.locate_critical_loads) return false;
         return point_.outcome.positive_definite() && !is_softened(unknowns_, first_rate_, point_.rate);
@@ -128,10 +127,11 @@ class LoadPath::Impl {
         return found;
     }
 
-    /// In one step under the wanted load, if that continues the path and nothing happens on it.
+    /// Go to the wanted load in one step, if the step continues the path without a limit load or a change of
+    /// stability.
     bool step_to(double target, const Eigen::VectorXd& guess) {
         auto step = stepper_.step_to_load(stepper_.rising(point_), target, guess);
-        if (!step && newton_.has_neutral()) {  // a motion that was taken to be neutral may only be soft
+        if (!step && newton_.has_neutral()) {  // the neutral direction may only be soft
             const Eigen::VectorXd neutral = newton_.neutral();
             newton_.set_neutral({}, 0.0);
             step = stepper_.step_to_load(stepper_.rising(point_), target, guess);
@@ -146,13 +146,13 @@ class LoadPath::Impl {
         return step.state.point.outcome.negative_pivots != point_.outcome.negative_pivots;
     }
 
-    /// To an equilibrium that continues the path.
+    /// Go to an equilibrium that continues the path.
     void go_to(PathState state) {
         point_ = std::move(state.point);
         mixed_is_here_ = is_at_rest_ = false;
         if (newton_.has_neutral()) {
             newton_.set_neutral(lowest_mode_here().shape, rounding_shift(system_));
-            predict_anew();
+            restart_prediction();
         } else {
             predictor_.add(point_.load_factor, point_.configuration, point_.rate);
         }
@@ -160,7 +160,7 @@ class LoadPath::Impl {
 
     Arc arc_here(double target) { return begin_arc(stepper_, point_, target, least_load_scale_); }
 
-    /// Step by step along the path, load and displacements together, until the load is the wanted one.
+    /// Follow the path step by step, in load and displacements together, until the wanted load is reached.
     Termination follow_arc(double target, const PathProgress& progress) {
         Arc arc = arc_here(target);
         for (int steps = 0; steps < kMostSteps; ++steps) {
@@ -184,7 +184,7 @@ class LoadPath::Impl {
         return Termination::IterationsSpent;
     }
 
-    /// Take a step, unless something has happened on it: then come nearer to that.
+    /// Take a step. If the step passes a limit load or a change of stability, come nearer to it first.
     Termination take(Arc& arc, PathStep step, double target) {
         if (step.state.load_rate < 0.0) return pass_limit(arc, std::move(step), target);
         if (changes_stability(step) && may_end_stability(step)) {
@@ -206,12 +206,12 @@ class LoadPath::Impl {
         }
     }
 
-    /// Whether stability is lost or won for good on a step, as far as it shows.
+    /// True if one end of the step is stable, so that stability may be lost or gained for good on the step.
     [[nodiscard]] bool may_end_stability(const PathStep& step) const {
         return point_.outcome.positive_definite() || step.state.point.outcome.positive_definite();
     }
 
-    /// Beyond a bifurcation: on along the path, or from there to a stable branch.
+    /// Pass a change of stability: continue along the path, or leave it for a stable branch.
     Termination pass_change(Arc& arc, PathStep step, double target) {
         const bool is_loss = point_.outcome.positive_definite();
         if (!is_loss || (!options_.locate_critical_loads && options_.branch == Branch::Primary)) {
@@ -221,7 +221,7 @@ class LoadPath::Impl {
         }
         const Termination left =
             leave(step.state.point.load_factor, step.move, step.state.point.configuration);
-        if (left != Termination::Converged) {  // it is left nearer to the change
+        if (left != Termination::Converged) {  // try again nearer to the change
             arc.length = 0.25 * step.length;
             return arc.is_narrow(arc.length) ? left : Termination::Converged;
         }
@@ -233,7 +233,7 @@ class LoadPath::Impl {
         return Termination::Converged;
     }
 
-    /// The load falls at the end of a step: up to where it turns, and from there downhill if that is wished.
+    /// Go to the limit load, after a step at whose end the load falls; then snap, if the options ask for it.
     Termination pass_limit(Arc& arc, PathStep fallen, double target) {
         double rise = arc.state.load_rate;
         double span = fallen.length;
@@ -275,7 +275,8 @@ class LoadPath::Impl {
         return Termination::LimitLoad;
     }
 
-    /// Where the path ends in a limit load: on to the stable equilibrium downhill, at this load.
+    /// Descend in energy from the last equilibrium, a limit load, to a stable equilibrium at this load
+    /// factor.
     Termination snap_to(double factor) {
         Configuration snapped = point_.configuration;
         unknowns_.prescribe(factor, snapped);
@@ -290,45 +291,45 @@ class LoadPath::Impl {
         losses_.push_back(loss);
         continue_from(std::move(snapped), factor);
         system_.evaluate(point_.configuration, factor);
-        predict_anew();
+        restart_prediction();
         return Termination::Converged;
     }
 
-    /// A stable equilibrium that no short step has led to.
+    /// Continue the path from a stable equilibrium that was not reached by a short step.
     void continue_from(Configuration configuration, double factor) {
-        // How far its elements are turned is not known.
+        // The relative rotations of its elements are unknown.
         point_ = {std::move(configuration), factor, {}, {}, std::numbers::pi};
         mixed_is_here_ = is_at_rest_ = false;
     }
 
-    /// The push has left the path next to a circle of equilibria if it resists one direction much less than
-    /// the unstable one resisted before: a symmetry turns the buckled shape about an axis.
+    /// Begin a path on a branch after a push. If the branch resists one direction far less than the unstable
+    /// equilibrium did, the direction is neutral: a symmetry turns the buckled shape about an axis.
     void begin_branch(double unstable_eigenvalue) {
         newton_.set_neutral({}, 0.0);
         const LowestMode mode = lowest_mode_here();
         if (mode.eigenvalue < kNeutral * std::abs(unstable_eigenvalue))
             newton_.set_neutral(mode.shape, rounding_shift(system_));
-        predict_anew();
+        restart_prediction();
     }
 
-    /// Stability of the last equilibrium, at which the system is evaluated.
+    /// The lowest mode of the last equilibrium, at which the system is evaluated.
     LowestMode lowest_mode_here() {
         system_.evaluate(point_.configuration, point_.load_factor);
         return lowest_mode(system_, newton_);
     }
 
-    /// Each step has its own neutral direction; moves and rates are measured against it. The system is
-    /// evaluated at the last equilibrium.
-    void predict_anew() {
+    /// Restart the prediction from the last equilibrium. Each step has its own neutral direction, along which
+    /// moves and rates do not count. Pre: the system is evaluated at the last equilibrium.
+    void restart_prediction() {
         (void)newton_.factorize();
         point_.rate = newton_.solve_tangent(system_.load_rate());
         predictor_.restart();
         predictor_.add(point_.load_factor, point_.configuration, point_.rate);
     }
 
-    /// The path has become unstable on the way to `unstable`: find where, and go on along a stable branch if
-    /// that is wished.
-    /// @param move  from the last equilibrium to `unstable`; empty: it is the beginning of the path
+    /// Locate the loss of stability on the way to `unstable`, and continue on a stable branch if the options
+    /// ask for one.
+    /// @param move  step from the last equilibrium to `unstable`; empty: the path begins at `unstable`
     Termination leave(double factor, const Eigen::VectorXd& move, Configuration& unstable) {
         system_.evaluate(unstable, factor);
         LowestMode mode = lowest_mode(system_, newton_);
@@ -373,10 +374,10 @@ class LoadPath::Impl {
     MixedNewton mixed_;
     PathStepper stepper_;
     PathPoint point_;                                 ///< the last equilibrium
-    Termination beginning_ = Termination::Converged;  ///< whether there is an equilibrium to begin at
+    Termination beginning_ = Termination::Converged;  ///< Converged if there is an equilibrium to begin at
     double least_load_scale_;
     bool is_at_rest_;
-    bool mixed_is_here_;  ///< its stresses and factors are those of the last equilibrium
+    bool mixed_is_here_;  ///< true if the stresses and factors of `mixed_` belong to the last equilibrium
     Eigen::VectorXd first_rate_;
     PathPredictor predictor_;
     std::vector<StabilityLoss> losses_;

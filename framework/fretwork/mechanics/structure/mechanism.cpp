@@ -49,10 +49,11 @@ std::string place_text(const Eigen::Vector3d& place) {
         if (is_all)
             throw base::NumericalError({.problem = "nothing holds the structure: it needs supports",
                                         .kind = base::ErrorKind::NothingHeld});
-        throw base::NumericalError({.problem = "nothing holds the part of the structure with " + where +
-                                               ": it needs supports, or beams between it and what is held",
-                                    .kind = base::ErrorKind::PartNotHeld,
-                                    .about = {where}});
+        throw base::NumericalError(
+            {.problem = "nothing holds the part of the structure with " + where +
+                        ": it needs supports, or beams that connect it with a supported node",
+             .kind = base::ErrorKind::PartNotHeld,
+             .about = {where}});
     }
     throw base::NumericalError(
         {.problem = "the structure, as held, can move without strain at " + where +
