@@ -146,13 +146,19 @@ bool has_our_table(const fs::path& folder) {
     });
 }
 
+/// A library is in the way of every output. Other files are if they have the name of an output that is not
+/// compared with them.
+bool is_in_the_way(MadeName name, const std::string& content, const FileKind& folder) {
+    if (content == kLibraryContent) return name != MadeName::None;
+    return name == MadeName::Whole && !folder.is_compared && !is_table(content);
+}
+
 /// Where only the ending is known, the other files of the folder stay; databases do not have these endings.
 /// People write settings and layouts, too: such a file is an older output only if it lies among our tables.
 void check_folder(const NamedFile& folder) {
     if (!is_there(folder.path)) return;
     if (!is_folder(folder.path))
         throw base::InputError(folder.path.string(), "", "is a file, where a folder is needed");
-    if (folder.kind.is_compared) return;
     std::error_code ignored;
     const bool is_ours = has_our_table(folder.path);
     for (const auto& entry : fs::directory_iterator(folder.path, ignored)) {
@@ -160,8 +166,7 @@ void check_folder(const NamedFile& folder) {
         const MadeName name = made_name(path, folder.kind);
         const std::string content = content_of(path);
         const std::string older = is_ours ? path.stem().string() : "";
-        if (name == MadeName::Whole ? !is_table(content)
-                                    : name == MadeName::ByEnding && content == kLibraryContent)
+        if (is_in_the_way(name, content, folder.kind))
             check_replaced(path, {"a file of this command", "", older});
     }
 }
