@@ -47,6 +47,7 @@ std::vector<NamedFile> named_files(const Program& program) {
     std::vector<NamedFile> files;
     for (const FileOption& declared : program.file_options()) {
         for (const std::string& path : declared.option->results()) {
+            if (path.empty() && declared.option->get_expected_min() == 0) continue;  // given without a value
             if (path.empty())
                 throw base::InputError(declared.option->get_name(), "",
                                        "is empty, where the name of a file is needed");

@@ -168,8 +168,10 @@ double middle_of_gap(std::vector<Rational> shares, const Between& ends) {
 
 /// @return  the number of the share in the list
 std::size_t insert_share(std::vector<Rational>& shares, const Rational& share) {
-    return static_cast<std::size_t>(shares.insert(std::ranges::lower_bound(shares, share), share) -
-                                    shares.begin());
+    const auto place = std::ranges::lower_bound(shares, share);
+    const auto number = place - shares.begin();
+    shares.insert(place, share);
+    return static_cast<std::size_t>(number);
 }
 
 Rational grid_share(double share, const LayoutHand& hand) {

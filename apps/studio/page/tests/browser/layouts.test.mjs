@@ -67,10 +67,11 @@ test('nodes are added and removed by keys, with what depends on them', async (t)
   const { address } = await startStudio(t, '--layout', 'spider4');
   const page = await openPage(t, address, { theme: 'dark' });
   assert.deepEqual(await ready(page), ['5', '11']);
+  // One in the middle of the triangle, a pair, and a pair.
   for (const [kind, nodes] of [['face', 5], ['radial', 7], ['interface', 9]]) {
     await page.focus(`#add-${kind}`);
     await page.keyboard.press('Enter');
-    await page.waitForFunction((count) => window.fretwork.layout.draft.value.nodes.length === count, nodes);
+    await page.waitForFunction((count) => window.fretwork.layout.draft.value.nodes.length === count, nodes, { timeout: 20_000 });
   }
   await picture(page, '81-layout-dark', 0);
   await page.focus('[data-node="0"]');
