@@ -22,13 +22,6 @@ Json history_json(const DesignReport& report) {
     return history;
 }
 
-Json warnings_json(const DesignReport& report, const design::DesignOptions& options) {
-    Json warnings = Json::array();
-    for (const design::DesignWarning& warning : design::design_warnings(report, options))
-        warnings.push_back(plain_text(warning));
-    return warnings;
-}
-
 void print_unknowns(const DesignReport& report) {
     for (std::size_t c = 0; c < report.factors.size(); ++c) {
         if (report.factors[c] != 1.0)
@@ -76,7 +69,7 @@ void print_design_json(const DesignReport& report, const design::DesignOptions& 
                        {"starts", report.starts},
                        {"history", history_json(report)},
                        {"patterns", report.patterns},
-                       {"warnings", warnings_json(report, options)},
+                       {"warnings", design::plain_texts(design::design_warnings(report, options))},
                        {"seconds", report.seconds},
                        {"solutions", report.solutions},
                        {"full_solutions", report.full_solutions},

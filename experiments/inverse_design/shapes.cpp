@@ -253,7 +253,8 @@ void print_shape(const Arguments& arguments) {
     row.bent = shape.largest / experiments::span_of(shape.project);
     row.uniform = uniform_error(shape, report);
     experiments::take_report(report, row);
-    for (const std::string& warning : report.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+    for (const std::string& warning : design::plain_texts(report.warnings))
+        std::fprintf(stderr, "warning: %s\n", warning.c_str());
     experiments::print(row);
 }
 

@@ -79,7 +79,7 @@ TEST(DesignPage, SaysWhatLimitsTheResult) {
     report.wanted_of_softest = 12.0;
     report.reach_of_ten_loads = 0.9;
     report.error->is_on_path = false;
-    report.warnings = {"/goals/0 wants the moon"};
+    report.warnings = {{"/goals/0 wants the moon"}};
     const std::string all = base::join(design_limits(report), "\n");
     for (const char* part : {"no proof", "100 % shall take curvatures", "30 % (root mean square)", "12 times",
                              "Ten times the load", "snaps", "2 starts", "wants the moon."})

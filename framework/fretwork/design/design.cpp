@@ -364,8 +364,7 @@ DesignReport design(const simulation::Project& project, const library::Library* 
     detail::Preparation preparation =
         detail::prepare(project, library, target, options, detail::kFirstPatterns);
     const std::vector<std::string> names = preparation.load_cases;
-    report.goal_warnings = preparation.warnings;
-    for (const DesignWarning& own : report.goal_warnings) report.warnings.push_back(plain_text(own));
+    report.warnings = preparation.warnings;
     Designer designer(std::move(preparation), options, watch, report);
     try {
         designer.run();

@@ -153,10 +153,8 @@ struct DesignReport {
     /// targets.
     std::optional<double> bound{};
     std::size_t close_bars = 0;  ///< number of pairs of bars with a gap below the clearance
-    /// Warnings, one line each, such as about goals that nodes cannot reach; lengths are in millimetres.
-    std::vector<std::string> warnings{};
-    /// The first of `warnings`, with their lengths and angles as numbers.
-    std::vector<DesignWarning> goal_warnings{};
+    /// Warnings of the search, such as about goals that nodes cannot reach.
+    std::vector<DesignWarning> warnings{};
     /// Shapes of the painting; empty if it was not checked with all beams.
     std::vector<CaseShape> shapes{};
     std::vector<CaseShape> uniform_shapes{};  ///< shapes of the best single pattern

@@ -25,5 +25,7 @@ struct DesignWarning {
 std::string plain_text(const WarnedValue& value);
 /// The text with its values in millimetres and degrees.
 std::string plain_text(const DesignWarning& warning);
+/// The texts of warnings, with their values in millimetres and degrees.
+std::vector<std::string> plain_texts(const std::vector<DesignWarning>& warnings);
 
 }  // namespace fretwork::design

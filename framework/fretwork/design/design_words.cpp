@@ -91,9 +91,7 @@ std::string_view design_end_words(DesignEnd end) {
 std::vector<DesignWarning> design_warnings(const DesignReport& report, const DesignOptions& options) {
     std::vector<DesignWarning> warnings;
     if (auto load = load_warning(report, options)) warnings.push_back(std::move(*load));
-    for (std::size_t i = 0; i < report.warnings.size(); ++i)
-        warnings.push_back(i < report.goal_warnings.size() ? report.goal_warnings[i]
-                                                           : DesignWarning{report.warnings[i]});
+    warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
     if (report.end == DesignEnd::Unreachable)
         warnings.push_back({"the target is out of reach: no painting of these patterns comes nearer than " +
                             short_number(100.0 * report.bound.value_or(0.0)) +

@@ -27,6 +27,20 @@ struct type_caster<fretwork::design::Symmetry> {
     }
 };
 
+/// A warning of a design: its text, with lengths in millimetres and angles in degrees.
+template <>
+struct type_caster<fretwork::design::DesignWarning> {
+    PYBIND11_TYPE_CASTER(fretwork::design::DesignWarning, const_name("str"));
+    bool load(handle source, bool) {
+        if (!isinstance<str>(source)) return false;
+        value = {source.cast<std::string>()};
+        return true;
+    }
+    static handle cast(const fretwork::design::DesignWarning& warning, return_value_policy, handle) {
+        return str(fretwork::design::plain_text(warning)).release();
+    }
+};
+
 /// Expressions of x and y: texts, or numbers; None where a component is free.
 template <>
 struct type_caster<std::array<std::optional<std::string>, 3>> {

@@ -17,8 +17,8 @@ void write_section(const Trials& trials, const Point& point, DesignReport& repor
     if (report.project.library_path.empty()) return;
     report.project.library_path.clear();
     report.project.library_hash.clear();
-    report.warnings.emplace_back(
-        "the designed project names no library: its bars have another section than the library's");
+    report.warnings.push_back(
+        {"the designed project names no library: its bars have another section than the library's"});
 }
 
 }  // namespace

@@ -175,7 +175,8 @@ std::vector<std::string> design_limits(const DesignReport& report) {
                         " starts of the search ended with misfits from " + percent(least) + " to " +
                         percent(most) + ".");
     }
-    for (const std::string& warning : report.warnings) lines.push_back(warning + ".");
+    for (const design::DesignWarning& warning : report.warnings)
+        lines.push_back(design::plain_text(warning) + ".");
     return lines;
 }
 
