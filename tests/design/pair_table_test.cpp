@@ -56,6 +56,20 @@ TEST(PairTable, PredictsTwoSwapsExactlyWhereTheSurfaceIsLinear) {
     EXPECT_GT(superposed, 1e-3 * objective) << "without the crosses it is not exact";
 }
 
+/// Of groups of one tile, joint answers are those of the single tiles.
+TEST(PairTable, HasTheSingleSwapsOfTheTable) {
+    const simulation::Project project = test::cantilever_project(3, 2, 0.05);
+    Trials trials = test::trials_of(project, test::bent(1.0));
+    const Point point = test::random_painting(trials, 4);
+    const Trial trial = trials.solve(point, {});
+    const SwapTable single = trials.table(point, trial, kColumns, 1, {});
+    const SwapTable joint = trials.pair_table(point, trial, kColumns, 1, {}).swaps;
+    EXPECT_EQ(joint.masses, single.masses);
+    EXPECT_LT((joint.energies - single.energies).norm(), 1e-9 * single.energies.norm());
+    for (std::size_t g = 0; g < single.groups(); ++g)
+        EXPECT_LT((joint.responses[g] - single.responses[g]).norm(), 1e-9 * single.responses[g].norm()) << g;
+}
+
 /// A choice that changes nothing is the point of the table.
 TEST(PairTable, HasTheResidualsOfItsPoint) {
     const simulation::Project project = test::cantilever_project(3, 2, 0.05);

@@ -20,7 +20,7 @@ void times_change(const TileSwap& swap, const MatrixXd& strains, Eigen::Ref<Matr
 
 }  // namespace
 
-VectorXd joint_answer(const CaseModel& model, std::span<const TileSwap> swaps) {
+JointAnswer joint_answer(const CaseModel& model, std::span<const TileSwap> swaps) {
     std::vector<Index> places;
     Index size = 0;
     for (const TileSwap& own : swaps) {
@@ -28,27 +28,29 @@ VectorXd joint_answer(const CaseModel& model, std::span<const TileSwap> swaps) {
         size += model.tiles[own.tile].strains.size();
     }
     // Rows of each tile: (1 + dk G) f = -dk e.
+    MatrixXd flexibility(size, size);
     MatrixXd matrix(size, size);
     VectorXd right(size);
     for (std::size_t i = 0; i < swaps.size(); ++i) {
         const VectorXd& strains = model.tiles[swaps[i].tile].strains;
-        MatrixXd flexibility(strains.size(), size);
-        for (std::size_t j = 0; j < swaps.size(); ++j)
-            flexibility.middleCols(places[j], model.tiles[swaps[j].tile].strains.size()) =
-                model.flexibility.block(model.first[swaps[i].tile], model.first[swaps[j].tile],
-                                        strains.size(), model.tiles[swaps[j].tile].strains.size());
-        times_change(swaps[i], flexibility, matrix.middleRows(places[i], strains.size()));
+        for (std::size_t j = 0; j < swaps.size(); ++j) {
+            const Index columns = model.tiles[swaps[j].tile].strains.size();
+            flexibility.block(places[i], places[j], strains.size(), columns) = model.flexibility.block(
+                model.first[swaps[i].tile], model.first[swaps[j].tile], strains.size(), columns);
+        }
+        times_change(swaps[i], flexibility.middleRows(places[i], strains.size()),
+                     matrix.middleRows(places[i], strains.size()));
         times_change(swaps[i], -strains, right.segment(places[i], strains.size()));
     }
     matrix.diagonal().array() += 1.0;
     const VectorXd stress = Eigen::PartialPivLU<Eigen::Ref<MatrixXd>>(matrix).solve(right);
-    VectorXd residuals = VectorXd::Zero(model.residual.size());
+    JointAnswer answer{VectorXd::Zero(model.residual.size()), stress.dot(flexibility * stress)};
     for (std::size_t i = 0; i < swaps.size(); ++i) {
         const CaseModel::Tile& tile = model.tiles[swaps[i].tile];
-        residuals +=
+        answer.residuals +=
             tile.reach * stress.segment(places[i], tile.strains.size()) + swaps[i].mass * tile.of_weight;
     }
-    return residuals;
+    return answer;
 }
 
 }  // namespace fretwork::design::detail

@@ -17,9 +17,15 @@ struct TileSwap {
     double mass = 0.0;  ///< change of the tile's mass, kg
 };
 
-/// The change of the residuals by swaps in several tiles at once, k coefficients: the stresses f of all these
-/// tiles solve f = -dk (e + G f), where G are their flexibilities, those between two tiles included. Exact on
-/// the linearized surface. Pre: the model has CaseModel::flexibility.
-Eigen::VectorXd joint_answer(const CaseModel& model, std::span<const TileSwap> swaps);
+/// The effect of swaps in several tiles at once.
+struct JointAnswer {
+    Eigen::VectorXd residuals;  ///< change of the residuals, k coefficients
+    double energy = 0.0;        ///< energy f . G f of the change, J
+};
+
+/// The effect of swaps in several tiles at once: the stresses f of all these tiles solve f = -dk (e + G f),
+/// where G are their flexibilities, those between two tiles included. Exact on the linearized surface.
+/// Pre: the model has CaseModel::flexibility.
+JointAnswer joint_answer(const CaseModel& model, std::span<const TileSwap> swaps);
 
 }  // namespace fretwork::design::detail

@@ -2,7 +2,6 @@
 // What swaps at the last equilibrium are predicted to do.
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/design/search/free_section.hpp>
-#include <fretwork/design/search/joint_swaps.hpp>
 #include <fretwork/design/search/trials.hpp>
 
 #include <cmath>
@@ -24,16 +23,20 @@ constexpr double kTurnStep = 0.25;
 constexpr double kSectionStep = 0.2;
 constexpr double kSectionDifference = 1e-2;
 
+Index rows_of(const std::vector<CaseModel>& models) {
+    Index rows = 0;
+    for (const CaseModel& model : models) rows += model.residual.size();
+    return rows;
+}
+
 /// The table without responses, energies and masses, whose residuals are those of all cases.
 SwapTable residuals_of(const std::vector<CaseModel>& models) {
     SwapTable table;
-    Index rows = 0;
     for (const CaseModel& model : models) {
-        rows += model.residual.size();
         table.unreached += model.unreached;
         table.energy += model.energy;
     }
-    table.residual.resize(rows);
+    table.residual.resize(rows_of(models));
     Index row = 0;
     for (const CaseModel& model : models) {
         table.residual.segment(row, model.residual.size()) = model.residual;
@@ -105,10 +108,6 @@ PairTable Trials::pair_table(const Point& point, const Trial& trial, const std::
     PairTable table{table_of(models, point, columns, control), {}};
     const std::size_t groups = parts_.groups.size();
     const std::size_t count = columns.size();
-    base::parallel_for(groups, parts_.threads, [&](std::size_t g) {
-        for (std::size_t c = 0; c < count; ++c)
-            table.swaps.responses[g].col(static_cast<Index>(c)) = joint_response(models, {{g, columns[c]}});
-    });
     table.crosses.resize(groups * (groups - 1) / 2);
     base::parallel_for(table.crosses.size(), parts_.threads, [&](std::size_t place) {
         std::size_t h = 1;
@@ -120,7 +119,7 @@ PairTable Trials::pair_table(const Point& point, const Trial& trial, const std::
             control.check();
             for (std::size_t c = 0; c < count; ++c)
                 crosses.col(static_cast<Index>(c + count * d)) =
-                    joint_response(models, {{g, columns[c]}, {h, columns[d]}}) -
+                    joint_response(models, {{g, columns[c]}, {h, columns[d]}}).residuals -
                     table.swaps.responses[g].col(static_cast<Index>(c)) -
                     table.swaps.responses[h].col(static_cast<Index>(d));
         }
@@ -128,8 +127,8 @@ PairTable Trials::pair_table(const Point& point, const Trial& trial, const std::
     return table;
 }
 
-VectorXd Trials::joint_response(const std::vector<CaseModel>& models,
-                                const std::vector<std::pair<std::size_t, std::size_t>>& choices) const {
+JointAnswer Trials::joint_response(const std::vector<CaseModel>& models,
+                                   const std::vector<std::pair<std::size_t, std::size_t>>& choices) const {
     std::vector<TileSwap> swaps;
     for (const auto& [group, pattern] : choices) {
         for (const TileGroup::Member& member : parts_.groups[group].members) {
@@ -141,45 +140,56 @@ VectorXd Trials::joint_response(const std::vector<CaseModel>& models,
                              parts_.candidates.mass(own, wanted) - parts_.candidates.mass(own, old)});
         }
     }
-    Index rows = 0;
-    for (const CaseModel& model : models) rows += model.residual.size();
-    VectorXd response(rows);
+    JointAnswer response{VectorXd(rows_of(models)), 0.0};
     Index row = 0;
     for (const CaseModel& model : models) {
-        response.segment(row, model.residual.size()) = joint_answer(model, swaps);
+        const JointAnswer own = joint_answer(model, swaps);
+        response.residuals.segment(row, model.residual.size()) = own.residuals;
+        response.energy += own.energy;
         row += model.residual.size();
+    }
+    return response;
+}
+
+JointAnswer Trials::added_response(const std::vector<CaseModel>& models, std::size_t group,
+                                   std::size_t pattern) const {
+    JointAnswer response{VectorXd::Zero(rows_of(models)), 0.0};
+    for (const TileGroup::Member& member : parts_.groups[group].members) {
+        const std::size_t old = painted_[static_cast<std::size_t>(member.tile.value)];
+        const std::size_t wanted = member_pattern(member, pattern);
+        if (wanted == old) continue;
+        const std::size_t own = parts_.candidates.class_of(member.tile);
+        const double more = parts_.candidates.mass(own, wanted) - parts_.candidates.mass(own, old);
+        Index row = 0;
+        for (const CaseModel& model : models) {
+            const CaseModel::Tile& tile = model.tiles[member.tile];
+            const SwapAnswer answer =
+                swap_answer(tile, strains_.stiffness(own, old), strains_.stiffness(own, wanted));
+            response.residuals.segment(row, model.residual.size()) +=
+                tile.reach * answer.stress + more * tile.of_weight;
+            response.energy += answer.energy;
+            row += model.residual.size();
+        }
     }
     return response;
 }
 
 void Trials::fill_group(std::size_t group, const std::vector<CaseModel>& models,
                         const std::vector<std::size_t>& columns, SwapTable& table) const {
+    // Tiles of one group act on each other: their joint answer is exact where the models have it.
+    const bool has_joint = models.front().flexibility.size() > 0;
     auto& responses = table.responses[group];
-    responses.setZero(table.residual.size(), std::ssize(columns));
+    responses.resize(table.residual.size(), std::ssize(columns));
     for (std::size_t c = 0; c < columns.size(); ++c) {
         const auto column = static_cast<Index>(c);
-        double energy = 0.0;
+        const JointAnswer answer = has_joint ? joint_response(models, {{group, columns[c]}})
+                                             : added_response(models, group, columns[c]);
+        responses.col(column) = answer.residuals;
+        table.energies(column, static_cast<Index>(group)) = answer.energy;
         double mass = 0.0;
-        for (const TileGroup::Member& member : parts_.groups[group].members) {
-            const std::size_t old = painted_[static_cast<std::size_t>(member.tile.value)];
-            const std::size_t wanted = member_pattern(member, columns[c]);
-            const std::size_t tile_class = parts_.candidates.class_of(member.tile);
-            mass += parts_.candidates.mass(tile_class, wanted);
-            if (wanted == old) continue;
-            const double more =
-                parts_.candidates.mass(tile_class, wanted) - parts_.candidates.mass(tile_class, old);
-            Index row = 0;
-            for (const CaseModel& model : models) {
-                const CaseModel::Tile& tile = model.tiles[member.tile];
-                const SwapAnswer answer = swap_answer(tile, strains_.stiffness(tile_class, old),
-                                                      strains_.stiffness(tile_class, wanted));
-                responses.col(column).segment(row, model.residual.size()) +=
-                    tile.reach * answer.stress + more * tile.of_weight;
-                energy += answer.energy;
-                row += model.residual.size();
-            }
-        }
-        table.energies(column, static_cast<Index>(group)) = energy;
+        for (const TileGroup::Member& member : parts_.groups[group].members)
+            mass += parts_.candidates.mass(parts_.candidates.class_of(member.tile),
+                                           member_pattern(member, columns[c]));
         table.masses(column, static_cast<Index>(group)) = mass;
     }
 }

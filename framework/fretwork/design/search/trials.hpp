@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fretwork/design/search/case_model.hpp>
+#include <fretwork/design/search/joint_swaps.hpp>
 #include <fretwork/design/search/tile_groups.hpp>
 #include <fretwork/design/swaps/pair_table.hpp>
 #include <fretwork/design/swaps/swap_table.hpp>
@@ -159,10 +160,13 @@ class Trials {
     [[nodiscard]] SwapTable table_of(const std::vector<CaseModel>& models, const Point& point,
                                      const std::vector<std::size_t>& columns,
                                      const base::Control& control) const;
-    /// The change of the residuals if groups, each with the index of its group, get other patterns at once.
-    [[nodiscard]] Eigen::VectorXd joint_response(
+    /// The effect on all load cases if groups, each with the index of its group, get other patterns at once.
+    [[nodiscard]] JointAnswer joint_response(
         const std::vector<CaseModel>& models,
         const std::vector<std::pair<std::size_t, std::size_t>>& choices) const;
+    /// The same for one group, with the effects of its tiles added.
+    [[nodiscard]] JointAnswer added_response(const std::vector<CaseModel>& models, std::size_t group,
+                                             std::size_t pattern) const;
     void fill_group(std::size_t group, const std::vector<CaseModel>& models,
                     const std::vector<std::size_t>& columns, SwapTable& table) const;
     void add_unknowns(const std::vector<CaseModel>& models, const Point& point, SwapTable& table) const;
