@@ -67,6 +67,14 @@ TEST(Lettering, IsAsWideAsItsLetters) {
     EXPECT_EQ(lettering.set("").width, 0);
 }
 
+/// A byte that is no UTF-8 is a letter of its own, and takes no letter that follows it with it.
+TEST(Lettering, KeepsTheLettersAfterMalformedBytes) {
+    const Lettering lettering(20);
+    EXPECT_EQ(lettering.set("\xc3m").width, lettering.set("\xc3\x83m").width)
+        << "U+00C3 in Latin-1 and UTF-8";
+    EXPECT_EQ(lettering.set("\xf0mm").coverage, lettering.set("\xc3\xb0mm").coverage);
+}
+
 TEST(Lettering, KnowsWhatUnitsAreMadeOf) {
     const Lettering lettering(20);
     const auto missing = lettering.set("\xef\xbf\xbe").coverage;  // U+FFFE is no letter

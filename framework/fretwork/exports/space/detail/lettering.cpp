@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/internal/utf8.hpp>
 #include <fretwork/exports/detail/picture_font.hpp>
 #include <fretwork/exports/space/detail/lettering.hpp>
 
@@ -38,13 +39,10 @@ void require_freetype(FT_Error error, const char* what) {
 /// The code points of a text in UTF-8; bytes that are no UTF-8 count as they are.
 std::vector<FT_ULong> code_points(std::string_view text) {
     std::vector<FT_ULong> points;
-    for (std::size_t i = 0; i < text.size();) {
-        const auto first = static_cast<unsigned char>(text[i++]);
-        const int more = first >= 0xf0 ? 3 : (first >= 0xe0 ? 2 : (first >= 0xc0 ? 1 : 0));
-        FT_ULong point = more == 0 ? first : first & (0x3fU >> static_cast<unsigned>(more));
-        for (int k = 0; k < more && i < text.size(); ++k)
-            point = (point << 6U) | (static_cast<unsigned char>(text[i++]) & 0x3fU);
-        points.push_back(point);
+    while (!text.empty()) {
+        const base::Character character = base::first_character(text);
+        points.push_back(character.code.value_or(static_cast<unsigned char>(text.front())));
+        text.remove_prefix(character.bytes);
     }
     return points;
 }
