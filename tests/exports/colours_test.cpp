@@ -11,7 +11,12 @@ namespace fretwork::exports {
 namespace THIS_TEST {
 
 int channel(const std::string& colour, std::size_t i) {
-    return std::stoi(colour.substr(1 + 2 * i, 2), nullptr, 16);
+    return colour_bytes(colour)[i];
+}
+
+TEST(ColourBytes, AreThoseOfTheText) {
+    EXPECT_EQ(colour_bytes("#00ff10"), (std::array<std::uint8_t, 3>{0, 255, 16}));
+    EXPECT_EQ(colour_bytes(kBeyondColour), (std::array<std::uint8_t, 3>{0xf0, 0x18, 0xb4}));
 }
 
 /// Relative luminance (Rec. 709, without its gamma): enough to order greys.

@@ -107,6 +107,13 @@ std::string signed_colour(double share) {
     return mixed(kSigned, share);
 }
 
+std::array<std::uint8_t, 3> colour_bytes(const std::string& colour) {
+    const auto byte = [&](std::size_t at) {
+        return static_cast<std::uint8_t>(std::stoi(colour.substr(at, 2), nullptr, 16));
+    };
+    return {byte(1), byte(3), byte(5)};
+}
+
 std::vector<std::string> scale_samples() {
     return texts(kScale);
 }

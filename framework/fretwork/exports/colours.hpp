@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,6 +23,9 @@ std::string scale_colour(double share);
 /// The colour of a value on a scale for both signs, after ColorBrewer's RdBu: dark blue (0), nearly white
 /// (0.5), dark red (1). Values outside [0, 1] are clamped.
 std::string signed_colour(double share);
+
+/// Red, green and blue of a colour "#rrggbb", 0 to 255.
+std::array<std::uint8_t, 3> colour_bytes(const std::string& colour);
 
 /// The colours of scale_colour() at equally spaced values, as "#rrggbb". The scale is linear between two
 /// neighbouring colours, so that a program without scale_colour() can draw with them.

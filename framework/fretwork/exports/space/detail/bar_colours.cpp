@@ -16,10 +16,8 @@ float linear_light(double screen) {
 }
 
 Vector3f linear_colour(const std::string& text) {
-    const auto byte = [&](std::size_t at) {
-        return linear_light(std::stoi(text.substr(at, 2), nullptr, 16) / 255.0);
-    };
-    return {byte(1), byte(3), byte(5)};
+    const auto [red, green, blue] = colour_bytes(text);
+    return {linear_light(red / 255.0), linear_light(green / 255.0), linear_light(blue / 255.0)};
 }
 
 EndColours end_colours(const BarScene& scene, const std::string& name) {

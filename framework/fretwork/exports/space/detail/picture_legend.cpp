@@ -14,14 +14,6 @@ namespace {
 
 using LegendRgb = std::array<std::uint8_t, 3>;
 
-/// Reads "#rrggbb".
-LegendRgb legend_rgb(const std::string& colour) {
-    const auto byte = [&](std::size_t at) {
-        return static_cast<std::uint8_t>(std::stoi(colour.substr(at, 2), nullptr, 16));
-    };
-    return {byte(1), byte(3), byte(5)};
-}
-
 /// A grey that is as far from white as from black: pictures are put on slides of either.
 constexpr LegendRgb kInk = {0x78, 0x80, 0x89};
 
@@ -98,7 +90,7 @@ std::vector<std::uint8_t> with_legend(std::vector<std::uint8_t> pixels, PixelSiz
     if (const auto beyond = largest_beyond(field.values, range)) {
         const int square = measures.letters;
         const int at = x + title.width + 2 * measures.letters;
-        drawn.fill(at, y + (title.height - square) / 2, {square, square}, legend_rgb(kBeyondColour));
+        drawn.fill(at, y + (title.height - square) / 2, {square, square}, colour_bytes(kBeyondColour));
         drawn.write(at + 3 * square / 2, y,
                     lettering.set("beyond, up to " + short_number(field.factor * *beyond)));
     }
@@ -106,7 +98,7 @@ std::vector<std::uint8_t> with_legend(std::vector<std::uint8_t> pixels, PixelSiz
     for (int column = 0; column < width; ++column) {
         const double share = (column + 0.5) / width;
         drawn.fill(x + column, bar, {1, measures.bar},
-                   legend_rgb(value_colour(range.from + share * (range.to - range.from), range)));
+                   colour_bytes(value_colour(range.from + share * (range.to - range.from), range)));
     }
     const int below = bar + measures.bar + measures.letters / 4;
     for (int i = 0; i < kValues; ++i) {
