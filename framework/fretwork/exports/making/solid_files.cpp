@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/files/provenance.hpp>
+#include <fretwork/exports/detail/binary_text.hpp>
 #include <fretwork/exports/making/detail/millimetres.hpp>
 #include <fretwork/exports/making/making_files.hpp>
 
@@ -13,12 +14,8 @@ namespace {
 using fabrication::Solid;
 using Vector = std::array<double, 3>;
 
-/// Numbers in little endian order, on any machine.
-void append_bits(std::string& text, std::uint32_t bits) {
-    for (int shift = 0; shift < 32; shift += 8) text += static_cast<char>((bits >> shift) & 0xFFU);
-}
 void append_float(std::string& text, double value) {
-    append_bits(text, std::bit_cast<std::uint32_t>(static_cast<float>(value)));
+    detail::append_bits(text, std::bit_cast<std::uint32_t>(static_cast<float>(value)));
 }
 
 Vector normal(const Vector& a, const Vector& b, const Vector& c) {
@@ -44,7 +41,7 @@ std::string solid_stl(const Solid& solid) {
     std::string text = std::string(base::kMadeBy) + "; units: millimetres";
     text.resize(kHeader, ' ');
     text.reserve(kHeader + 4 + 50 * solid.triangles.size());
-    append_bits(text, static_cast<std::uint32_t>(solid.triangles.size()));
+    detail::append_bits(text, static_cast<std::uint32_t>(solid.triangles.size()));
     for (const auto& [a, b, c] : solid.triangles) {
         const std::array<Vector, 3> corners = {in_file(solid, a), in_file(solid, b), in_file(solid, c)};
         for (const double component : normal(corners[0], corners[1], corners[2]))

@@ -5,6 +5,7 @@
 #include <fretwork/base/files/provenance.hpp>
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/exports/detail/binary_text.hpp>
 #include <fretwork/exports/space/detail/bar_colours.hpp>
 #include <fretwork/exports/space/pictures.hpp>
 #include <fretwork/simulation/results/surface_beams.hpp>
@@ -13,7 +14,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 
 namespace fretwork::exports {
 namespace {
@@ -262,21 +262,19 @@ class MotionFile {
         const std::size_t size = kHeaders + json.size() + binary.size();
         if (size > 0xffffffffU)
             throw base::InputError("a .glb file has at most 4 GiB: fewer load steps are needed");
-        std::string text = "glTF" + word(2) + word(size);
-        text += word(json.size()) + "JSON" + json;
-        text += word(binary.size()) + std::string("BIN\0", 4) + binary;
+        std::string text = "glTF";
+        detail::append_bits(text, 2);
+        detail::append_bits(text, static_cast<std::uint32_t>(size));
+        detail::append_bits(text, static_cast<std::uint32_t>(json.size()));
+        text += "JSON" + json;
+        detail::append_bits(text, static_cast<std::uint32_t>(binary.size()));
+        text += std::string("BIN\0", 4) + binary;
         return text;
     }
     /// The program that made the file comes first: by this it knows its own files, which it may replace.
     [[nodiscard]] std::string json_text() const {
         const Json asset = {{"version", "2.0"}, {"generator", std::string(base::kMadeBy)}};
         return "{\"asset\":" + asset.dump() + "," + file_.dump().substr(1);
-    }
-    static std::string word(std::size_t number) {
-        const auto bits = static_cast<std::uint32_t>(number);
-        std::string bytes(sizeof bits, '\0');
-        std::memcpy(bytes.data(), &bits, sizeof bits);
-        return bytes;
     }
 
     const Scene& scene_;
