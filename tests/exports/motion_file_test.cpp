@@ -6,6 +6,7 @@
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/exports/space/detail/bar_colours.hpp>
 #include <fretwork/exports/space/pictures.hpp>
+#include <fretwork/simulation/stages.hpp>
 
 #include <cstring>
 
@@ -181,6 +182,21 @@ TEST(MotionFile, TheAnimationGoesFromRestThroughEveryState) {
     }
     const Json names = file.json["meshes"][0]["extras"]["targetNames"];
     EXPECT_EQ(names, Json({"load 0.25", "load 0.5", "load 0.75", "load 1"}));
+}
+
+/// A stage that a limit load has ended is named by the share of it that was reached.
+TEST(MotionFile, StatesOfLoadStagesAreNamedByStageAndLoad) {
+    Scene scene = moving_scene();
+    simulation::SurfaceResult& result = scene.results.front().result;
+    const std::vector<simulation::LoadStage> stages = {
+        {"press", {{"tip", 2.0}}},
+        {"clip", {}, {}, {{simulation::NodesById{{1}}, mechanics::DofSet::all()}}}};
+    result.subject.emplace().stages_text = simulation::stages_text(stages);
+    result.load_steps.resize(2);
+    result.load_steps[0].load_factor = 1.0;
+    result.load_steps[1].load_factor = 0.6;
+    const GlbFile file(motion_glb(scene));
+    EXPECT_EQ(file.json["meshes"][0]["extras"]["targetNames"], Json({"1 press, load 1", "2 clip, load 0.6"}));
 }
 
 TEST(MotionFile, TrianglesFaceOutwardsAndNameVertices) {

@@ -9,6 +9,7 @@
 #include <fretwork/exports/space/detail/bar_colours.hpp>
 #include <fretwork/exports/space/pictures.hpp>
 #include <fretwork/simulation/results/surface_beams.hpp>
+#include <fretwork/simulation/stages.hpp>
 
 #include <algorithm>
 #include <array>
@@ -88,23 +89,42 @@ class BinaryBuffer {
     Json accessors_ = Json::array();
 };
 
-/// The motions of the bars' nodes, one for each state after rest, and their load factors.
+/// The motions of the bars' nodes, one for each state after rest, and the names of the states.
 struct Motions {
     std::vector<mechanics::NodeValues> states;
-    std::vector<double> factors;
+    std::vector<std::string> names;
 };
+
+std::string load_name(const mechanics::Solution& solution) {
+    return "load " + base::format_number(solution.load_factor, 6);
+}
+
+/// The load of each step; through load stages, each step is the end of one, whose number and name come first.
+std::vector<std::string> step_names(const simulation::SurfaceResult& result) {
+    std::vector<simulation::LoadStage> stages;
+    if (result.subject && !result.subject->stages_text.empty())
+        stages = simulation::parse_stages(result.subject->stages_text, "the stages of the result");
+    std::vector<std::string> names;
+    for (const mechanics::Solution& step : result.load_steps) {
+        const std::size_t k = names.size();
+        const std::string stage =
+            k < stages.size() ? std::to_string(k + 1) + " " + stages[k].name + ", " : "";
+        names.push_back(stage + load_name(step));
+    }
+    return names;
+}
 
 Motions motions_of(const Scene& scene, const BarScene& bars) {
     Motions motions;
     if (scene.results.empty()) return motions;
     const simulation::SurfaceResult& result = scene.results.front().result;
-    if (result.load_steps.empty()) return {{bars.motion}, {result.solution.load_factor}};
+    if (result.load_steps.empty()) return {{bars.motion}, {load_name(result.solution)}};
     scene.control.check();
     const simulation::SurfaceBeams beams = simulation::surface_beams(scene.surface);
     for (const simulation::BeamState& state :
          simulation::step_beam_states(scene.surface, result, beams, {}, scene.models))
         motions.states.push_back(state.nodes.array().isNaN().select(0.0, state.nodes));
-    for (const mechanics::Solution& step : result.load_steps) motions.factors.push_back(step.load_factor);
+    motions.names = step_names(result);
     return motions;
 }
 
@@ -194,7 +214,6 @@ class MotionFile {
                             {"COLOR_0", buffer_.add(colour_numbers(rest), kColours)}}},
                           {"indices", buffer_.add(outward_triangles(rest), kIndices)},
                           {"material", 0}};
-        Json names = Json::array();
         for (std::size_t k = 0; k < motions_.states.size(); ++k) {
             scene_.control.check();
             const Mesh state = mesh_of(motions_.states[k]);
@@ -202,13 +221,12 @@ class MotionFile {
                 {{"POSITION",
                   buffer_.add(difference(flat(state, &Mesh::Vertex::place), places), kVectors, Bounds::Yes)},
                  {"NORMAL", buffer_.add(difference(flat(state, &Mesh::Vertex::normal), normals), kVectors)}});
-            names.push_back("load " + base::format_number(motions_.factors[k], 6));
         }
         Json mesh = {{"name", bars_.title}, {"primitives", Json::array({std::move(primitive)})}};
-        if (!names.empty()) {
-            mesh["extras"] = {{"targetNames", names}};
+        if (!motions_.names.empty()) {
+            mesh["extras"] = {{"targetNames", motions_.names}};
             // Seen without the animation, the surface is bent as its result is.
-            std::vector<int> weights(names.size(), 0);
+            std::vector<int> weights(motions_.names.size(), 0);
             weights.back() = 1;
             mesh["weights"] = weights;
         }
