@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/fabrication/contour.hpp>
+#include <fretwork/geometry/plane.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -16,10 +17,6 @@ template <class Visit>
 void each_segment(const Contour& contour, const Visit& visit) {
     for (std::size_t i = 0; i < contour.size(); ++i)
         visit(contour[i], contour[(i + 1) % contour.size()].place);
-}
-
-double chord_length(const Point2& from, const Point2& to) {
-    return std::hypot(to.x - from.x, to.y - from.y);
 }
 
 void include(Box& box, const Point2& point) {
@@ -45,7 +42,7 @@ void include_arc(Box& box, const ContourPoint& from, const Point2& to) {
 
 Arc arc_between(const ContourPoint& from, const Point2& to) {
     const double b = from.bulge;
-    const double chord = chord_length(from.place, to);
+    const double chord = distance(from.place, to);
     const double to_center = (1.0 - b * b) / (4.0 * b);  // from the chord's middle to its left, in chords
     return {.center = {0.5 * (from.place.x + to.x) - to_center * (to.y - from.place.y),
                        0.5 * (from.place.y + to.y) + to_center * (to.x - from.place.x)},
@@ -71,7 +68,7 @@ double length(const Contour& contour) {
     double sum = 0.0;
     each_segment(contour, [&](const ContourPoint& from, const Point2& to) {
         if (from.bulge == 0.0) {
-            sum += chord_length(from.place, to);
+            sum += distance(from.place, to);
         } else {
             const Arc arc = arc_between(from, to);
             sum += arc.radius * std::abs(arc.sweep);

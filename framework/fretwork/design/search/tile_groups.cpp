@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/design/search/tile_groups.hpp>
+#include <fretwork/geometry/plane.hpp>
 #include <fretwork/tiling/painting/tile_choice.hpp>
 
 #include <algorithm>
@@ -31,7 +32,7 @@ class Images {
     [[nodiscard]] TileIndex of(TileIndex tile) const {
         const Point2 image = image_of(middles_[tile]);
         for (std::size_t t = 0; t < middles_.size(); ++t) {
-            if (std::hypot(middles_[t].x - image.x, middles_[t].y - image.y) <= reach_) return TileIndex(t);
+            if (geometry::distance(middles_[t], image) <= reach_) return TileIndex(t);
         }
         throw base::InputError("the tiles are not symmetric by " + symmetry_text(symmetry_) + ": tile " +
                                std::to_string(tile.value) + " has no image");

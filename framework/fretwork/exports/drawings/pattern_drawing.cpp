@@ -3,6 +3,7 @@
 #include <fretwork/exports/drawings/detail/fan_drawing.hpp>
 #include <fretwork/exports/drawings/detail/furniture.hpp>
 #include <fretwork/exports/drawings/pattern_drawing.hpp>
+#include <fretwork/geometry/plane.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +32,7 @@ Point2 at(const pattern::LayoutNode& node, const std::array<Point2, 3>& triangle
 
 /// The base triangle with all nodes of the layout, numbered, and all candidate edges.
 void draw_base_triangle(SvgCanvas& canvas, const NodeLayout& layout, const std::array<Point2, 3>& triangle) {
-    const double size = std::hypot(triangle[2].x - triangle[1].x, triangle[2].y - triangle[1].y);
+    const double size = geometry::distance(triangle[1], triangle[2]);
     canvas.polygon(triangle, {"#f4f6f8", detail::kRimColour, 0.008 * size, 1.0});
     std::vector<std::array<Point2, 2>> edges;
     for (const pattern::Edge& edge : layout.candidate_edges()) {

@@ -4,6 +4,7 @@
 #include <fretwork/exports/drawings/detail/furniture.hpp>
 #include <fretwork/exports/drawings/detail/panels.hpp>
 #include <fretwork/exports/drawings/detail/projection.hpp>
+#include <fretwork/geometry/plane.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -125,7 +126,7 @@ class WhiteEdges {
 
     void draw(SvgCanvas& canvas, std::size_t line) {
         const auto& [start, end] = segments_[line];
-        const double length = std::hypot(end.x - start.x, end.y - start.y);
+        const double length = geometry::distance(start, end);
         const double first = gap(line, 0);
         const double last = gap(line, 1);
         for (const int node : lines_.lines[line]) drawn_at_[node].push_back(line);
@@ -162,7 +163,7 @@ class WhiteEdges {
         const double angle =
             std::abs(std::atan2(line.x * other.y - line.y * other.x, line.x * other.x + line.y * other.y));
         if (angle >= 0.5 * std::numbers::pi) return clear;
-        const double reach = std::hypot(other.x, other.y) + clear;
+        const double reach = geometry::length(other) + clear;
         return clear < reach * std::sin(angle) ? clear / std::sin(angle) : reach;
     }
 

@@ -2,6 +2,7 @@
 #include <fretwork/exports/colours.hpp>
 #include <fretwork/exports/drawings/detail/furniture.hpp>
 #include <fretwork/exports/drawings/detail/surface_parts.hpp>
+#include <fretwork/geometry/plane.hpp>
 #include <fretwork/simulation/results/surface_beams.hpp>
 #include <fretwork/tiling/painting/tile_choice.hpp>
 
@@ -28,7 +29,7 @@ LoadMark load_mark(const Point2& place, const Eigen::Vector3d& arrow, const Proj
     const Eigen::Vector3d tail = arrow.z() > 0.2 * arrow.norm() ? node : Eigen::Vector3d(node - arrow);
     LoadMark mark{LoadMark::Kind::Force, LoadMark::Shape::Arrow, projection(tail),
                   projection(Eigen::Vector3d(tail + arrow)), arrow.norm()};
-    const double seen = std::hypot(mark.to.x - mark.from.x, mark.to.y - mark.from.y);
+    const double seen = geometry::distance(mark.from, mark.to);
     if (seen < 0.2 * arrow.norm()) {
         mark.shape = arrow.z() > 0 ? LoadMark::Shape::TowardsViewer : LoadMark::Shape::AwayFromViewer;
         mark.from = mark.to = projection(node);
@@ -172,8 +173,7 @@ void draw_load(SvgCanvas& canvas, const LoadMark& mark) {
     canvas.arrow(mark.from, mark.to, head, style);
     if (is_force) return;
     // A moment has a second head behind the first.
-    const double back =
-        0.75 * head / std::max(std::hypot(mark.to.x - mark.from.x, mark.to.y - mark.from.y), head);
+    const double back = 0.75 * head / std::max(geometry::distance(mark.from, mark.to), head);
     canvas.arrow(mark.from,
                  {mark.to.x + back * (mark.from.x - mark.to.x), mark.to.y + back * (mark.from.y - mark.to.y)},
                  head, style);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/files/provenance.hpp>
 #include <fretwork/exports/drawings/detail/svg_canvas.hpp>
+#include <fretwork/geometry/plane.hpp>
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <cstdio>
 
 namespace fretwork::exports::detail {
@@ -125,7 +125,7 @@ void SvgCanvas::ball(const Point2& center, double radius, const Colour& colour) 
 }
 
 void SvgCanvas::arrow(const Point2& from, const Point2& to, double head, const Style& style) {
-    const double size = std::hypot(to.x - from.x, to.y - from.y);
+    const double size = geometry::distance(from, to);
     if (size == 0.0) return;
     const Point2 along{(to.x - from.x) / size, (to.y - from.y) / size};
     const double tip = std::min(head, size);
