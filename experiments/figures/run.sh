@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The paper's figures, drawn from patterns, calibrations and simulations: out/figures/figNN.svg. A minute.
+# The paper's figures 2, 5 to 8, 10 and 12 to 15, drawn from patterns, calibrations and simulations: out/figures/figNN.svg. Two minutes.
 # Usage: run.sh [PROGRAM] [OUTPUT FOLDER]
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
@@ -9,6 +9,7 @@ out=$(realpath -m "${2:-$here/../../out/figures}")
 mkdir -p "$out"
 cd "$out"
 "$fretwork" enumerate --svg fig02.svg --sample 60 >/dev/null
+python3 "$here/duplicates.py" "$here/../layouts/paper7.json" .
 "$fretwork" enumerate --edges 2..3 --svg fig07.svg --reasons >/dev/null
 rm -f library.db
 "$fretwork" enumerate --library library.db >/dev/null
@@ -25,4 +26,6 @@ for figure in 12:a:bridge 13:b:example_b 14:c:example_c; do
   "$fretwork" export "$example.json" --case "${case//_/-}" --result "${example}_full.json" \
     --result "${example}_paper6.json" --to "fig$number.svg" >/dev/null
 done
+"$here/../physical_test/run.sh" "$fretwork" "$out/physical_test" >/dev/null
+cp "$out/physical_test/figure.svg" fig15.svg
 ls "$out"/fig*.svg

@@ -25,14 +25,26 @@ TABLES = (
     ("calibration_statistics", "Section 7.1: statistics of the calibration", ("library.db",)),
     ("table3_accuracy", "Table 3: accuracy of the reduced model", ("table3.csv",)),
 )
+# name of the file, what the paper's figure shows (in our words), and what ours shows
 FIGURES = (
-    ("fig02", "Fig. 2: patterns"),
-    ("fig07", "Fig. 7: patterns that a rule rejects, the beams at fault in red"),
-    ("fig08", "Fig. 8: patterns beside their reduced models"),
-    ("fig10", "Fig. 10: a tile in the five scenarios; the full model in grey, the reduced model in blue"),
-    ("fig12", "Fig. 12: example A. Outline, painting, supports and loads are our own"),
-    ("fig13", "Fig. 13: example B. Outline, painting, supports and loads are our own"),
-    ("fig14", "Fig. 14: example C. Outline, painting, supports and loads are our own"),
+    ("fig02", "Fig. 2", "some of the generated patterns",
+     "60 of the 1,824, drawn at random, each with its id; first the layout with its candidate edges"),
+    ("fig05", "Fig. 5", "two graphs on the base triangle that differ in their radial edges and give one fan",
+     "the same, on a pattern of ours; the fans are compared in exact fractions"),
+    ("fig06", "Fig. 6", "two graphs on the base triangle that differ in a node within a beam and give one shape",
+     "the same, on a pattern of ours; the shapes are compared in exact fractions"),
+    ("fig07", "Fig. 7", "arrangements of seven hexagons for the rules on dangling edges, articulation points, components, valence and angles, the parts at fault in red",
+     "one hexagon for each of the first graphs that a rule rejects, the beams at fault in red; our rules also name crossings and missing interface nodes, and articulation covers dangling edges"),
+    ("fig08", "Fig. 8", "patterns beside their reduced models, with interface nodes in green",
+     "the same for six calibrated patterns, with twist and error E"),
+    ("fig10", "Fig. 10", "the five standard scenarios on a tile: axial, shear, bending, dome, saddle",
+     "the same on the pattern 0-1+3-6 with supports and loads, and bent by the largest load: the full model in grey, the reduced model in blue"),
+    ("fig12", "Fig. 12", "example A: tiling and reduced model; setup; the bent reduced model in blue and the true one in grey",
+     "the same panels. Outline, painting, supports and loads are guessed"),
+    ("fig13", "Fig. 13", "example B, as Fig. 12", "the same panels. Outline, painting, supports and loads are guessed"),
+    ("fig14", "Fig. 14", "example C, as Fig. 12", "the same panels. Outline, painting, supports and loads are guessed"),
+    ("fig15", "Fig. 15", "scans of two printed cantilevers in red, the patterns in dark grey, the reduced model in blue",
+     "two cantilevers of the same size and material from the side, with more models; the patterns are guessed, and nothing was printed"),
 )
 
 
@@ -92,12 +104,12 @@ def section_html(folder, name, heading, files):
     return f"<section><h2>{html.escape(heading)}</h2>\n{table_html(rows)}\n{source_html(folder, name, files)}</section>"
 
 
-def figure_html(path, caption):
+def figure_html(path, figure, paper, ours):
     """A drawing inside the page, as an image: its styles cannot touch the page's."""
     digest = sha256(path)
     data = base64.b64encode(path.read_bytes()).decode()
-    return (f'<figure><img alt="{html.escape(caption)}" src="data:image/svg+xml;base64,{data}">'
-            f"<figcaption>{html.escape(caption)}. <span class=hash>{digest}</span></figcaption></figure>")
+    return (f'<figure><img alt="{html.escape(f"{figure}: {ours}")}" src="data:image/svg+xml;base64,{data}">'
+            f"<figcaption><b>{figure}.</b> <i>The paper's:</i> {html.escape(paper)}. <i>Ours:</i> {html.escape(ours)}. <span class=hash>{digest}</span></figcaption></figure>")
 
 
 def summary_html(folder):
@@ -112,7 +124,7 @@ def page(program, folder, figures):
     return template.substitute(
         version=html.escape(version.strip()), summary=summary_html(folder),
         tables="\n".join(section_html(folder, *table) for table in TABLES),
-        figures="\n".join(figure_html(figures / f"{name}.svg", caption) for name, caption in FIGURES))
+        figures="\n".join(figure_html(figures / f"{name}.svg", *texts) for name, *texts in FIGURES))
 
 
 def write_atomically(path, text):

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The report of a small made-up run. Usage: test.py PROGRAM"""
 import hashlib
+import html
 import html.parser
 import pathlib
 import re
@@ -22,7 +23,7 @@ def make_run(folder):
         (folder / f"{name}.rows").write_text(f"item | paper | ours | verdict\n{name} <i> | 1,2 | 1.25 | equal\nb | 2 | 3.5 | DIFFERS\n")
         for file in files:
             (folder / file).write_text(name)
-    for name, _ in report.FIGURES:
+    for name, *_ in report.FIGURES:
         (folder / f"{name}.svg").write_text("<svg xmlns='http://www.w3.org/2000/svg'/>")
 
 
@@ -69,6 +70,9 @@ class Report(unittest.TestCase):
                 self.assertIn(hashlib.sha256((self.folder / file).read_bytes()).hexdigest(), text)
         self.assertEqual(cells.cells, expected)
         self.assertIn(f"<b>{len(report.TABLES)}</b> that differ", text)
+        self.assertEqual(len(re.findall("<figcaption>", text)), len(report.FIGURES))
+        for _, figure, paper, ours in report.FIGURES:
+            self.assertIn(f"<b>{figure}.</b> <i>The paper's:</i> {html.escape(paper)}. <i>Ours:</i> {html.escape(ours)}.", text)
 
     def test_loads_nothing_from_elsewhere(self):
         run(self.folder)
