@@ -5,7 +5,9 @@
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/base/text.hpp>
 
+#include <algorithm>
 #include <set>
+#include <utility>
 
 namespace fretwork::app {
 namespace THIS_TEST {
@@ -106,6 +108,71 @@ TEST(Optimizers, TakeOverBetterValuesThatRunsFound) {
     EXPECT_LT(std::stod(rows.at(1).at(1)), 1e-6);
     EXPECT_EQ(rows.at(1).at(3), "bobyqa in repetition 1 of the comparison");
     EXPECT_EQ(rows.at(2).at(3), "construction");
+}
+
+TEST(Optimizers, TakeAProgramOfItsOwnAsAMethod) {
+    const TemporaryFolder folder;
+    (void)folder.file("known.csv", kKnown);
+    const std::string script =
+        std::string(FRETWORK_SOURCE_DIR) + "/experiments/optimizer_comparison/outside.py";
+    const std::string run =
+        "fretwork optimizers run --known known.csv --problems analytic/beale --repetitions 2 --budget 3000 "
+        "--command 'mine=python3 " +
+        script + "' ";
+    ASSERT_EQ(run_command(run + "--out a --threads 1", folder.path()).exit_code, 0);
+    ASSERT_EQ(run_command(run + "--optimizers mine:2,slsqp --out b --threads 4", folder.path()).exit_code, 0);
+    const auto alone = untimed_rows(folder.path() / "a/results.csv");
+    ASSERT_EQ(alone.size(), 4U) << "a header, two runs, and the end of the file";
+    EXPECT_EQ(alone.at(1).at(1), "mine");
+    EXPECT_EQ(alone.at(1).at(5), "1") << "starts";
+    EXPECT_EQ(alone.at(1).at(8), "converged");
+    EXPECT_LT(std::stod(alone.at(1).at(9)), 1e-9) << "the objective";
+    EXPECT_NE(alone.at(1).at(9), alone.at(2).at(9)) << "another seed";
+    const auto both = untimed_rows(folder.path() / "b/results.csv");
+    EXPECT_EQ(both.at(1).at(5), "2") << "starts";
+    EXPECT_EQ(both.at(3).at(1), "slsqp");
+}
+
+TEST(Optimizers, RefuseAProgramThatIsNoMethod) {
+    const TemporaryFolder folder;
+    (void)folder.file("known.csv", kKnown);
+    const std::string run =
+        "fretwork optimizers run --known known.csv --problems analytic/beale --out o --command ";
+    for (const auto& [command, said] :
+         {std::pair{"mine", "is not NAME=COMMAND"},
+          std::pair{"slsqp=true", "there is a method 'slsqp' already"},
+          std::pair{"a,b=true", "is no name of a method"}, std::pair{"mine=", "has no command"},
+          std::pair{"mine=false", "ended with exit code 1"},
+          std::pair{"'mine=echo hello'", "said 'hello'"}}) {
+        const auto refused = run_command(run + command, folder.path());
+        EXPECT_EQ(refused.exit_code, 2) << command;
+        EXPECT_THAT(refused.err, testing::HasSubstr(said)) << command;
+        EXPECT_EQ(std::ranges::count(refused.err, '\n'), 1) << refused.err;
+    }
+}
+
+TEST(Optimizers, ComparedInASettingOfTheirOwnNameItInTheProblemsIds) {
+    const TemporaryFolder folder;
+    (void)folder.file(
+        "thin.json",
+        R"({"format": "fretwork/setting/1", "section": {"type": "rectangle", "width": 0.003, "height": 0.001}})");
+    (void)folder.file("bad name.json", R"({"format": "fretwork/setting/1"})");
+    const std::string known = "fretwork optimizers known --patterns 1 --starts 1 --out ";
+    ASSERT_EQ(run_command(known + "known.csv --setting thin.json", folder.path()).exit_code, 0);
+    ASSERT_EQ(run_command(known + "paper.csv", folder.path()).exit_code, 0);
+    const auto thin = untimed_rows(folder.path() / "known.csv").at(1);
+    const auto paper = untimed_rows(folder.path() / "paper.csv").at(1);
+    EXPECT_EQ(thin.at(0), paper.at(0) + "@thin");
+    EXPECT_NE(thin.at(1), paper.at(1));
+    const std::string run =
+        "fretwork optimizers run --known known.csv --optimizers slsqp --repetitions 1 --out o";
+    EXPECT_EQ(run_command(run + " --setting thin.json", folder.path()).exit_code, 0);
+    const auto without = run_command(run + "2", folder.path());
+    EXPECT_EQ(without.exit_code, 2);
+    EXPECT_THAT(without.err, testing::HasSubstr("in a setting 'thin', which is not given"));
+    const auto misnamed = run_command(known + "x.csv --setting 'bad name.json'", folder.path());
+    EXPECT_EQ(misnamed.exit_code, 2);
+    EXPECT_THAT(misnamed.err, testing::HasSubstr("cannot name a setting"));
 }
 
 TEST(Optimizers, ListTheWholeCatalogue) {

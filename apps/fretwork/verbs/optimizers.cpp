@@ -11,10 +11,12 @@
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/optimization/methods/outside_command.hpp>
 #include <fretwork/optimization/studies/known_value.hpp>
 #include <fretwork/optimization/studies/landscape.hpp>
 #include <fretwork/optimization/studies/study.hpp>
 #include <fretwork/reduction/calibration/study_problems.hpp>
+#include <fretwork/reduction/scenarios/setting_file.hpp>
 
 #include <chrono>
 #include <cstdio>
@@ -38,7 +40,9 @@ struct OptimizersOptions {
     std::string known;
     std::string results;
     std::string problems = "all";
-    std::string optimizers = "all";
+    std::string optimizers;             ///< empty: all, or, where there are commands, these
+    std::vector<std::string> commands;  ///< NAME=COMMAND
+    std::string setting;                ///< a name or a file
     std::size_t patterns = 60;
     optimization::study::KnownValueOptions known_values;
     optimization::study::StudyPlan plan;
@@ -46,6 +50,24 @@ struct OptimizersOptions {
     int threads = 0;
     bool json = false;
 };
+
+/// The setting of --setting, which ids of problems name by its own name or that of its file.
+std::vector<reduction::NamedSetting> given_settings(const OptimizersOptions& options) {
+    if (options.setting.empty()) return {};
+    return {
+        {std::filesystem::path(options.setting).stem().string(), reduction::find_setting(options.setting)}};
+}
+
+optimization::study::ProblemFamilies families_of(const OptimizersOptions& options) {
+    return base::located("--setting", "", [&] { return reduction::study_families(given_settings(options)); });
+}
+
+/// The problems of a comparison in the setting of --setting, or else in the paper's.
+std::vector<std::string> problems_to_choose(const OptimizersOptions& options) {
+    const auto settings = given_settings(options);
+    return settings.empty() ? reduction::study_problem_ids(options.patterns)
+                            : reduction::study_problem_ids_in(settings.front().name, options.patterns);
+}
 
 // ---- list ----
 
@@ -75,9 +97,9 @@ ExitCode known(OptimizersOptions options) {
     LongWork work;
     options.known_values.threads = options.threads;
     options.known_values.control = work.control();
-    options.known_values.families = reduction::study_families();
+    options.known_values.families = families_of(options);
     const auto search = [&] {
-        const auto ids = options.ids.empty() ? reduction::study_problem_ids(options.patterns)
+        const auto ids = options.ids.empty() ? problems_to_choose(options)
                                              : optimization::study::read_problem_ids(
                                                    options.ids, options.known_values.families);
         return find_known_values(ids, options.known_values);
@@ -96,12 +118,32 @@ ExitCode known(OptimizersOptions options) {
 
 // ---- run ----
 
+/// The methods that are programs of their own, from NAME=COMMAND.
+std::vector<optimization::OptimizerRow> rows_of_commands(const std::vector<std::string>& commands,
+                                                         const base::Control& control) {
+    std::vector<optimization::OptimizerRow> rows;
+    for (const std::string& given : commands) {
+        const auto middle = given.find('=');
+        if (middle == std::string::npos)
+            throw base::InputError("--command", "", "'" + given + "' is not NAME=COMMAND");
+        const optimization::OutsideCommand method{given.substr(0, middle), given.substr(middle + 1), control};
+        rows.push_back(base::located("--command", "", [&] { return outside_command_row(method); }));
+        const auto has_name = [&](const auto& row) { return row.name == method.name; };
+        if (std::ranges::any_of(optimization::optimizer_catalogue(), has_name) ||
+            std::ranges::count_if(rows, has_name) > 1)
+            throw base::InputError("--command", "", "there is a method '" + method.name + "' already");
+    }
+    return rows;
+}
+
 /// "slsqp" with the comparison's number of starts, "slsqp:32" with 32.
-Contender chosen_contender(const std::string& word) {
+Contender chosen_contender(const std::string& word, const std::vector<Contender>& all) {
     const auto colon = word.find(':');
-    const auto all = optimization::study::default_contenders();
-    const auto* row = &optimization::find_optimizer(word.substr(0, colon));
-    Contender contender = *std::ranges::find(all, row, &Contender::method);
+    const std::string name = word.substr(0, colon);
+    std::vector<optimization::OptimizerRow> rows;
+    for (const Contender& contender : all) rows.push_back(*contender.method);
+    const auto index = &optimization::find_optimizer(name, rows) - rows.data();
+    Contender contender = all[static_cast<std::size_t>(index)];
     if (colon == std::string::npos) return contender;
     const auto starts = base::read_number<int>(word.substr(colon + 1));
     if (!starts)
@@ -111,10 +153,17 @@ Contender chosen_contender(const std::string& word) {
     return contender;
 }
 
-std::vector<Contender> chosen_contenders(const std::string& choice) {
-    if (choice == "all") return optimization::study::default_contenders();
+/// The methods of --optimizers; without it all, or, where --command gives some, these.
+std::vector<Contender> chosen_contenders(const std::string& choice,
+                                         const std::vector<optimization::OptimizerRow>& commands) {
+    std::vector<Contender> own;
+    for (const optimization::OptimizerRow& row : commands) own.push_back({&row, 1});
+    if (choice.empty() && !own.empty()) return own;
+    std::vector<Contender> all = optimization::study::default_contenders();
+    all.insert(all.end(), own.begin(), own.end());
+    if (choice.empty() || choice == "all") return all;
     std::vector<Contender> chosen;
-    for (const std::string& word : base::split(choice, ',')) chosen.push_back(chosen_contender(word));
+    for (const std::string& word : base::split(choice, ',')) chosen.push_back(chosen_contender(word, all));
     return chosen;
 }
 
@@ -150,8 +199,9 @@ void print(const optimization::study::StudyReport& report, double seconds, const
 ExitCode run(OptimizersOptions options) {
     LongWork work;
     options.plan.problems = problems_of(options);
-    options.plan.families = reduction::study_families();
-    options.plan.contenders = chosen_contenders(options.optimizers);
+    options.plan.families = families_of(options);
+    const auto commands = rows_of_commands(options.commands, work.control());
+    options.plan.contenders = chosen_contenders(options.optimizers, commands);
     options.plan.threads = options.threads;
     options.plan.control = work.control();
     options.plan.validate();
@@ -168,7 +218,7 @@ ExitCode landscape(OptimizersOptions options) {
     LongWork work;
     options.landscape.threads = options.threads;
     options.landscape.control = work.control();
-    options.landscape.families = reduction::study_families();
+    options.landscape.families = families_of(options);
     const auto problems = problems_of(options);
     const optimization::study::Landscape landscape = explore_landscape(problems, options.landscape);
     const auto folder = made_folder(options.out);
@@ -186,6 +236,12 @@ ExitCode landscape(OptimizersOptions options) {
 }
 
 // ---- the command line ----
+
+void add_setting(CLI::App& action, OptimizersOptions& options) {
+    action.add_option("--setting", options.setting,
+                      "Setting of problems calibration/PATTERN@NAME: paper, made, or a file NAME.json "
+                      "(default: the paper's, without @NAME)");
+}
 
 CLI::Option* add_threads(CLI::App& action, OptimizersOptions& options) {
     return action.add_option("--threads", options.threads, "Threads to use; 0: one for each processor")
@@ -220,10 +276,11 @@ void add_known(CLI::App& verb, const std::shared_ptr<OptimizersOptions>& options
         ->excludes("--ids")
         ->excludes("--starts");
     action->add_option("--results", options->results, "Lower the values to those that these runs found");
+    add_setting(*action, *options);
     add_threads(*action, *options)->excludes("--from");
     action->add_flag("--json", options->json, "Print JSON");
-    declare_files(*action,
-                  {output("--out", kKnownFile), input("--ids"), input("--from"), input("--results")});
+    declare_files(*action, {output("--out", kKnownFile), input("--ids"), input("--from"), input("--results"),
+                            input("--setting")});
     action->footer("Example: fretwork optimizers known --patterns 12 --starts 10 --out known.csv");
     action->callback([options, &exit_code] { exit_code = known(*options); });
 }
@@ -236,10 +293,14 @@ void add_run(CLI::App& verb, const std::shared_ptr<OptimizersOptions>& options, 
     action->add_option("--out", options->out, "Folder for results.csv")->required();
     action->add_option("--problems", options->problems, "all, or ids, families and family:N joined by commas")
         ->capture_default_str();
+    action->add_option("--optimizers", options->optimizers,
+                       "all, or names joined by commas; slsqp:32 is slsqp with 32 starts (default: those of "
+                       "--command, or else all)");
     action
-        ->add_option("--optimizers", options->optimizers,
-                     "all, or names joined by commas; slsqp:32 is slsqp with 32 starts")
-        ->capture_default_str();
+        ->add_option("--command", options->commands,
+                     "A method that is a program of its own: it reads the bounds, asks for values, and says "
+                     "done (repeatable; docs/guide/own_optimizer.md)")
+        ->type_name("NAME=COMMAND");
     action->add_option("--repetitions", options->plan.repetitions, "Runs of each method that uses the seed")
         ->capture_default_str();
     action
@@ -249,12 +310,14 @@ void add_run(CLI::App& verb, const std::shared_ptr<OptimizersOptions>& options, 
     action->add_option("--seed", options->plan.conditions.seed, "Changes the seeds of all runs")
         ->check(seed_check())
         ->capture_default_str();
+    add_setting(*action, *options);
     add_threads(*action, *options);
     action->add_flag("--json", options->json, "Print JSON");
-    declare_files(*action, {input("--known"), output_folder("--out", "results.csv")});
+    declare_files(*action, {input("--known"), input("--setting"), output_folder("--out", "results.csv")});
     action->footer(
-        "Example: fretwork optimizers run --known known.csv --optimizers slsqp:32,cma-es --repetitions 3 "
-        "--out DIR");
+        "Examples: fretwork optimizers run --known known.csv --optimizers slsqp:32,cma-es --repetitions 3 "
+        "--out DIR\n"
+        "          fretwork optimizers run --known known.csv --command 'mine=python3 mine.py' --out DIR");
     action->callback([options, &exit_code] { exit_code = run(*options); });
 }
 
@@ -268,9 +331,11 @@ void add_landscape(CLI::App& verb, const std::shared_ptr<OptimizersOptions>& opt
         ->capture_default_str();
     action->add_option("--descents", options->landscape.descents, "Of each kind on each problem")
         ->capture_default_str();
+    add_setting(*action, *options);
     add_threads(*action, *options);
     action->add_flag("--json", options->json, "Print JSON");
-    declare_files(*action, {input("--known"), output_folder("--out", "descents.csv sections.csv")});
+    declare_files(
+        *action, {input("--known"), input("--setting"), output_folder("--out", "descents.csv sections.csv")});
     action->footer(
         "Example: fretwork optimizers landscape --known known.csv --problems calibration:2 --descents 50 "
         "--out DIR");

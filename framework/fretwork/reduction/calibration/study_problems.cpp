@@ -2,6 +2,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/random.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/pattern/enumerate.hpp>
 #include <fretwork/reduction/calibration/study_problems.hpp>
 #include <fretwork/reduction/effective_properties.hpp>
@@ -54,8 +55,22 @@ pattern::NodeLayout layout_of(const std::string& pattern_id) {
                                       : pattern::find_node_layout(pattern_id.substr(0, colon));
 }
 
-StudyProblem calibration_problem(const std::string& id, const std::string& pattern_id) {
-    const auto setting = paper_setting();
+/// The setting that stands behind a pattern's id, or else the paper's.
+Setting setting_of(const std::string& id, const std::string& name,
+                   const std::vector<NamedSetting>& settings) {
+    const auto at = name.find('@');
+    if (at == std::string::npos) return paper_setting();
+    const auto named = std::ranges::find(settings, name.substr(at + 1), &NamedSetting::name);
+    if (named == settings.end())
+        throw base::InputError("'" + id + "' is a problem in a setting '" + name.substr(at + 1) +
+                               "', which is not given");
+    return named->setting;
+}
+
+StudyProblem calibration_problem(const std::string& id, const std::string& name,
+                                 const std::vector<NamedSetting>& settings) {
+    const auto setting = setting_of(id, name, settings);
+    const std::string pattern_id = name.substr(0, name.find('@'));
     const auto layout = layout_of(pattern_id);
     const auto pattern = pattern::parse_pattern_id(layout, pattern_id);
     if (!RingHexagon::fits(layout, setting))
@@ -120,10 +135,26 @@ std::vector<std::string> pattern_ids(std::size_t count) {
 
 }  // namespace
 
-ProblemFamilies study_families() {
-    return {{"calibration", calibration_problem},
+ProblemFamilies study_families(const std::vector<NamedSetting>& settings) {
+    for (const NamedSetting& named : settings) {
+        if (named.name.empty() || named.name.find_first_of("@/,: \t\n\"") != std::string::npos)
+            throw base::InputError(
+                "'" + base::printable(named.name) +
+                "' cannot name a setting in ids of problems; a name has no '@', '/', ',', ':', "
+                "quotes and blanks");
+    }
+    const auto calibration = [settings](const std::string& id, const std::string& name) {
+        return calibration_problem(id, name, settings);
+    };
+    return {{"calibration", calibration},
             {"synthetic", synthetic_problem},
             optimization::study::analytic_family()};
+}
+
+std::vector<std::string> study_problem_ids_in(const std::string& setting, std::size_t patterns) {
+    std::vector<std::string> ids = pattern_ids(patterns);
+    for (std::string& id : ids) id += "@" + setting;
+    return ids;
 }
 
 std::vector<std::string> study_problem_ids(std::size_t patterns) {

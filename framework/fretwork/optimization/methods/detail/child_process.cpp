@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/optimization/methods/detail/child_process.hpp>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+namespace fretwork::optimization::detail {
+namespace {
+
+constexpr int kPause = 20;  ///< ms between two looks at the control
+constexpr std::size_t kLongestLine = 1 << 20;
+
+[[noreturn]] void refuse(const std::string& command, int fault) {
+    throw base::IoError(command, "", std::string("cannot be started: ") + std::strerror(fault));
+}
+
+/// How the command begins: with both ends of its standard streams on the socket, signals as usual.
+class Beginning {
+  public:
+    explicit Beginning(int socket) {
+        ::posix_spawn_file_actions_init(&files_);
+        for (const int stream : {STDIN_FILENO, STDOUT_FILENO})
+            ::posix_spawn_file_actions_adddup2(&files_, socket, stream);
+        ::posix_spawnattr_init(&attributes_);
+        sigset_t none;
+        ::sigemptyset(&none);
+        ::posix_spawnattr_setsigmask(&attributes_, &none);
+        sigset_t usual;
+        ::sigemptyset(&usual);
+        for (const int signal : {SIGPIPE, SIGXFSZ, SIGINT, SIGTERM, SIGHUP}) ::sigaddset(&usual, signal);
+        ::posix_spawnattr_setsigdefault(&attributes_, &usual);
+        ::posix_spawnattr_setpgroup(&attributes_, 0);
+        ::posix_spawnattr_setflags(&attributes_,
+                                   POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
+    }
+    ~Beginning() {
+        ::posix_spawnattr_destroy(&attributes_);
+        ::posix_spawn_file_actions_destroy(&files_);
+    }
+    Beginning(const Beginning&) = delete;
+    Beginning& operator=(const Beginning&) = delete;
+
+    /// Start a shell that runs the command; the error number, 0 if there is none.
+    int spawn(std::string command, pid_t& process) const {
+        std::string shell = "sh";
+        std::string option = "-c";
+        const std::array<char*, 4> arguments = {shell.data(), option.data(), command.data(), nullptr};
+        return ::posix_spawnp(&process, "sh", &files_, &attributes_, arguments.data(), environ);
+    }
+
+  private:
+    posix_spawn_file_actions_t files_{};
+    posix_spawnattr_t attributes_{};
+};
+
+int exit_code_of(int status) {
+    constexpr int kKilled = 128;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : kKilled + WTERMSIG(status);
+}
+
+}  // namespace
+
+ChildProcess::ChildProcess(const std::string& command, const base::Control& control)
+    : control_(control.silent()) {
+    std::array<int, 2> ends{};
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) refuse(command, errno);
+    socket_ = ends[0];
+    const int fault = Beginning(ends[1]).spawn(command, process_);
+    ::close(ends[1]);
+    if (fault == 0) return;
+    ::close(socket_);
+    refuse(command, fault);
+}
+
+ChildProcess::~ChildProcess() {
+    ::close(socket_);
+    if (process_ == 0) return;
+    ::kill(-process_, SIGKILL);
+    ::waitpid(process_, nullptr, 0);
+}
+
+void ChildProcess::wait_for(short event) const {
+    pollfd look{socket_, event, 0};
+    do control_.check();
+    while (::poll(&look, 1, kPause) <= 0);
+}
+
+std::optional<std::string> ChildProcess::read_line() {
+    std::size_t end = unread_.find('\n');
+    while (end == std::string::npos) {
+        if (unread_.size() > kLongestLine) throw base::InputError("a line of more than a mebibyte");
+        wait_for(POLLIN);
+        std::array<char, 4096> part{};
+        const ssize_t size = ::recv(socket_, part.data(), part.size(), 0);
+        if (size < 0 && errno == EINTR) continue;
+        if (size <= 0) return std::nullopt;  // a line without an end is none
+        const std::size_t before = unread_.size();
+        unread_.append(part.data(), static_cast<std::size_t>(size));
+        end = unread_.find('\n', before);
+    }
+    std::string line = unread_.substr(0, end);
+    unread_.erase(0, end + 1);
+    return line;
+}
+
+void ChildProcess::write_line(const std::string& text) {
+    const std::string line = text + "\n";
+    for (std::size_t sent = 0; sent < line.size();) {
+        wait_for(POLLOUT);
+        const ssize_t size =
+            ::send(socket_, line.data() + sent, line.size() - sent, MSG_NOSIGNAL | MSG_DONTWAIT);
+        if (size >= 0)
+            sent += static_cast<std::size_t>(size);
+        else if (errno != EAGAIN && errno != EINTR)
+            return;
+    }
+}
+
+int ChildProcess::finish() {
+    constexpr auto kPatience = std::chrono::seconds(1);
+    constexpr auto kStep = std::chrono::milliseconds(2);
+    ::shutdown(socket_, SHUT_WR);
+    const auto last = std::chrono::steady_clock::now() + kPatience;
+    int status = 0;
+    while (::waitpid(process_, &status, WNOHANG) == 0) {
+        control_.check();
+        if (std::chrono::steady_clock::now() > last) {
+            ::kill(-process_, SIGKILL);
+            ::waitpid(process_, &status, 0);
+            break;
+        }
+        std::this_thread::sleep_for(kStep);
+    }
+    process_ = 0;
+    return exit_code_of(status);
+}
+
+}  // namespace fretwork::optimization::detail

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/quantity.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/optimization/methods/detail/child_process.hpp>
+#include <fretwork/optimization/methods/outside_command.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace fretwork::optimization {
+namespace {
+
+using detail::ChildProcess;
+
+constexpr const char* kSpent = "spent";
+constexpr const char* kWhatIsValid = "; valid are 'value' or 'gradient' with a point, and 'done'";
+
+std::string number_text(double value) {
+    return std::isfinite(value) ? base::format_number(value) : "inf";
+}
+
+std::string line_of(const std::string& word, const Eigen::VectorXd& numbers) {
+    std::string line = word;
+    for (const double number : numbers) line += " " + number_text(number);
+    return line;
+}
+
+/// The words of a line; those that are empty are left out.
+std::vector<std::string> words_of(const std::string& line) {
+    std::vector<std::string> words = base::split(line, ' ');
+    std::erase(words, "");
+    return words;
+}
+
+/// One run of the command.
+class Conversation {
+  public:
+    Conversation(const OutsideCommand& method, Evaluator& evaluator)
+        : method_(method), evaluator_(evaluator), child_(method.command, method.control) {}
+
+    RunOutcome hold(const OptimizerOptions& options) {
+        const Bounds& bounds = evaluator_.bounds();
+        child_.write_line("dimension " + std::to_string(bounds.dimension()));
+        child_.write_line(line_of("lower", bounds.lower));
+        child_.write_line(line_of("upper", bounds.upper));
+        child_.write_line("seed " + std::to_string(options.seed));
+        child_.write_line("starts " + std::to_string(options.starts));
+        while (const auto line = next_line()) {
+            const std::vector<std::string> words = words_of(*line);
+            if (!words.empty() && words.front() == "done") return end(words, *line);
+            child_.write_line(answer(words, *line));
+        }
+        const int exit_code = child_.finish();
+        if (!is_spent_)
+            refuse("ended with exit code " + std::to_string(exit_code) + " before it said 'done'");
+        return outcome(Ending::BudgetSpent);
+    }
+
+  private:
+    std::optional<std::string> next_line() {
+        return base::located("optimizer '" + method_.name + "'", "", [&] { return child_.read_line(); });
+    }
+
+    [[noreturn]] void refuse(const std::string& complaint) const {
+        throw base::InputError(
+            "optimizer '" + method_.name + "'", "",
+            "its command '" + base::shortened(base::printable(method_.command), 80) + "' " + complaint);
+    }
+    [[noreturn]] void refuse_line(const std::string& line) const {
+        refuse("said '" + base::shortened(base::printable(line), 60) + "'" + kWhatIsValid);
+    }
+
+    [[nodiscard]] Eigen::VectorXd point_of(const std::vector<std::string>& words,
+                                           const std::string& line) const {
+        const int dimension = evaluator_.bounds().dimension();
+        if (std::ssize(words) != dimension + 1)
+            refuse("said '" + base::shortened(base::printable(line), 60) + "' with " +
+                   base::counted(words.size() - 1, "number") + ", where a point has " +
+                   std::to_string(dimension));
+        Eigen::VectorXd point(dimension);
+        for (int i = 0; i < dimension; ++i) {
+            const auto number = base::read_number<double>(words[static_cast<std::size_t>(i) + 1]);
+            if (!number) refuse_line(line);
+            point[i] = *number;
+        }
+        return point;
+    }
+
+    std::string answer(const std::vector<std::string>& words, const std::string& line) {
+        const bool is_gradient = !words.empty() && words.front() == "gradient";
+        if (!is_gradient && (words.empty() || words.front() != "value")) refuse_line(line);
+        const Eigen::VectorXd point = point_of(words, line);
+        if (is_gradient && !evaluator_.problem().offers(Evaluation::Gradient))
+            refuse("asked for a gradient, which problem '" + evaluator_.problem().name() +
+                   "' does not offer");
+        return is_gradient ? gradient_at(point) : value_at(point);
+    }
+
+    std::string value_at(const Eigen::VectorXd& point) {
+        const auto value = evaluator_.value(point);
+        return value ? number_text(*value) : refusal(point);
+    }
+
+    std::string gradient_at(const Eigen::VectorXd& point) {
+        const auto model = evaluator_.gradient(point);
+        if (!model) return refusal(point);
+        if (!std::isfinite(model->objective) || !model->gradient.allFinite()) return "inf";
+        return line_of(number_text(model->objective), model->gradient);
+    }
+
+    std::string refusal(const Eigen::VectorXd& point) {
+        if (!evaluator_.bounds().contain(point)) return "outside";
+        is_spent_ = true;
+        return kSpent;
+    }
+
+    RunOutcome end(const std::vector<std::string>& words, const std::string& line) {
+        const bool is_stalled = words.size() == 2 && words[1] == "stalled";
+        if (words.size() > 1 && !is_stalled) refuse_line(line);
+        const int exit_code = child_.finish();
+        if (exit_code != 0) refuse("said 'done', but ended with exit code " + std::to_string(exit_code));
+        if (is_spent_) return outcome(Ending::BudgetSpent);
+        return outcome(is_stalled ? Ending::Stalled : Ending::Converged);
+    }
+
+    /// A command does not say where it stands: it is judged by its best point.
+    [[nodiscard]] RunOutcome outcome(Ending ending) const {
+        const Bounds& bounds = evaluator_.bounds();
+        const Eigen::VectorXd& best = evaluator_.best_point();
+        return {ending, best.size() > 0 ? best : Eigen::VectorXd(0.5 * (bounds.lower + bounds.upper))};
+    }
+
+    const OutsideCommand& method_;
+    Evaluator& evaluator_;
+    ChildProcess child_;
+    bool is_spent_ = false;
+};
+
+class CommandOptimizer final : public Optimizer {
+  public:
+    CommandOptimizer(OutsideCommand method, const OptimizerOptions& options)
+        : method_(std::move(method)), options_(options) {
+        options_.validate();
+    }
+    RunOutcome run(Evaluator& evaluator) const override {
+        return Conversation(method_, evaluator).hold(options_);
+    }
+
+  private:
+    OutsideCommand method_;
+    OptimizerOptions options_;
+};
+
+bool may_be_in_a_name(char letter) {
+    return std::string_view("-_.").find(letter) != std::string_view::npos ||
+           (letter >= '0' && letter <= '9') || (letter >= 'a' && letter <= 'z') ||
+           (letter >= 'A' && letter <= 'Z');
+}
+
+}  // namespace
+
+void OutsideCommand::validate() const {
+    if (name.empty() || !std::ranges::all_of(name, may_be_in_a_name))
+        throw base::InputError("'" + base::printable(name) +
+                               "' is no name of a method; it has letters, digits, '-', '_' and '.' alone");
+    if (command.empty()) throw base::InputError("method '" + name + "' has no command");
+}
+
+OptimizerRow outside_command_row(const OutsideCommand& method) {
+    method.validate();
+    return {method.name, "A program of its own: " + base::shortened(base::printable(method.command), 60),
+            OptimizerClass::Random, Evaluation::Value,
+            [method](const OptimizerOptions& options) -> std::unique_ptr<Optimizer> {
+                return std::make_unique<CommandOptimizer>(method, options);
+            }};
+}
+
+}  // namespace fretwork::optimization

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Methods that are programs of their own. Those here are lines of Python or of the shell.
+#include "analytic_problems.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/optimization/methods/outside_command.hpp>
+#include <fretwork/optimization/minimize.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace fretwork::optimization {
+namespace THIS_TEST {
+
+/// A program of Python that has read the first five lines: `lower`, `upper`, `seed`, and `ask(word, point)`.
+std::string python(const std::string& body) {
+    return "python3 -c '\n"
+           "import random\n"
+           "def ask(word, point):\n"
+           "    print(word, *map(repr, point), flush=True)\n"
+           "    return input()\n"
+           "_, lower, upper, seed, _ = [input().split()[1:] for _ in range(5)]\n"
+           "lower, upper = list(map(float, lower)), list(map(float, upper))\n" +
+           body + "'";
+}
+
+/// A search that draws its first point, and then goes along the axes by ever smaller steps.
+const std::string kCompass = python(
+    "random.seed(int(seed[0]))\n"
+    "point = [random.uniform(a, b) for a, b in zip(lower, upper)]\n"
+    "best = float(ask(\"value\", point))\n"
+    "step = 0.25\n"
+    "while step > 1e-6:\n"
+    "    found = False\n"
+    "    for i in range(len(point)):\n"
+    "        for sign in (-1, 1):\n"
+    "            trial = list(point)\n"
+    "            trial[i] = min(max(trial[i] + sign * step * (upper[i] - lower[i]), lower[i]), upper[i])\n"
+    "            value = float(ask(\"value\", trial))\n"
+    "            if value < best: point, best, found = trial, value, True\n"
+    "    if not found: step /= 2\n"
+    "print(\"done\")\n");
+
+OptimizationReport run(const std::string& command, const Budget& budget = {.cost = 5000},
+                       std::uint64_t seed = 3) {
+    const auto row = outside_command_row({"outside", command, budget.control});
+    return minimize(sphere(3), row, {.starts = 1, .seed = seed}, budget);
+}
+
+std::string complaint(const std::string& command) {
+    try {
+        (void)run(command);
+    } catch (const base::InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(OutsideCommand, MinimizesAsAMethodOfTheCatalogueDoes) {
+    const auto report = run(kCompass);
+    EXPECT_LT(report.value, 1e-9);
+    EXPECT_EQ(report.ending, Ending::Converged);
+    EXPECT_EQ(report.optimizer, "outside");
+    EXPECT_EQ(report.cost, report.evaluations);
+    EXPECT_EQ(report.derivative_evaluations, 0);
+    EXPECT_EQ(report.final_point, report.point);
+}
+
+TEST(OutsideCommand, GivesTheSameTraceForTheSameSeed) {
+    EXPECT_EQ(run(kCompass).trace, run(kCompass).trace);
+    EXPECT_NE(run(kCompass).trace, run(kCompass, {.cost = 5000}, 4).trace);
+}
+
+TEST(OutsideCommand, GetsTheProblemsOwnGradient) {
+    // The command itself checks the slope by central differences.
+    const auto report =
+        run(python("point = [0.5, -0.4, 1.0]\n"
+                   "value, *slope = map(float, ask(\"gradient\", point).split())\n"
+                   "assert float(ask(\"value\", point)) == value\n"
+                   "h = 1e-5\n"
+                   "for i in range(3):\n"
+                   "    ends = [[p + s * h * (i == k) for k, p in enumerate(point)] for s in (-1, 1)]\n"
+                   "    low, high = (float(ask(\"value\", end)) for end in ends)\n"
+                   "    assert abs((high - low) / (2 * h) - slope[i]) < 1e-6, (slope, low, high)\n"
+                   "print(\"done stalled\")\n"));
+    EXPECT_EQ(report.derivative_evaluations, 1);
+    EXPECT_EQ(report.evaluations, 8);
+    EXPECT_EQ(report.ending, Ending::Stalled);
+}
+
+TEST(OutsideCommand, IsRefusedWhatIsSpentAndWhatLiesOutside) {
+    const auto report = run(python("beyond = [upper[0] + 1.0, 0.0, 0.0]\n"
+                                   "assert ask(\"value\", beyond) == \"outside\"\n"
+                                   "for _ in range(2): assert ask(\"value\", [0.5, 0.5, 0.5]) != \"spent\"\n"
+                                   "assert ask(\"value\", [0.0, 0.0, 0.0]) == \"spent\"\n"),
+                            {.cost = 2});
+    EXPECT_EQ(report.cost, 2);
+    EXPECT_EQ(report.points_outside, 1);
+    EXPECT_EQ(report.ending, Ending::BudgetSpent);
+    EXPECT_GT(report.value, 0.0);
+}
+
+TEST(OutsideCommand, ThatEndsBeforeItIsDoneIsAnErrorWhichNamesIt) {
+    EXPECT_THAT(complaint("exit 7"),
+                testing::HasSubstr("'exit 7' ended with exit code 7 before it said 'done'"));
+    EXPECT_THAT(complaint("no_such_program_here 2>/dev/null"), testing::HasSubstr("exit code 127"));
+    EXPECT_THAT(complaint("kill -9 $$"), testing::HasSubstr("exit code 137"));
+    EXPECT_THAT(complaint("echo done; exit 3"),
+                testing::HasSubstr("said 'done', but ended with exit code 3"));
+}
+
+TEST(OutsideCommand, ThatSaysSomethingElseIsAnErrorWhichQuotesIt) {
+    EXPECT_THAT(complaint("echo hello"), testing::HasSubstr("said 'hello'; valid are 'value' or 'gradient'"));
+    EXPECT_THAT(complaint("echo; sleep 9"), testing::HasSubstr("said ''"));
+    EXPECT_THAT(complaint("echo value 1 2"), testing::HasSubstr("with 2 numbers, where a point has 3"));
+    EXPECT_THAT(complaint("echo value 1 x 3"), testing::HasSubstr("said 'value 1 x 3'"));
+    EXPECT_THAT(complaint("echo done maybe"), testing::HasSubstr("said 'done maybe'"));
+    EXPECT_THAT(complaint("head -c 2000000 /dev/zero"), testing::HasSubstr("mebibyte"));
+}
+
+TEST(OutsideCommand, ThatNeverSpeaksIsStopped) {
+    int questions = 0;  // the first five are asked while lines are written
+    const std::function<bool()> question = [&] { return ++questions > 8; };
+    base::Control control;
+    control.question = &question;
+    EXPECT_THROW((void)run("sleep 1000", {.cost = 10, .control = control}), base::Stopped);
+    EXPECT_EQ(questions, 9);
+}
+
+TEST(OutsideCommand, HasAValidNameAndACommand) {
+    for (const char* name : {"", "a,b", "a b", "a=b", "a:2"})
+        EXPECT_THROW((void)outside_command_row({name, "true"}), base::InputError) << name;
+    EXPECT_THROW((void)outside_command_row({"mine", ""}), base::InputError);
+}
+
+}  // namespace THIS_TEST
+}  // namespace fretwork::optimization
