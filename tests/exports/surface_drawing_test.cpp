@@ -242,6 +242,29 @@ TEST_F(SurfaceDrawing, TheFigureHoldsAllPanels) {
     EXPECT_EQ(children(svg.layer("setup-supports"), "circle"), 2 * conditions_.supports.size());
 }
 
+TEST_F(SurfaceDrawing, TheFigureShowsTheBeamsOfTheReducedModelThatItIsGiven) {
+    const auto drawn = layers();
+    DeformedViewOptions options;
+    options.reduced = surface_lines(surface_);
+    const Svg svg(figure_svg(surface_, conditions_, drawn, options));
+    EXPECT_EQ(children(svg.root(), "svg"), 4U);
+    EXPECT_EQ(lines_of_layer(svg.layer("reduced-beams-of-the-reduced-model")), options.reduced.lines.size());
+    EXPECT_EQ(children(svg.layer("reduced-tiles"), "polygon"), surface_.tessellation.tiles.size());
+}
+
+TEST_F(SurfaceDrawing, OfManyLoadsTheSetupShowsSomeThatAreFarApart) {
+    const auto large = sample_surface(8, 6);
+    simulation::Conditions many;
+    const auto& places = large.tessellation.interface_nodes;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        many.loads.push_back({mechanics::NodeIndex(i), {0.0, 0.0, -1.0}});
+    const Svg setup(setup_svg(large, many));
+    EXPECT_EQ(children(setup.layer("loads"), "polygon"), 16U);
+    EXPECT_THAT(setup.words(), HasSubstr("16 of " + std::to_string(places.size()) + " drawn"));
+    // From above, without a figure around it, every load is there: as a ring with a cross of two lines.
+    EXPECT_EQ(children(Svg(surface_svg(large, &many)).layer("loads"), "circle"), places.size());
+}
+
 void collect_ids(const pugi::xml_node& node, std::multiset<std::string>& ids) {
     if (const auto id = node.attribute("id")) ids.insert(id.value());
     for (const auto& child : node.children()) collect_ids(child, ids);

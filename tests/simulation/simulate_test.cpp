@@ -175,6 +175,20 @@ TEST(SurfaceFrame, RefusesTilesThatAreNotMadeOfBeams) {
     const Surface surface = make_surface(honeycomb(2, 1, kPatterns), nullptr);
     EXPECT_THAT(complaint_of([&] { (void)surface_frame(surface, {"condensed"}, {}); }),
                 HasSubstr("tiles that do not consist of beams"));
+    EXPECT_FALSE(tile_beams(surface, {"condensed"}).has_value());
+}
+
+TEST(SurfaceFrame, HasTheBeamsOfItsTilesWithWhatActsOnThem) {
+    const Surface surface = make_surface(honeycomb(2, 1, kPatterns), nullptr);
+    const auto conditions = resolve(cantilever({0.0, 0.0, 0.1}), surface);
+    const auto beams = tile_beams(surface, {});
+    ASSERT_TRUE(beams.has_value());
+    EXPECT_TRUE(beams->loads.empty());
+    EXPECT_TRUE(beams->supports.empty());
+    mechanics::Frame loaded = surface_frame(surface, {}, conditions);
+    EXPECT_EQ(loaded.loads.size(), conditions.loads.size());
+    EXPECT_EQ(loaded.beams.size(), beams->beams.size());
+    EXPECT_EQ(beams->nodes.size(), loaded.nodes.size());
 }
 
 TEST(Compare, OfAResultWithItselfIsZero) {

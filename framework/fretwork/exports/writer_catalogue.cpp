@@ -7,6 +7,8 @@
 #include <fretwork/exports/tables/line_files.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
 #include <fretwork/fabrication/shape.hpp>
+#include <fretwork/simulation/surface_frame.hpp>
+#include <fretwork/tiling/tessellation.hpp>
 
 #include <algorithm>
 #include <array>
@@ -25,6 +27,31 @@ std::string layer_colour(std::size_t index) {
     return kColours[index % kColours.size()];
 }
 
+bool is_calibrated(const simulation::Surface& surface, const std::string& model) {
+    const auto has_model = [&](const std::vector<reduction::Calibration>& of_pattern) {
+        return std::ranges::find(of_pattern, model, &reduction::Calibration::model) != of_pattern.end();
+    };
+    const auto used = tiling::used_patterns(surface.tessellation);
+    return surface.calibrations.size() == surface.tessellation.patterns.size() &&
+           std::ranges::all_of(used, [&](std::size_t p) { return has_model(surface.calibrations[p]); });
+}
+
+/// The beams at rest of the first result whose model has beams of its own, as the paper's has; empty if none
+/// has, or the surface knows no calibrations of it.
+LineSet reduced_beams(const Scene& scene) {
+    for (const Scene::LabelledResult& entry : scene.results) {
+        if (!entry.result.subject) continue;
+        const auto model =
+            std::ranges::find(scene.models, entry.result.subject->model, &reduction::TileModel::name);
+        if (model == scene.models.end() || model->parameters.empty()) continue;
+        if (!is_calibrated(scene.surface, model->name)) continue;
+        const simulation::ModelChoice choice{model->name, scene.models};
+        const auto beams = simulation::tile_beams(scene.surface, choice, scene.control.silent());
+        if (beams) return frame_lines(*beams);
+    }
+    return {};
+}
+
 std::string svg_text(const Scene& scene) {
     DeformedViewOptions options;
     options.scale = scene.displacement_scale;
@@ -39,6 +66,7 @@ std::string svg_text(const Scene& scene) {
     }
     if (scene.conditions && layers.empty())
         return surface_svg(scene.surface, &*scene.conditions, scene.labels);
+    if (scene.conditions) options.reduced = reduced_beams(scene);
     if (scene.conditions) return figure_svg(scene.surface, *scene.conditions, layers, options);
     if (layers.empty()) return surface_svg(scene.surface, nullptr, scene.labels);
     return layers.size() == 1 ? displacement_svg(layers.front(), options) : deformed_svg(layers, options);

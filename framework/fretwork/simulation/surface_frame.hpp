@@ -5,6 +5,8 @@
 #include <fretwork/simulation/load_cases/conditions.hpp>
 #include <fretwork/simulation/model_choice.hpp>
 
+#include <optional>
+
 namespace fretwork::simulation {
 
 /// The surface under a load case as a frame, which other solvers can check. The first nodes of the frame are
@@ -12,5 +14,11 @@ namespace fretwork::simulation {
 /// `condensed`), and Stopped.
 mechanics::Frame surface_frame(const Surface& surface, const ModelChoice& choice,
                                const Conditions& conditions, const base::Control& control = {});
+
+/// The beams of the surface's tiles at rest, without supports and loads: of the full model those of the
+/// patterns, of a model like `paper6` its own few. The first nodes are the interface nodes. Nothing if the
+/// tiles do not consist of beams. Throws InputError that names a pattern without a calibration, and Stopped.
+std::optional<mechanics::Frame> tile_beams(const Surface& surface, const ModelChoice& choice,
+                                           const base::Control& control = {});
 
 }  // namespace fretwork::simulation

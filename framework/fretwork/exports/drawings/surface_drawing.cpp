@@ -77,8 +77,10 @@ std::string displacement_svg(const DeformedLayer& layer, const DeformedViewOptio
 
 std::string figure_svg(const Surface& surface, const Conditions& conditions,
                        std::span<const DeformedLayer> layers, const DeformedViewOptions& options) {
-    std::vector<NamedPanel> panels = {{"surface", detail::surface_panel(surface, nullptr, options.labels)},
-                                      {"setup", detail::setup_panel(surface, conditions, options.view)}};
+    std::vector<NamedPanel> panels = {{"surface", detail::surface_panel(surface, nullptr, options.labels)}};
+    if (!options.reduced.lines.empty())
+        panels.push_back({"reduced", detail::reduced_panel(surface, options.reduced)});
+    panels.push_back({"setup", detail::setup_panel(surface, conditions, options.view)});
     if (layers.size() == 1)
         panels.push_back({"deformed", detail::displacement_panel(layers.front(), options)});
     if (layers.size() > 1) panels.push_back({"deformed", detail::deformed_panel(layers, options)});

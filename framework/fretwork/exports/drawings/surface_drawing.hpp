@@ -44,8 +44,10 @@ struct DeformedViewOptions {
     double scale = 1.0;
     /// Joints of the surface, which the drawing states.
     reduction::Joints joints = reduction::Joints::Centreline;
-    ViewOptions view{};    ///< direction of the viewer
-    LineSet rest{};        ///< lines drawn dashed below everything, such as rim_lines()
+    ViewOptions view{};  ///< direction of the viewer
+    LineSet rest{};      ///< lines drawn dashed below everything, such as rim_lines()
+    /// Beams of a reduced model at rest, which a sheet shows from above; empty: they are not shown.
+    LineSet reduced{};
     DrawnLabels labels{};  ///< numbers on the drawing of the surface from above
 };
 
@@ -59,8 +61,9 @@ std::string deformed_svg(std::span<const DeformedLayer> layers, const DeformedVi
 /// the viewer are drawn over the lines behind, with white edges.
 std::string displacement_svg(const DeformedLayer& layer, const DeformedViewOptions& options = {});
 
-/// A sheet with three drawings below each other, as in the paper's Figs. 12 to 14: the surface from above,
-/// the surface with supports and loads, and the deformed states.
+/// A sheet with drawings below each other, as in the paper's Figs. 12 to 14: the surface from above, the
+/// beams of the reduced model from above (if `options` has them), the surface with supports and loads, and
+/// the deformed states. Of many loads, some that are spread evenly are drawn, and the legend counts them.
 std::string figure_svg(const simulation::Surface& surface, const simulation::Conditions& conditions,
                        std::span<const DeformedLayer> layers, const DeformedViewOptions& options = {});
 

@@ -12,6 +12,8 @@ SvgCanvas surface_panel(const simulation::Surface& surface, const simulation::Co
 SvgCanvas setup_panel(const simulation::Surface& surface, const simulation::Conditions& conditions,
                       const ViewOptions& view);
 SvgCanvas deformed_panel(std::span<const DeformedLayer> layers, const DeformedViewOptions& options);
+/// The beams of a reduced model at rest, from above.
+SvgCanvas reduced_panel(const simulation::Surface& surface, const LineSet& beams);
 SvgCanvas displacement_panel(const DeformedLayer& layer, const DeformedViewOptions& options);
 
 /// "joints: stiff"

@@ -110,7 +110,8 @@ class PatternLegend {
 class ConditionLegend {
   public:
     ConditionLegend(const std::vector<SupportMark>& supports, const std::vector<LoadMark>& loads,
-                    const Conditions& conditions) {
+                    const Conditions& conditions)
+        : drawn_loads_(loads.size()) {
         for (const LoadMark& mark : loads) shapes_.emplace(mark.kind, mark.shape);
         for (const SupportMark& mark : supports) {
             const auto same = [&](const SupportMark& other) { return other.meaning == mark.meaning; };
@@ -119,6 +120,7 @@ class ConditionLegend {
         for (const mechanics::NodalLoad& load : conditions.loads) {
             largest_force_ = std::max(largest_force_, load.force.norm());
             largest_moment_ = std::max(largest_moment_, load.moment.norm());
+            all_loads_ += (load.force.norm() > 0.0 ? 1 : 0) + (load.moment.norm() > 0.0 ? 1 : 0);
         }
     }
     void draw(SvgCanvas& canvas, Point2 place) const {
@@ -134,8 +136,12 @@ class ConditionLegend {
             place = draw_load_entries(canvas, place, Kind::Force,
                                       "forces, the largest " + force_text(largest_force_));
         if (largest_moment_ > 0)
-            draw_load_entries(canvas, place, Kind::Moment,
-                              "moments, the largest " + short_number(1e3 * largest_moment_) + " N mm");
+            place =
+                draw_load_entries(canvas, place, Kind::Moment,
+                                  "moments, the largest " + short_number(1e3 * largest_moment_) + " N mm");
+        if (drawn_loads_ < all_loads_)
+            write(canvas, place,
+                  std::to_string(drawn_loads_) + " of " + std::to_string(all_loads_) + " drawn");
     }
 
   private:
@@ -170,6 +176,8 @@ class ConditionLegend {
         return write(canvas, {place.x + (is_arrow ? 3.2 : 1.5) * text, place.y}, words);
     }
 
+    std::size_t drawn_loads_;
+    std::size_t all_loads_ = 0;
     std::set<ShownLoad> shapes_;
     std::vector<SupportMark> supports_;
     double largest_force_ = 0.0;
@@ -198,6 +206,32 @@ Subject make_subject(const Surface& surface, const Conditions* conditions, const
     }
     subject.box = bounding_box(points, 0.5 * tiling::mean_tile_side(surface.tessellation));
     return subject;
+}
+
+/// Of many marks some that are far apart: first the one nearest to the middle of all, then always the one
+/// that is farthest from those that are taken.
+std::vector<LoadMark> few_of(std::vector<LoadMark> marks) {
+    constexpr std::size_t kMost = 32;  // more hide what is below them
+    constexpr std::size_t kFew = 16;
+    if (marks.size() <= kMost) return marks;
+    Point2 middle;
+    for (const LoadMark& mark : marks) {
+        middle.x += mark.to.x / static_cast<double>(marks.size());
+        middle.y += mark.to.y / static_cast<double>(marks.size());
+    }
+    const auto distance = [](const Point2& a, const Point2& b) { return std::hypot(a.x - b.x, a.y - b.y); };
+    std::vector<double> gaps;  // of each mark to those that are taken; before the first, its nearness
+    for (const LoadMark& mark : marks) gaps.push_back(-distance(mark.to, middle));
+    std::vector<LoadMark> few;
+    for (bool is_first = true; few.size() < kFew; is_first = false) {
+        const auto next = static_cast<std::size_t>(std::ranges::max_element(gaps) - gaps.begin());
+        few.push_back(marks[next]);
+        for (std::size_t i = 0; i < marks.size(); ++i) {
+            const double gap = distance(marks[i].to, marks[next].to);
+            gaps[i] = is_first ? gap : std::min(gaps[i], gap);
+        }
+    }
+    return few;
 }
 
 void draw_subject(SvgCanvas& canvas, const Surface& surface, const Subject& subject) {
@@ -235,9 +269,28 @@ SvgCanvas surface_panel(const Surface& surface, const Conditions* conditions, co
     return canvas;
 }
 
+SvgCanvas reduced_panel(const Surface& surface, const LineSet& beams) {
+    const Projection projection = Projection::from_above();
+    const Box box = bounding_box(projection.all(surface.tessellation.vertices),
+                                 0.5 * tiling::mean_tile_side(surface.tessellation));
+    SvgCanvas canvas(box, 1.0);
+    canvas.layer("tiles");
+    const double width = beam_width(surface);
+    for (std::size_t t = 0; t < surface.tessellation.tiles.size(); ++t)
+        canvas.polygon(projection.all(tiling::tile_polygon(surface.tessellation, tiling::TileIndex(t))),
+                       {"#f4f6f8", kRimColour, 0.2 * width, 1.0});
+    canvas.layer("beams of the reduced model");
+    const std::vector<Point2> nodes = projection.all(beams.nodes);
+    std::vector<std::array<Point2, 2>> segments;
+    for (const auto& line : beams.lines) segments.push_back({nodes[line[0]], nodes[line[1]]});
+    canvas.segments(segments, {"none", kReducedColour, width, 1.0});
+    return canvas;
+}
+
 SvgCanvas setup_panel(const Surface& surface, const Conditions& conditions, const ViewOptions& view) {
-    const Subject subject = make_subject(surface, &conditions, Projection(view),
-                                         2.5 * tiling::mean_tile_side(surface.tessellation));
+    Subject subject = make_subject(surface, &conditions, Projection(view),
+                                   2.5 * tiling::mean_tile_side(surface.tessellation));
+    subject.loads = few_of(std::move(subject.loads));
     const double text = text_height(subject.box.width());
     Box box = subject.box;
     box.ymin -= 3.0 * text;
