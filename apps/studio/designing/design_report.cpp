@@ -21,13 +21,7 @@ Json share_closed(const DesignReport& report) {
 
 using Warnings = std::vector<design::DesignWarning>;
 
-Json warnings_json(const Warnings& warnings) {
-    Json texts = Json::array();
-    for (const design::DesignWarning& warning : warnings) texts.push_back(design::plain_text(warning));
-    return texts;
-}
-
-/// The same with their lengths and angles as numbers, which the page shows in its units.
+/// Warnings with their lengths and angles as numbers, which the page shows in its units.
 Json warning_parts(const Warnings& warnings) {
     Json parts = Json::array();
     for (const design::DesignWarning& warning : warnings) {
@@ -71,7 +65,7 @@ Json designed_event(const DesignFound& found, std::int64_t revision) {
             {"patterns", report.patterns},
             {"load_cases", report.load_cases},
             {"factors", report.factors},
-            {"warnings", warnings_json(warnings)},
+            {"warnings", design::plain_texts(warnings)},
             {"warning_parts", warning_parts(warnings)},
             {"end", design::design_end_name(report.end)},
             {"words", design::design_end_words(report.end)},
