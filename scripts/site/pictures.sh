@@ -40,14 +40,22 @@ palette=0-1+1-6,0-5+5-6,2-4+2-6+4-6
 "$fretwork" export graded.json --case bridge --result graded_full.json --size 1000x625 --to "$out/graded_bent.png"
 "$fretwork" export graded.json --to "$out/cut.svg" --content cut --frame 4mm --fillet 0.5mm
 
-# The studio, as a browser without a graphics card shows it.
-if command -v chromium >/dev/null; then
-  "$fretwork" studio --no-browser --port 8741 graded.json >studio.log 2>&1 &
+# picture_of NAME SIZE WORDS..: the studio that is started with these words, as a browser without a graphics card shows it.
+picture_of() {
+  local name=$1 size=$2
+  shift 2
+  "$fretwork" studio --no-browser --port 8741 "$@" >studio.log 2>&1 &
   studio=$!
   trap 'kill $studio 2>/dev/null; rm -rf "$work"' EXIT
   for _ in $(seq 50); do grep -q http studio.log && break; sleep 0.1; done
   address=$(grep -o 'http://[^ ]*' studio.log | head -n 1)
-  chromium --headless --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --hide-scrollbars --window-size=1440,900 \
-    --user-data-dir="$work/browser" --timeout=20000 --virtual-time-budget=20000 --screenshot="$out/studio.png" "$address" 2>/dev/null
+  chromium --headless --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --hide-scrollbars --window-size="$size" \
+    --user-data-dir="$work/browser" --timeout=20000 --virtual-time-budget=20000 --screenshot="$out/$name.png" "$address" 2>/dev/null
+  kill $studio
+  wait $studio || true
+}
+if command -v chromium >/dev/null; then
+  picture_of studio 1440,900 graded.json
+  picture_of layout 1280,800 --layout paper8
 fi
 ls "$out"
