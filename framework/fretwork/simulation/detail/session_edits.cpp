@@ -37,6 +37,14 @@ Conditions Session::Impl::resolved(const LoadCase& load_case) {
     return resolve(load_case, surface_, tile_masses_.value());
 }
 
+/// Patterns of the palette were checked when they came into it.
+pattern::NamedPattern Session::Impl::checked_pattern(const std::string& id) const {
+    const auto& palette = surface_.tessellation.patterns;
+    const auto known = std::ranges::find(palette, id, &pattern::NamedPattern::id);
+    if (known != palette.end()) return *known;
+    return tiling::make_palette(surface_.layout, std::vector{id}).front();
+}
+
 /// The place of a pattern in the palette, or that behind its end.
 std::size_t Session::Impl::palette_entry(const pattern::NamedPattern& pattern) const {
     const std::vector<pattern::NamedPattern>& palette = surface_.tessellation.patterns;
@@ -45,7 +53,7 @@ std::size_t Session::Impl::palette_entry(const pattern::NamedPattern& pattern) c
 
 void Session::Impl::paint(std::span<const TileIndex> tiles, const std::string& wanted) {
     require_tiles(surface_, tiles);
-    const pattern::NamedPattern pattern = tiling::make_palette(surface_.layout, std::vector{wanted}).front();
+    const pattern::NamedPattern pattern = checked_pattern(wanted);
     const std::size_t entry = palette_entry(pattern);
     const bool is_new = entry == surface_.tessellation.patterns.size();
     const auto calibrations = !is_new               ? surface_.calibrations[entry]

@@ -21,10 +21,12 @@ using pattern::NamedPattern;
 /// The filters that every pattern must pass. The paper's other two filters have numbers, which are a matter
 /// of choice.
 std::vector<pattern::Filter> structural_filters(const pattern::NodeLayout& layout) {
-    std::vector<pattern::Filter> filters = pattern::make_filters(layout);
-    std::erase_if(filters, [](const pattern::Filter& filter) {
-        return pattern::find_filter_kind(filter.name).parameter != pattern::FilterParameter::None;
-    });
+    std::vector<pattern::Filter> filters;
+    for (const pattern::FilterKind& kind : pattern::filter_catalogue()) {
+        if (!kind.is_of_the_paper || kind.parameter != pattern::FilterParameter::None) continue;
+        filters.push_back({std::string(kind.name), kind.default_value,
+                           kind.make_rule(layout, kind.default_value, pattern::FabricationScale{})});
+    }
     return filters;
 }
 
