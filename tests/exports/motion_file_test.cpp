@@ -191,7 +191,8 @@ TEST(MotionFile, StatesOfLoadStagesAreNamedByStageAndLoad) {
     const std::vector<simulation::LoadStage> stages = {
         {"press", {{"tip", 2.0}}},
         {"clip", {}, {}, {{simulation::NodesById{{1}}, mechanics::DofSet::all()}}}};
-    result.subject.emplace().stages_text = simulation::stages_text(stages);
+    result.subject.emplace().model = "full";
+    result.subject->stages_text = simulation::stages_text(stages);
     result.load_steps.resize(2);
     result.load_steps[0].load_factor = 1.0;
     result.load_steps[1].load_factor = 0.6;

@@ -321,7 +321,7 @@ TEST_F(LayoutPage, ReplacesNoFileWithoutAQuestion) {
         request.update(more);
         return client_.ask("save_layout", request);
     };
-    EXPECT_EQ(save({})["conflict"]["reason"], "exists");
+    EXPECT_EQ(save(Json::object())["conflict"]["reason"], "exists");
     EXPECT_TRUE(save({{"replaces", first["hash"]}})["ok"].get<bool>());
     const Json late = save({{"replaces", first["hash"]}});
     EXPECT_EQ(late["conflict"]["reason"], "changed");

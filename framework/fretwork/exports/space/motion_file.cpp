@@ -101,14 +101,11 @@ std::string load_name(const mechanics::Solution& solution) {
 
 /// The load of each step; through load stages, each step is the end of one, whose number and name come first.
 std::vector<std::string> step_names(const simulation::SurfaceResult& result) {
-    std::vector<simulation::LoadStage> stages;
-    if (result.subject && !result.subject->stages_text.empty())
-        stages = simulation::parse_stages(result.subject->stages_text, "the stages of the result");
+    const std::vector<std::string> stages = simulation::stage_names(result);
     std::vector<std::string> names;
     for (const mechanics::Solution& step : result.load_steps) {
         const std::size_t k = names.size();
-        const std::string stage =
-            k < stages.size() ? std::to_string(k + 1) + " " + stages[k].name + ", " : "";
+        const std::string stage = k < stages.size() ? std::to_string(k + 1) + " " + stages[k] + ", " : "";
         names.push_back(stage + load_name(step));
     }
     return names;
