@@ -5,12 +5,13 @@
 A planar, inextensible beam (elastica) with eleven pieces, as many as the lattice has columns. The stiffness of each piece is
 free between 1 and 9, the range of the 1,824 patterns as plates, and so are the factors on the loads. What it leaves is left
 by the load, the range of stiffness and the number of pieces, and not by the search of a painting. Least squares from several
-starts: found, not proven. Needs numpy and scipy. Usage: beam_limits.py
+starts: found, not proven. For the two load cases, two more rows: beams of any stiffness at every place, which is convex, and
+the same two arcs under two tip forces. Needs numpy and scipy. Usage: beam_limits.py
 """
 import math
 
 import numpy
-from scipy.optimize import brentq, least_squares
+from scipy.optimize import brentq, least_squares, minimize, minimize_scalar
 
 PIECES = 11
 STEPS = 20  # of a piece
@@ -55,6 +56,48 @@ def cantilever(stiffness, load):
     angle = brentq(clamp, -0.5, high, xtol=1e-10)
     points = from_tip(stiffness, load, angle)[0]
     return (points - points[-1])[::-1]
+
+
+def curvature_response(angle, count):
+    """The displacements of an arc by changes of the curvature of its steps, at first order: rows x, then z."""
+    step = LENGTH / (count - 1)
+    middle = (numpy.arange(count - 1) + 0.5) * step * angle / LENGTH
+    turn = numpy.tril(numpy.ones((count - 1, count - 1))) * step  # of a step by the curvatures up to its end
+    turn -= 0.5 * step * numpy.eye(count - 1)                     # at its middle
+    sums = numpy.vstack([numpy.zeros(count - 1), numpy.tril(numpy.ones((count - 1, count - 1)))]) * step
+    return numpy.vstack([sums @ (-numpy.sin(middle)[:, None] * turn), sums @ (numpy.cos(middle)[:, None] * turn)])
+
+
+def two_of_any_stiffness(up, down, count):
+    """The least mean distance of two arcs, one under a tip force and one under a vertical pressure, of a beam with any
+    positive stiffness at every place. The moments are those on the wanted arcs, so the ratio of the two curvatures is known
+    up to the ratio g of the loads: k_down = g w k_up. With g given, the mean distance is convex in k_up; g is scanned."""
+    s = (numpy.arange(count - 1) + 0.5) * LENGTH / (count - 1)
+    place = lambda angle, at: LENGTH / angle * numpy.sin(angle * at / LENGTH)
+    moment_up = place(up, LENGTH) - place(up, s)
+    rest = LENGTH - s  # the load on the rest of the beam, and the centre of it
+    centre = (LENGTH / down) ** 2 * (numpy.cos(down * s / LENGTH) - math.cos(down)) / rest
+    moment_down = rest * (centre - place(down, s))
+    w = moment_down / moment_up
+    largest = numpy.linalg.norm(arc(up, count)[-1] - [LENGTH, 0.0])
+    a, b = curvature_response(up, count) / largest, curvature_response(down, count) / largest
+
+    def least(g):
+        matrix = numpy.vstack([a, b * (g * w)[None, :]])
+        wanted = numpy.concatenate([a @ numpy.full(count - 1, up / LENGTH), b @ numpy.full(count - 1, down / LENGTH)])
+
+        def mean(k):  # a smooth sum of lengths, and its gradient
+            rows = (matrix @ k - wanted).reshape(2, 2, count)
+            lengths = numpy.sqrt((rows ** 2).sum(axis=1) + 1e-16)
+            return lengths.mean(), matrix.T @ (rows / lengths[:, None, :]).ravel() / lengths.size
+
+        start = numpy.full(count - 1, up / LENGTH)
+        return minimize(mean, start, jac=True, method="L-BFGS-B", bounds=[(0.0, None)] * (count - 1),
+                        options={"maxiter": 20000, "maxfun": 40000, "ftol": 1e-15, "gtol": 1e-12}).fun
+
+    ratios = down / up / w.mean() * numpy.geomspace(0.25, 4.0, 17)
+    at = int(numpy.argmin([least(g) for g in ratios[1:-1]])) + 1
+    return minimize_scalar(least, bounds=(ratios[at - 1], ratios[at + 1]), method="bounded", options={"xatol": 1e-3 * ratios[at]}).fun
 
 
 def arch(stiffness, start_angle):
@@ -127,6 +170,11 @@ def main():
            best(lambda u: [cantilever(numpy.exp(u[:PIECES]), tip_force(math.exp(u[PIECES]))),
                            cantilever(numpy.exp(u[:PIECES]), pressure(math.exp(u[PIECES + 1])))], [up, down],
                 guesses([math.log(3.0), math.log(4.0)], [-3.0, -3.0], [4.0, 4.0])))
+    print(f"| the same two of any stiffness at every place, convex | {100.0 * two_of_any_stiffness(math.radians(45), math.radians(25), 111):.2g} | |")
+    report("two: arcs of 45 and of 25 degrees, each under a tip force",
+           best(lambda u: [cantilever(numpy.exp(u[:PIECES]), tip_force(math.exp(u[PIECES]))),
+                           cantilever(numpy.exp(u[:PIECES]), tip_force(math.exp(u[PIECES + 1])))], [up, down],
+                guesses([math.log(3.0), math.log(1.5)], [-3.0, -3.0], [4.0, 4.0])))
     angle = math.radians(60)
     s = numpy.linspace(0.0, LENGTH, count)[:PIECES * STEPS // 2 + 1] - 0.5 * LENGTH
     radius = LENGTH / angle

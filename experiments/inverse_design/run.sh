@@ -46,7 +46,7 @@ for seed in $five; do
   done
 done
 for seed in $two; do
-  for shape in field two arch dome; do
+  for shape in field two two-tips arch dome; do
     row "${shape}_$seed" inverse_design_shapes --shape $shape --seed "$seed"
   done
   row "domefree_$seed" inverse_design_shapes --shape dome --free-factor --seed "$seed"

@@ -113,22 +113,24 @@ void make_field(Shape& shape, const Arguments& arguments) {
     shape.options.max_patterns = 8;
 }
 
-/// One painting: an arc of 45 degrees under the tip force, and one of 25 degrees downwards under a pressure.
+/// One painting: an arc of 45 degrees under the tip force, and one of 25 degrees downwards under a pressure
+/// or, as "two-tips", under another tip force, which asks for the same stiffness as the first.
 void make_two(Shape& shape, const Arguments& arguments) {
     const double force = tip_force(shape, arguments.seed, 0.37);
     const double length = experiments::span_of(shape.project);
-    LoadCase pressure = experiments::tip_load(0.0);
-    pressure.name = "pressure";
-    pressure.loads = {{NodesInBox{{-10, -10, 10, 10}},
-                       {0, 0, -1.5 * force},
-                       Eigen::Vector3d::Zero(),
-                       LoadCase::Amount::Total}};
-    shape.project.load_cases = {experiments::tip_load(force), pressure};
+    LoadCase downwards = experiments::tip_load(-0.5 * force);
+    downwards.name = "downwards";
+    if (arguments.shape == "two")
+        downwards.loads = {{NodesInBox{{-10, -10, 10, 10}},
+                            {0, 0, -1.5 * force},
+                            Eigen::Vector3d::Zero(),
+                            LoadCase::Amount::Total}};
+    shape.project.load_cases = {experiments::tip_load(force), downwards};
     const double begin = tiling::bounding_box(shape.project.tessellation).xmin;
     const double up = length / (45.0 * kPi / 180.0);
     const double down = length / (25.0 * kPi / 180.0);
     add_goal(shape, "tip", [&](const geometry::Point2& place) { return on_arc(place.x - begin, up); });
-    add_goal(shape, "pressure", [&](const geometry::Point2& place) {
+    add_goal(shape, "downwards", [&](const geometry::Point2& place) {
         FreeVector value = on_arc(place.x - begin, down);
         value[2] = -*value[2];
         return value;
@@ -219,14 +221,15 @@ Shape shape_of(const Arguments& arguments) {
     shape.options.free_factor = arguments.free_factor;
     if (arguments.shape == "field")
         make_field(shape, arguments);
-    else if (arguments.shape == "two")
+    else if (arguments.shape == "two" || arguments.shape == "two-tips")
         make_two(shape, arguments);
     else if (arguments.shape == "arch")
         make_arch(shape);
     else if (is_dome)
         make_dome(shape);
     else
-        throw base::InputError("'" + arguments.shape + "' is no shape: expected field, two, arch or dome");
+        throw base::InputError("'" + arguments.shape +
+                               "' is no shape: expected field, two, two-tips, arch or dome");
     return shape;
 }
 
@@ -263,7 +266,7 @@ void print_shape(const Arguments& arguments) {
 int main(int argc, char** argv) {
     Arguments arguments;
     CLI::App app("A design for a shape that no painting is known to reach, as a row of a table");
-    app.add_option("--shape", arguments.shape, "field, two, arch or dome");
+    app.add_option("--shape", arguments.shape, "field, two, two-tips, arch or dome");
     app.add_option("--patterns", arguments.patterns, "Of the palette: a number drawn at random, or all");
     app.add_option("--seed", arguments.seed, "Of the instance and of the search");
     app.add_flag("--free-factor", arguments.free_factor, "Search the factor on the loads, too");
