@@ -17,6 +17,7 @@
 #include <cstdio>
 #include <ctime>
 #include <limits>
+#include <utility>
 
 namespace {
 
@@ -139,14 +140,17 @@ void print_design(const Arguments& arguments, const Instance& instance) {
     experiments::Row row = row_of(arguments, instance, "design");
     row.unit = unit_seconds(instance, arguments.threads);
     const double before = processor_seconds();
-    const design::DesignReport report =
-        design::design(instance.project, nullptr, instance.target, options_of(arguments, instance));
+    std::vector<std::pair<double, double>> course;  // processor time and misfit of each better painting
+    design::DesignOptions options = options_of(arguments, instance);
+    options.on_better = [&](const design::DesignProgress& own) {
+        course.emplace_back(processor_seconds() - before, own.misfit);
+    };
+    const design::DesignReport report = design::design(instance.project, nullptr, instance.target, options);
     row.seconds = processor_seconds() - before;
     experiments::take_report(report, row);
     if (report.best_uniform) row.uniform = std::min(row.uniform, report.best_uniform->mean);
-    for (const design::DesignProgress& own : report.history) {
-        if (std::isnan(row.half) && own.misfit <= 0.5 * std::min(1.0, row.uniform))
-            row.half = own.seconds / report.seconds * row.seconds;
+    for (const auto& [seconds, misfit] : course) {
+        if (std::isnan(row.half) && misfit <= 0.5 * std::min(1.0, row.uniform)) row.half = seconds;
     }
     if (arguments.angle <= 0.0) {
         row.equal = 0.0;
