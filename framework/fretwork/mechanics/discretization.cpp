@@ -10,9 +10,7 @@
 namespace fretwork::mechanics {
 namespace {
 
-/// A solution's error, as a share of its difference from a solution with other divisions, with order two: 1 /
-/// (1 - 2^-2) if the other solution has twice the divisions, 1 / (2^2 - 1) if it has half of them.
-constexpr double kErrorFromFiner = 4.0 / 3.0;
+/// The same share of the difference from a solution with half of the divisions: 1 / (2^2 - 1).
 constexpr double kErrorFromCoarser = 1.0 / 3.0;
 
 /// The relative difference above which two solutions lie on different branches of a buckled path, or are too

@@ -27,6 +27,10 @@ struct DiscretizationError {
     friend bool operator==(const DiscretizationError&, const DiscretizationError&) = default;
 };
 
+/// The share of the difference to a solution with twice as many divisions that is the solution's own error,
+/// where the error falls with the square of the elements' length: 1 / (1 - 2^-2).
+inline constexpr double kErrorFromFiner = 4.0 / 3.0;
+
 /// Estimate the discretization error of each solution of a load path (Richardson extrapolation) by following
 /// the path again with other divisions. If the divisions of all beams are even, the second path has half as
 /// many divisions, and costs about half as much as the first. Otherwise the second path has twice as many

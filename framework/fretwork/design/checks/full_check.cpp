@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/design/checks/finer_beams.hpp>
 #include <fretwork/design/checks/full_check.hpp>
+#include <fretwork/mechanics/discretization.hpp>
 #include <fretwork/simulation/results/beam_table.hpp>
 
 #include <algorithm>
@@ -8,10 +9,6 @@
 
 namespace fretwork::design::detail {
 namespace {
-
-/// The difference from a solution with twice as many elements, times this, is the error where the error falls
-/// with the square of the elements' length, as mechanics::estimate_discretization_error() assumes, too.
-constexpr double kErrorFromFiner = 4.0 / 3.0;
 
 double largest_utilization(const simulation::Session& session, const mechanics::Solution& solution) {
     const simulation::BeamTable table = simulation::beam_table(session, solution);
@@ -61,7 +58,8 @@ FullCheck check_in_full(const Trials& trials, const Point& point, BeamDemand bea
         check.displacements.push_back(std::move(result.solution.displacements));
     }
     if (!check.is_found) return check;
-    if (finer) check.utilization_error = kErrorFromFiner * std::abs(*finer - *check.largest_utilization);
+    if (finer)
+        check.utilization_error = mechanics::kErrorFromFiner * std::abs(*finer - *check.largest_utilization);
     const Trials::Distances distances = trials.distances(check.displacements);
     check.error.mean = distances.mean;
     check.error.largest = distances.largest;
