@@ -208,6 +208,17 @@ TEST(BadLayoutFile, EveryFaultNamesFileAndPlace) {
     EXPECT_THAT(file_refusal(""), HasSubstr("malformed JSON"));
 }
 
+TEST(NodeLayout, IsEqualIfItsTextIs) {
+    const NodeLayout& paper = paper_layout();
+    EXPECT_EQ(parse_node_layout(node_layout_text(paper), "copy"), paper);
+    NodeLayoutDescription other = paper.description();
+    other.name = "other";
+    EXPECT_NE(NodeLayout(other), paper) << "libraries and results name their layout";
+    other = paper.description();
+    other.interface = {Rational(1, 3)};
+    EXPECT_NE(NodeLayout(other), paper);
+}
+
 TEST(BadLayoutFile, AnUnknownNameListsTheKnownOnes) {
     try {
         find_node_layout("papr7");

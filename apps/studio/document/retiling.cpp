@@ -21,10 +21,6 @@ using tiling::TileIndex;
 constexpr std::string_view kKeep = "keep";
 constexpr std::string_view kMade = "made:one";
 
-bool is_same_layout(const pattern::NodeLayout& one, const pattern::NodeLayout& other) {
-    return pattern::node_layout_text(one) == pattern::node_layout_text(other);
-}
-
 std::optional<pattern::NodeLayout> read_other_layout(const JsonReader& json, const State& state) {
     const auto name = json.find("layout");
     if (!name) return std::nullopt;
@@ -32,7 +28,7 @@ std::optional<pattern::NodeLayout> read_other_layout(const JsonReader& json, con
     // The document's own may be known by a file that lies elsewhere.
     if (text == state.ground->layout.name()) return std::nullopt;
     pattern::NodeLayout layout = pattern::find_node_layout(text);
-    if (is_same_layout(layout, state.ground->layout)) return std::nullopt;
+    if (layout == state.ground->layout) return std::nullopt;
     return layout;
 }
 
@@ -155,9 +151,7 @@ Retiling make_retiling(const StatePtr& state, const RetileRequest& wanted, const
 bool gives_the_same(const Retiling& known, const State& state, const RetileRequest& wanted) {
     const simulation::RetilingOptions& a = known.wanted.options;
     const simulation::RetilingOptions& b = wanted.options;
-    const bool is_same = a.edge_length == b.edge_length && a.angle == b.angle &&
-                         a.layout.has_value() == b.layout.has_value() &&
-                         (!a.layout || is_same_layout(*a.layout, *b.layout));
+    const bool is_same = a.edge_length == b.edge_length && a.angle == b.angle && a.layout == b.layout;
     return is_same && known.of->ground == state.ground && known.of->setting == state.setting &&
            known.wanted.patterns == wanted.patterns;
 }

@@ -194,7 +194,7 @@ void Library::adopt_setting(const reduction::Setting& wanted) {
 }
 
 void Library::check_layout(const pattern::NodeLayout& wanted) const {
-    if (pattern::node_layout_text(wanted) == pattern::node_layout_text(layout())) return;
+    if (wanted == layout()) return;
     const std::string difference = wanted.name() == layout().name()
                                        ? "its layout of the name " + layout().name() + " has other nodes"
                                        : "its layout is " + layout().name() + ", not " + wanted.name();

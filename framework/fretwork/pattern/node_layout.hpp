@@ -50,6 +50,7 @@ struct NodeLayoutDescription {
     std::vector<Rational> radial;  ///< distances from v0 along v0 v1 and v0 v2, as shares of their length
     std::vector<std::array<Rational, 3>> face;  ///< barycentric coordinates for (v0, v1, v2)
     std::vector<Rational> interface;            ///< distances from v1 along v1 v2, as shares of its length
+    friend bool operator==(const NodeLayoutDescription&, const NodeLayoutDescription&) = default;
 };
 
 /// The nodes that a pattern may use, and the edges that a pattern may choose.
@@ -77,6 +78,10 @@ class NodeLayout {
     /// The node on v0 v1 that is the same node of the fan, in the next sector, as this node on v0 v2. For a
     /// node that is not on v0 v2, the node itself.
     [[nodiscard]] LayoutNodeIndex left_partner(LayoutNodeIndex node) const;
+    /// Two layouts are equal if their descriptions are, names included.
+    friend bool operator==(const NodeLayout& left, const NodeLayout& right) {
+        return left.description_ == right.description_;
+    }
 
   private:
     NodeLayoutDescription description_;

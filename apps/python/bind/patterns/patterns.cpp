@@ -79,10 +79,7 @@ void bind_layout(py::module_& m) {
             "For a node on v0 v2, its partner on v0 v1, which is the same node of the fan in the next "
             "sector; for any other node, the node itself.")
         .def(
-            "__eq__",
-            [](const NodeLayout& self, const NodeLayout& other) {
-                return node_layout_text(self) == node_layout_text(other);
-            },
+            "__eq__", [](const NodeLayout& self, const NodeLayout& other) { return self == other; },
             py::is_operator())
         .def("__hash__", [](const NodeLayout& self) { return py::hash(py::str(node_layout_text(self))); })
         .def("__repr__",

@@ -164,12 +164,10 @@ NewTiles new_tiles(const Project& project, const RetilingOptions& options) {
 CarriedOver carry_over(const Project& project, const NewTiles& tiles) {
     CarriedOver carried{project, nearest_tiles(project.tessellation, tiles.tessellation), {}};
     Project& next = carried.project;
-    const bool is_same_layout =
-        pattern::node_layout_text(tiles.layout) == pattern::node_layout_text(project.layout);
     next.layout = tiles.layout;
     next.tessellation = tiles.tessellation;
     next.tile_models = carried_models(project, carried.from);
-    if (is_same_layout) {
+    if (tiles.layout == project.layout) {
         next.tessellation.patterns = project.tessellation.patterns;
         for (const TileIndex tile : carried.from.indices())
             next.tessellation.tiles[tile].pattern = project.tessellation.tiles[carried.from[tile]].pattern;
