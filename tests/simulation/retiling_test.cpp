@@ -219,7 +219,7 @@ TEST(Retiling, RowsOfTilesLieAtTheWantedAngle) {
         // The relaxation moves tiles near the rim.
         EXPECT_NEAR(angles[angles.size() / 2] / kDegree, wanted, 2.0) << tiles.report.start;
         EXPECT_NEAR(tiles.report.mean_side, 0.01, 0.0005);
-        EXPECT_GE(tiles.largest_side, tiles.report.mean_side);
+        EXPECT_GE(tiles.report.largest_side, tiles.report.mean_side);
     }
     const auto endless = std::numeric_limits<double>::infinity();
     EXPECT_THAT(complaint_of([&] { (void)new_tiles(before, {.edge_length = 0.03, .angle = endless}); }),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "outlines/outlines.hpp"
 
+#include <fretwork/geometry/plane.hpp>
 #include <fretwork/tiling/tessellate.hpp>
 #include <fretwork/tiling/tessellation.hpp>
 
@@ -112,6 +113,13 @@ TEST_P(Examples, AreTiledSoundlyWithTheWantedMeanSideAndNearlyAllHexagonsInside)
     // Around the hole of example A, which has 62 tiles inside, rows of hexagons have to end.
     EXPECT_GT(result.report.inner_hexagon_share, outline.holes.empty() ? 0.9 : 0.8);
     EXPECT_GT(result.report.smallest_side, 0.5 * kPaperSide);
+    double longest = 0.0;
+    for (const TileIndex tile : result.tessellation.tiles.indices()) {
+        const geometry::Polygon polygon = tile_polygon(result.tessellation, tile);
+        for (std::size_t i = 0; i < polygon.size(); ++i)
+            longest = std::max(longest, geometry::distance(polygon[i], polygon[(i + 1) % polygon.size()]));
+    }
+    EXPECT_DOUBLE_EQ(result.report.largest_side, longest);
     EXPECT_GT(result.report.smallest_angle, 40 * std::numbers::pi / 180);
 }
 

@@ -90,7 +90,7 @@ Json sides_json(const simulation::NewTiles& tiles) {
     return {{"mean", tiles.report.mean_side},
             {"deviation", tiles.report.sd_side},
             {"smallest", tiles.report.smallest_side},
-            {"largest", tiles.largest_side}};
+            {"largest", tiles.report.largest_side}};
 }
 
 /// The polygons, for a picture of the tiles before they are taken.

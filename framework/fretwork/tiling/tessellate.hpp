@@ -54,6 +54,7 @@ struct TessellationReport {
     double mean_side = 0.0;            ///< mean length of the sides, m
     double sd_side = 0.0;              ///< standard deviation of the lengths of the sides, m
     double smallest_side = 0.0;        ///< length of the shortest side, m
+    double largest_side = 0.0;         ///< length of the longest side, m
     double smallest_angle = 0.0;       ///< smallest angle of a tile, rad
     double hexagon_share = 0.0;        ///< share of hexagons among the tiles
     double inner_hexagon_share = 0.0;  ///< share of hexagons among the tiles without a vertex on the outline;

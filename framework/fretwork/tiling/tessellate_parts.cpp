@@ -33,6 +33,7 @@ void merge(TessellationReport& whole, const TessellationReport& part) {
     whole.mean_side = mean(whole.mean_side, part.mean_side);
     whole.sd_side = std::sqrt(variance);
     whole.smallest_side = std::min(whole.smallest_side, part.smallest_side);
+    whole.largest_side = std::max(whole.largest_side, part.largest_side);
     whole.smallest_angle = std::min(whole.smallest_angle, part.smallest_angle);
     whole.hexagon_share = mean(whole.hexagon_share, part.hexagon_share);
     whole.inner_hexagon_share = mean(whole.inner_hexagon_share, part.inner_hexagon_share);

@@ -86,6 +86,7 @@ void bind_tessellate(py::module_& m) {
         .constant("mean_side", &TessellationReport::mean_side, "m")
         .constant("sd_side", &TessellationReport::sd_side, "m")
         .constant("smallest_side", &TessellationReport::smallest_side, "m")
+        .constant("largest_side", &TessellationReport::largest_side, "m")
         .constant("smallest_angle", &TessellationReport::smallest_angle, "rad")
         .constant("hexagon_share", &TessellationReport::hexagon_share, "of the tiles")
         .constant("inner_hexagon_share", &TessellationReport::inner_hexagon_share,

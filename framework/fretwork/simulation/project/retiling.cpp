@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/geometry/polygon.hpp>
+#include <fretwork/geometry/plane.hpp>
 #include <fretwork/reduction/scenarios/setting_file.hpp>
 #include <fretwork/simulation/load_cases/conditions.hpp>
 #include <fretwork/simulation/project/new_project.hpp>
@@ -8,7 +8,6 @@
 #include <fretwork/tiling/painting/tile_choice.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -18,19 +17,6 @@ namespace {
 using geometry::Point2;
 using tiling::Tessellation;
 using tiling::TileIndex;
-
-double longest_side(const Tessellation& tessellation) {
-    double longest = 0.0;
-    for (const TileIndex tile : tessellation.tiles.indices()) {
-        const geometry::Polygon polygon = tiling::tile_polygon(tessellation, tile);
-        for (std::size_t i = 0; i < polygon.size(); ++i) {
-            const Point2& a = polygon[i];
-            const Point2& b = polygon[(i + 1) % polygon.size()];
-            longest = std::max(longest, std::hypot(b.x - a.x, b.y - a.y));
-        }
-    }
-    return longest;
-}
 
 /// Finds the tile of a tessellation whose centroid is nearest to a place.
 class NearestTile {
@@ -62,7 +48,7 @@ class NearestTile {
         double distance = std::numeric_limits<double>::infinity();
         TileIndex tile{};
         void look_at(const Entry& entry, const Point2& place) {
-            const double away = std::hypot(entry.place.x - place.x, entry.place.y - place.y);
+            const double away = geometry::distance(entry.place, place);
             if (std::pair(away, entry.tile.value) < std::pair(distance, tile.value))
                 *this = {away, entry.tile};
         }
@@ -157,7 +143,6 @@ NewTiles new_tiles(const Project& project, const RetilingOptions& options) {
     tiling::TessellationResult result = tiling::tessellate_parts(parts, made.layout, wanted);
     made.tessellation = std::move(result.tessellation);
     made.report = result.report;
-    made.largest_side = longest_side(made.tessellation);
     return made;
 }
 

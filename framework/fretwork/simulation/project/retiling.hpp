@@ -30,7 +30,6 @@ struct NewTiles {
     pattern::NodeLayout layout = pattern::paper_layout();  ///< layout of the interface nodes
     tiling::Tessellation tessellation;                     ///< tiles, not painted
     tiling::TessellationReport report;                     ///< measures of the tiles
-    double largest_side = 0.0;                             ///< length of the longest side, m
 };
 
 /// Tile the outline of a project again, with tiling_options(). The project is not changed. Its present tiles

@@ -66,6 +66,7 @@ Spread measure_sides(const Dual& dual, const SizeField& field, const base::Contr
         lengths.add(side);
         ratios.add(side / field.at(between(from, to, 0.5)));
         report.smallest_side = std::min(report.smallest_side, side);
+        report.largest_side = std::max(report.largest_side, side);
     });
     report.mean_side = lengths.mean();
     report.sd_side = lengths.deviation();
