@@ -125,6 +125,34 @@ TEST(RimSides, RunAroundTheSurfaceTileByTileAndHoldTheNodesOfTheRim) {
     EXPECT_EQ(nodes, rim_loops(tessellation));
 }
 
+/// With the sides of the rim they are all sides, and their nodes are the same from both tiles.
+TEST(SharedSides, AreThoseOfTwoTiles) {
+    const auto layout = pattern::paper_layout();
+    const auto outline = outlines::read_outline(outlines::example_outline("example_b.svg"));
+    const Tessellation tessellation = tessellate(outline, layout, {.edge_length = 0.05}).tessellation;
+    const std::vector<SharedSide> shared = shared_sides(tessellation);
+    std::size_t rim = 0;
+    for (const auto& line : rim_sides(tessellation)) rim += line.size();
+    std::size_t all = 0;
+    for (const Tile& tile : tessellation.tiles) all += tile.vertices.size();
+    EXPECT_EQ(2 * shared.size() + rim, all);
+    for (const SharedSide& side : shared) {
+        EXPECT_LT(side.tiles[0], side.tiles[1]);
+        const auto begins = [&](TileIndex tile, VertexIndex from, VertexIndex to) {
+            const auto& corners = tessellation.tiles[tile].vertices;
+            const auto at = std::ranges::find(corners, from) - corners.begin();
+            return corners[(at + 1) % corners.size()] == to;
+        };
+        EXPECT_TRUE(begins(side.tiles[1], side.from, side.to));
+        EXPECT_TRUE(begins(side.tiles[0], side.to, side.from));
+        for (const TileIndex tile : side.tiles) {
+            for (const InterfaceIndex node : side.nodes)
+                EXPECT_NE(std::ranges::find(tessellation.tiles[tile].interface_nodes, node),
+                          tessellation.tiles[tile].interface_nodes.end());
+        }
+    }
+}
+
 class Rims : public testing::TestWithParam<std::pair<const char*, outlines::Outline>> {};
 
 /// An outline along a row of hexagons leaves pentagons with sides 1, 1, h, h, sqrt(3): their spread is

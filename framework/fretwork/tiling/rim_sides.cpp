@@ -7,10 +7,16 @@
 namespace fretwork::tiling {
 namespace {
 
-/// The sides that a single tile has, by their first vertex. If two stretches of the rim touch at a vertex,
-/// two sides begin there.
-std::multimap<VertexIndex, RimSide> unshared_sides(const Tessellation& tessellation) {
-    std::map<std::pair<VertexIndex, VertexIndex>, RimSide> sides;
+/// All sides: those that two tiles share, and those of one tile, by the vertex where they begin. Where two
+/// parts of the rim touch in a vertex, two begin there.
+struct Sides {
+    std::vector<SharedSide> shared;
+    std::multimap<VertexIndex, RimSide> rim;
+};
+
+Sides sides_of(const Tessellation& tessellation) {
+    Sides all;
+    std::map<std::pair<VertexIndex, VertexIndex>, RimSide> alone;
     for (const TileIndex t : tessellation.tiles.indices()) {
         const Tile& tile = tessellation.tiles[t];
         const std::size_t count = tile.vertices.size();
@@ -18,20 +24,28 @@ std::multimap<VertexIndex, RimSide> unshared_sides(const Tessellation& tessellat
         for (std::size_t s = 0; s < count; ++s) {
             const VertexIndex from = tile.vertices[s];
             const VertexIndex to = tile.vertices[(s + 1) % count];
-            if (sides.erase({to, from}) > 0) continue;  // a neighbour has the side, too
             const auto first = tile.interface_nodes.begin() + s * nodes_a_side;
-            sides[{from, to}] = {t, from, to, {first, first + nodes_a_side}};
+            RimSide side{t, from, to, {first, first + nodes_a_side}};
+            if (const auto other = alone.find({to, from}); other != alone.end()) {
+                all.shared.push_back({{other->second.tile, t}, from, to, std::move(side.nodes)});
+                alone.erase(other);
+            } else {
+                alone[{from, to}] = std::move(side);
+            }
         }
     }
-    std::multimap<VertexIndex, RimSide> rim;
-    for (auto& [ends, side] : sides) rim.emplace(ends.first, std::move(side));
-    return rim;
+    for (auto& [ends, side] : alone) all.rim.emplace(ends.first, std::move(side));
+    return all;
 }
 
 }  // namespace
 
+std::vector<SharedSide> shared_sides(const Tessellation& tessellation) {
+    return sides_of(tessellation).shared;
+}
+
 std::vector<std::vector<RimSide>> rim_sides(const Tessellation& tessellation) {
-    auto sides = unshared_sides(tessellation);
+    auto sides = sides_of(tessellation).rim;
     std::vector<std::vector<RimSide>> lines;
     while (!sides.empty()) {
         std::vector<RimSide>& line = lines.emplace_back();

@@ -67,6 +67,16 @@ struct RimSide {
     VertexIndex to;                     ///< second vertex of the side
     std::vector<InterfaceIndex> nodes;  ///< interface nodes on the side, in the direction of the side
 };
+/// A side that two tiles share.
+struct SharedSide {
+    std::array<TileIndex, 2> tiles;     ///< the two tiles, ascending
+    VertexIndex from;                   ///< first vertex of the side, counterclockwise around the second tile
+    VertexIndex to;                     ///< second vertex of the side
+    std::vector<InterfaceIndex> nodes;  ///< interface nodes on the side, from `from` to `to`
+};
+/// The sides that two tiles share, in the order of their second tiles.
+std::vector<SharedSide> shared_sides(const Tessellation& tessellation);
+
 /// The closed lines of the rim, each as a list of sides: the outer boundary and each hole.
 std::vector<std::vector<RimSide>> rim_sides(const Tessellation& tessellation);
 /// The interface nodes along each closed line of the rim.

@@ -6,9 +6,11 @@
 #include <fretwork/fabrication/detail/seams.hpp>
 #include <fretwork/geometry/plane.hpp>
 
+#include <algorithm>
 #include <iterator>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace fretwork::fabrication::detail {
@@ -68,22 +70,13 @@ bool all_fit(const std::vector<Box>& boxes, const std::vector<std::size_t>& cell
 }
 
 /// Split cells into groups of tiles that have sides in common; number the groups by their first tile.
-std::vector<std::size_t> connected_groups(const tiling::Tessellation& tessellation,
+std::vector<std::size_t> connected_groups(const std::vector<tiling::SharedSide>& sides,
                                           const std::vector<std::size_t>& cells) {
     base::DisjointSets connected(cells.size());
-    std::map<std::pair<int, int>, std::size_t> tile_of_side;
-    for (std::size_t t = 0; t < cells.size(); ++t) {
-        const auto& vertices = tessellation.tiles[t].vertices;
-        for (std::size_t s = 0; s < vertices.size(); ++s) {
-            const int from = vertices[s];
-            const int to = vertices[(s + 1) % vertices.size()];
-            const auto neighbor = tile_of_side.find({to, from});
-            if (neighbor == tile_of_side.end()) {
-                tile_of_side[{from, to}] = t;
-            } else if (cells[neighbor->second] == cells[t]) {
-                connected.unite(neighbor->second, t);
-            }
-        }
+    for (const tiling::SharedSide& side : sides) {
+        const std::size_t first = side.tiles[0];
+        const std::size_t second = side.tiles[1];
+        if (cells[first] == cells[second]) connected.unite(first, second);
     }
     std::map<std::size_t, std::size_t> number;
     std::vector<std::size_t> parts;
@@ -141,13 +134,18 @@ base::IndexVector<TileIndex, std::size_t> parts_of_tiles(const tiling::Tessellat
         const Box around = grown(box, room.reach);
         return fits(around.width(), around.height(), bed);
     };
-    const SeamRules rules{room.connector, fits_bed, room.control};
+    const SeamRules rules{fits_bed, room.control};
+    const auto sides = tiling::shared_sides(tessellation);
     const auto grids = fitting_grids(boxes, bed, room.reach);
+    std::optional<std::vector<Crossing>> crossings;
     for (const auto& cells : grids) {
-        std::vector<std::size_t> parts = connected_groups(tessellation, cells);
-        if (make_room(tessellation, boxes, rules, parts)) return connected_groups(tessellation, parts);
+        std::vector<std::size_t> parts = connected_groups(sides, cells);
+        // One part has no seam.
+        if (std::ranges::count(parts, parts.front()) == std::ssize(parts)) return parts;
+        if (!crossings) crossings = crossings_of(tessellation, sides, room.connector);
+        if (make_room(*crossings, boxes, rules, parts)) return connected_groups(sides, parts);
     }
-    return connected_groups(tessellation, grids.front());
+    return connected_groups(sides, grids.front());
 }
 
 std::vector<Nest> nested(const std::vector<Box>& boxes, const Bed& bed) {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/random.hpp>
 #include <fretwork/fabrication/detail/seams.hpp>
+#include <fretwork/geometry/plane.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -15,52 +14,14 @@ namespace {
 using geometry::Box;
 using geometry::Point2;
 
-/// An interface node between two tiles: a connector if they are in different parts.
-struct Crossing {
-    std::array<std::size_t, 2> tiles{};
-    Point2 place;
-    bool is_tight = false;           ///< the ends of its side are too near
-    std::vector<std::size_t> close;  ///< crossings that are too near for both to be connectors
-};
-
-std::vector<Crossing> crossings_of(const tiling::Tessellation& tessellation, double room) {
-    std::vector<Crossing> crossings;
-    std::map<std::pair<int, int>, std::size_t> tile_of_side;
-    for (std::size_t t = 0; t < tessellation.tiles.size(); ++t) {
-        const tiling::Tile& tile = tessellation.tiles[t];
-        const std::size_t per_side = tile.interface_nodes.size() / tile.vertices.size();
-        for (std::size_t s = 0; s < tile.vertices.size(); ++s) {
-            const int from = tile.vertices[s];
-            const int to = tile.vertices[(s + 1) % tile.vertices.size()];
-            const auto other = tile_of_side.find({to, from});
-            tile_of_side[{from, to}] = t;
-            if (other == tile_of_side.end()) continue;
-            for (std::size_t i = 0; i < per_side; ++i) {
-                const Point2& place = tessellation.interface_nodes[tile.interface_nodes[s * per_side + i]];
-                const double end = std::min(distance(place, tessellation.vertices[from]),
-                                            distance(place, tessellation.vertices[to]));
-                crossings.push_back({{other->second, t}, place, end <= room, {}});
-            }
-        }
-    }
-    for (std::size_t i = 0; i < crossings.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j) {
-            if (0.5 * distance(crossings[i].place, crossings[j].place) > room) continue;
-            crossings[i].close.push_back(j);
-            crossings[j].close.push_back(i);
-        }
-    }
-    return crossings;
-}
-
 class SeamSearch {
   public:
-    SeamSearch(const tiling::Tessellation& tessellation, const std::vector<Box>& boxes,
-               const SeamRules& rules, std::vector<std::size_t> parts)
+    SeamSearch(const std::vector<Crossing>& crossings, const std::vector<Box>& boxes, const SeamRules& rules,
+               std::vector<std::size_t> parts)
         : boxes_(boxes),
           rules_(rules),
           parts_(std::move(parts)),
-          crossings_(crossings_of(tessellation, rules.room)),
+          crossings_(crossings),
           crossings_of_tile_(boxes.size()) {
         for (std::size_t c = 0; c < crossings_.size(); ++c)
             for (const std::size_t tile : crossings_[c].tiles) crossings_of_tile_[tile].push_back(c);
@@ -178,16 +139,39 @@ class SeamSearch {
     const std::vector<Box>& boxes_;
     const SeamRules& rules_;
     std::vector<std::size_t> parts_;
-    std::vector<Crossing> crossings_;
+    const std::vector<Crossing>& crossings_;
     std::vector<std::vector<std::size_t>> crossings_of_tile_;
     base::SplitMix64 random_{1};
 };
 
 }  // namespace
 
-bool make_room(const tiling::Tessellation& tessellation, const std::vector<Box>& boxes,
-               const SeamRules& rules, std::vector<std::size_t>& parts) {
-    auto found = SeamSearch(tessellation, boxes, rules, parts).run();
+std::vector<Crossing> crossings_of(const tiling::Tessellation& tessellation,
+                                   std::span<const tiling::SharedSide> sides, double room) {
+    std::vector<Crossing> crossings;
+    for (const tiling::SharedSide& side : sides) {
+        const std::size_t first = side.tiles[0];
+        const std::size_t second = side.tiles[1];
+        for (const tiling::InterfaceIndex node : side.nodes) {
+            const Point2& place = tessellation.interface_nodes[node];
+            const double end = std::min(distance(place, tessellation.vertices[side.from]),
+                                        distance(place, tessellation.vertices[side.to]));
+            crossings.push_back({{first, second}, place, end <= room, {}});
+        }
+    }
+    for (std::size_t i = 0; i < crossings.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            if (0.5 * distance(crossings[i].place, crossings[j].place) > room) continue;
+            crossings[i].close.push_back(j);
+            crossings[j].close.push_back(i);
+        }
+    }
+    return crossings;
+}
+
+bool make_room(const std::vector<Crossing>& crossings, const std::vector<Box>& boxes, const SeamRules& rules,
+               std::vector<std::size_t>& parts) {
+    auto found = SeamSearch(crossings, boxes, rules, parts).run();
     if (!found) return false;
     parts = std::move(*found);
     return true;

@@ -3,17 +3,31 @@
 #pragma once
 
 #include <fretwork/base/control.hpp>
-#include <fretwork/geometry/plane.hpp>
+#include <fretwork/geometry/box.hpp>
 #include <fretwork/tiling/tessellation.hpp>
 
+#include <array>
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace fretwork::fabrication::detail {
 
-/// The room that seams must leave.
+/// An interface node between two tiles: a connector if they are in different parts.
+struct Crossing {
+    std::array<std::size_t, 2> tiles{};  ///< the two tiles
+    geometry::Point2 place;              ///< m
+    bool is_tight = false;               ///< the ends of its side are too near
+    std::vector<std::size_t> close;      ///< crossings that are too near for both to be connectors
+};
+
+/// The crossings of a surface, in the order of its shared sides.
+/// @param room  m, around each connector: to the ends of its side, and half way to the next
+std::vector<Crossing> crossings_of(const tiling::Tessellation& tessellation,
+                                   std::span<const tiling::SharedSide> sides, double room);
+
+/// The rules that parts keep while seams move.
 struct SeamRules {
-    double room = 0.0;  ///< m, around each connector: to the ends of its side, and half way to the next
     std::function<bool(const geometry::Box&)> fits;  ///< whether a part with this box of tiles fits the bed
     base::Control control{};
 };
@@ -22,7 +36,7 @@ struct SeamRules {
 /// fitting the bed. Each tile has a number of its part. The search is simulated annealing of the number of
 /// connectors without room; its random numbers have one seed. Returns false if some connector has no room in
 /// the end; `parts` then is not changed. Throws Stopped if `control` asks to stop.
-bool make_room(const tiling::Tessellation& tessellation, const std::vector<geometry::Box>& boxes,
+bool make_room(const std::vector<Crossing>& crossings, const std::vector<geometry::Box>& boxes,
                const SeamRules& rules, std::vector<std::size_t>& parts);
 
 }  // namespace fretwork::fabrication::detail
