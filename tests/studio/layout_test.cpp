@@ -328,7 +328,8 @@ TEST_F(LayoutPage, ReplacesNoFileWithoutAQuestion) {
     EXPECT_TRUE(save({{"replaces", late["conflict"]["hash"]}})["ok"].get<bool>());
 
     simulation::write_project(test::studio_project(), file());
-    EXPECT_FALSE(save({{"replaces", late["conflict"]["hash"]}})["ok"].get<bool>());
+    EXPECT_THAT(save({{"replaces", late["conflict"]["hash"]}})["error"].get<std::string>(),
+                HasSubstr("is no layout"));
     EXPECT_NO_THROW((void)simulation::read_project(file())) << "a project is not lost";
     EXPECT_THAT(client_.ask("save_layout", {{"layout", layout}, {"path", file() + ".txt"}})["error"]
                     .get<std::string>(),
