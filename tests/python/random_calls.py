@@ -47,12 +47,17 @@ def is_fault(error):
         return False
     if isinstance(error, fw.Error) and "\n" in text:
         return True
-    return isinstance(error, SystemError) or bool(RAW.search(text[:2000])) or not text
+    return isinstance(error, (SystemError, UnicodeDecodeError)) or bool(RAW.search(text[:2000])) or not text
 
 
 def shown(arguments):
     """Arguments as they are called, on one line."""
     return reprlib.repr(arguments).encode("ascii", "backslashreplace").decode().replace("\n", " ")[:400]
+
+
+def plain(text):
+    """Without places in memory."""
+    return re.sub(r" at 0x[0-9a-f]+", "", text)
 
 
 class Calls:
@@ -141,10 +146,11 @@ class Calls:
         repr(value)
         hash(value) if type(value).__hash__ else None
         how = self.random.randrange(4)
-        if how == 0:
-            self.values.keep(pickle.loads(pickle.dumps(value)))
-        elif how == 1:
-            self.values.keep(copy.deepcopy(value))
+        if how < 2:
+            again = pickle.loads(pickle.dumps(value)) if how == 0 else copy.deepcopy(value)
+            if hasattr(type(value), "_fields") and plain(repr(again)) != plain(repr(value)):
+                self.fault(f"{number}: a copy of {type(value).__qualname__} is another value")
+            self.values.keep(again)
         elif how == 2:
             bool(value == self.values.wrong())
         elif hasattr(value, "__setstate__"):

@@ -69,6 +69,10 @@ class Errors(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "another type than the docstring says"):
             fw.judge(fw.paper_layout(), [fickle], fw.Pattern([0]))
 
+    def test_none_is_no_function(self):
+        with self.assertRaisesRegex(TypeError, "a function is needed"):
+            fw.judge(fw.paper_layout(), [fw.Filter("none", None)], fw.Pattern([0]))
+
     def test_bytes_that_are_no_text_are_shown_by_their_numbers(self):
         with tempfile.TemporaryDirectory() as folder:
             strange = pathlib.Path(folder) / "strange\n.json"
@@ -78,6 +82,11 @@ class Errors(unittest.TestCase):
         for text in (str(caught.exception), caught.exception.source):
             self.assertNotIn("\n", text)
             self.assertIn("strange\\x0a.json", text)
+
+    def test_a_source_may_have_any_character(self):
+        with self.assertRaises(fw.InputError) as caught:
+            fw.parse_frame("{}", "\0")
+        self.assertRegex(str(caught.exception), r"^\\x00: ")
 
     def test_no_outlines_have_no_size(self):
         with self.assertRaisesRegex(fw.InputError, "no outline"):

@@ -3,6 +3,7 @@
 
 import copy
 import enum
+import gc
 import inspect
 import pickle
 import unittest
@@ -87,6 +88,14 @@ class Views(unittest.TestCase):
         self.assertEqual(first.__array_interface__["data"][0], second.__array_interface__["data"][0])
         with self.assertRaises(ValueError):
             first[0, 0] = 1.0
+
+    def test_copies_of_rows_keep_their_texts(self):
+        for row, name in [(fw.filter_catalogue()[0], "doc"), (fw.writer_catalogue()[0], "description")]:
+            text = getattr(row, name)
+            for again in (copy.copy(row), copy.deepcopy(row), pickle.loads(pickle.dumps(row))):
+                gc.collect()
+                _ = [str(number) * 9 for number in range(10000)]  # takes the place of what was given back
+                self.assertEqual(getattr(again, name), text)
 
 
 class Enums(unittest.TestCase):

@@ -66,7 +66,7 @@ class SurfaceFunction:
     def __init__(self, surface: Surface, load_case: LoadCase, model: str = "corotational",
                  patterns: Sequence[str] = (), stress_exponent: float | None = None) -> None:
         if model not in ("corotational", "condensed"):
-            raise _core.InputError(f"gradients are of the models corotational and condensed, and not of '{model}'")
+            raise _core.InputError(f"gradients are of the models corotational and condensed, and not of {str(model)!r}")
         if patterns and any(load_case.gravity):
             raise _core.InputError("weights of patterns are for load cases without gravity")
         if stress_exponent is not None and not stress_exponent >= 2:

@@ -5,6 +5,8 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
 
+#include <functional>
+
 namespace fretwork::python {
 namespace {
 
@@ -59,7 +61,7 @@ std::pair<std::string, std::string> innermost(const base::ErrorData& data) {
 }
 
 void raise(PyObject* type, const base::Error& error) {
-    const py::object raised = py::handle(type)(line(error.what()));
+    const py::object raised = py::handle(type)(line(base::text_of(error.data())));  // also with NUL
     const auto [source, place] = innermost(error.data());
     raised.attr("problem") = line(error.data().problem);
     raised.attr("kind") = error.data().kind;
@@ -85,6 +87,8 @@ void translate(std::exception_ptr thrown) {
         raise(exceptions().stopped, error);
     } catch (const base::Error& error) {
         raise(exceptions().error, error);
+    } catch (const std::bad_function_call&) {
+        PyErr_SetString(PyExc_TypeError, "a function is needed where None was passed");
     } catch (const py::cast_error&) {
         // What pybind11 says of it is for who writes bindings.
         PyErr_SetString(PyExc_TypeError,

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/record.hpp"
 
+#include <set>
+#include <string>
+
 namespace fretwork::python {
 namespace {
 
@@ -23,6 +26,11 @@ void add_field(py::object& type, const char* name, const py::object& set) {
 void finish_record(py::object& type, Made made) {
     const py::module_ records = py::module_::import("fretwork._record");
     records.attr("finish")(type, made == Made::ByFields);
+}
+
+std::string_view kept_text(std::string_view text) {
+    static std::set<std::string, std::less<>> texts;  // under Python's lock, and never moved
+    return *texts.emplace(text).first;
 }
 
 py::object frozen(py::object value) {

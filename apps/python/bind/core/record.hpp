@@ -4,6 +4,7 @@
 #include "core/enums.hpp"
 
 #include <optional>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 
@@ -23,6 +24,10 @@ void finish_record(py::object& type, Made made);
 
 /// A list as a tuple and an array as a read-only one, so that nobody changes a copy; anything else as it is.
 py::object frozen(py::object value);
+
+/// A copy of a text that lives as long as the program, for members that are views. Rows of catalogues have
+/// them: there are few different ones.
+std::string_view kept_text(std::string_view text);
 
 /// The value of a member, on its way to Python: frozen.
 template <class Value>
@@ -100,7 +105,11 @@ class Record {
     }
     template <class Owner, class Member>
     static py::cpp_function setter(Member Owner::*member) {
-        return py::cpp_function([member](T& self, Member value) { self.*member = std::move(value); });
+        // The text of a view would end with the Python object from which it comes.
+        if constexpr (std::is_same_v<Member, std::string_view>)
+            return py::cpp_function([member](T& self, Member value) { self.*member = kept_text(value); });
+        else
+            return py::cpp_function([member](T& self, Member value) { self.*member = std::move(value); });
     }
 
     py::class_<T> type_;
