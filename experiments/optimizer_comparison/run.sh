@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Compare optimizers on the calibration of the paper's model, and write tables, figures and report.html.
-# Usage: run.sh [--subset | --held-out | --all-patterns] [PROGRAM] [OUTPUT FOLDER]     Goes on where it was stopped.
+# Usage: run.sh [--subset | --held-out | --other-setting | --all-patterns | --annealing-raw] [PROGRAM] [OUTPUT FOLDER]     Goes on where it was stopped.
 #   (nothing)       26 methods on 60 patterns, synthetic targets and analytic functions, and the landscape: 50 minutes of CPU time
 #   --subset        the same on 3 patterns, 1 synthetic and 2 analytic problems: two minutes
 #   --held-out      seven methods on 60 patterns on which nothing was tuned: five minutes
+#   --other-setting eight methods on the held-out patterns in another setting (experiments/settings/flat.json): five minutes
 #   --all-patterns  the three best on all 1,824 patterns: two minutes
+#   --annealing-raw annealing of the quantities on all 1,824 patterns: a quarter of an hour
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 part=everything
@@ -14,6 +16,7 @@ descents=ceres-multistart,gauss-newton-multistart,slsqp
 known=$here/best_known.csv
 name=optimizer_comparison_${part//-/_}
 landscape=()
+setting=()
 # Of each entry one call: options of `optimizers run`. More repetitions of what costs little.
 case $part in
   everything)
@@ -28,10 +31,18 @@ case $part in
     known=$here/best_known_held_out.csv
     runs=("--repetitions 3 --optimizers $descents,mlsl,cma-es,differential-evolution,simulated-annealing"
       "--repetitions 15 --optimizers $descents") ;;
+  other-setting)
+    known=known.csv  # of the output folder, made there
+    setting=(--setting "$here/../settings/flat.json")
+    runs=("--repetitions 1 --optimizers $descents,mlsl,cma-es,differential-evolution,simulated-annealing,annealing-cool"
+      "--repetitions 5 --optimizers $descents") ;;
+  annealing-raw)
+    known=$here/best_known_all_patterns.csv
+    runs=("--repetitions 1 --optimizers annealing-raw") ;;
   all-patterns)
     known=$here/best_known_all_patterns.csv
     runs=("--repetitions 1 --optimizers $descents") ;;
-  *) echo "run.sh: unknown option --$part; there are --subset, --held-out and --all-patterns" >&2; exit 2 ;;
+  *) echo "run.sh: unknown option --$part; there are --subset, --held-out, --other-setting, --all-patterns and --annealing-raw" >&2; exit 2 ;;
 esac
 program=${1:-$here/../../build/release/apps/fretwork/fretwork}
 out=${2:-$here/../../out/$name}
@@ -41,12 +52,17 @@ python=${PYTHON:-/usr/bin/python3}  # Debian's, which has SciPy and Matplotlib
   exit 2
 }
 mkdir -p "$out"
+if [[ $part == other-setting ]]; then
+  known=$out/known.csv
+  sed 's/$/@flat/' "$here/held_out.txt" >"$out/ids.txt"
+  [[ -s $known ]] || "$program" optimizers known --ids "$out/ids.txt" --starts 80 "${setting[@]}" --out "$known"
+fi
 for options in "${runs[@]}"; do
   # shellcheck disable=SC2086  # a list of words
-  "$program" optimizers run --known "$known" $options --out "$out"
+  "$program" optimizers run --known "$known" $options ${setting[@]+"${setting[@]}"} --out "$out"
 done
 "$python" "$here/summary.py" "$known" "$out/results.csv" | tee "$out/summary.md"
-if [[ $part == all-patterns ]]; then exit; fi  # analyse.py compares with annealing
+if [[ $part == all-patterns || $part == annealing-raw ]]; then exit; fi  # analyse.py compares several methods with annealing
 "$python" "$here/analyse.py" "$out/results.csv" "$known" "$out"
 echo "The report is $out/report.html"
 if [[ ${#landscape[@]} -gt 0 ]]; then

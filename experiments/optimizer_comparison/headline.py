@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Print the table of README.md from the runs in documented/: the methods that matter on each set of patterns.
+
+Usage: headline.py      Shares have exact 95 % intervals where each pattern has one run, else by bootstrap (measures.success_interval).
+"""
+import pathlib
+
+import numpy as np
+
+import measures
+
+HERE = pathlib.Path(__file__).resolve().parent
+DOCUMENTED = HERE / "documented"
+OURS = "ceres-multistart"
+# runs, and the best known values of their problems
+SETS = {"60 patterns": ("results.csv.gz", "best_known.csv"), "all 1,824": ("all_patterns_results.csv.gz", "best_known_all_patterns.csv"),
+        "held-out": ("held_out_results.csv.gz", "best_known_held_out.csv")}
+METHODS = (OURS, "gauss-newton-multistart", "slsqp", "mlsl", "bobyqa", "cma-es", "differential-evolution", "annealing-cool", "annealing-reject", "simulated-annealing", "annealing-raw")
+
+
+def runs_of(files):
+    """method -> problem -> runs, on calibrations, with the starts that the comparison gives."""
+    results, known = files
+    groups = {}
+    for run in measures.read_runs(DOCUMENTED / results, measures.read_known(HERE / known)):
+        if run.problem.startswith("calibration/"):
+            groups.setdefault((run.optimizer, run.starts), {}).setdefault(run.problem, []).append(run)
+    return groups
+
+
+def share(by_problem):
+    if not by_problem:
+        return ""
+    hits = [run.gap <= measures.SUCCESS for runs in by_problem.values() for run in runs]
+    low, high = measures.success_interval(by_problem, measures.SUCCESS)
+    return f"{100 * np.mean(hits):.1f} ({100 * low:.1f} to {100 * high:.1f})"
+
+
+def means(by_problem):
+    """Cost and CPU time in ms of a run: of the means over patterns."""
+    return [float(np.mean([np.mean([quantity(run) for run in runs]) for runs in by_problem.values()]))
+            for quantity in (lambda run: run.cost, lambda run: 1e3 * run.cpu)]
+
+
+def main():
+    sets = {name: runs_of(files) for name, files in SETS.items()}
+    sample = sets["60 patterns"]
+    print("| method (starts) | " + " | ".join(f"{name}, %" for name in SETS) + " | factorizations | CPU, ms | factorizations, times the default's | CPU, times |")
+    print("|---" * (len(SETS) + 5) + "|")
+    starts = {name: next(number for method, number in sample if method == name) for name in METHODS}
+    ours = means(sample[OURS, starts[OURS]])
+    for name in METHODS:
+        cost, cpu = means(sample[name, starts[name]])
+        cells = [share(groups.get((name, starts[name]))) for groups in sets.values()]
+        print(f"| `{name}` ({starts[name]}) | " + " | ".join(cells) + f" | {cost:,.0f} | {cpu:.3g} | {cost / ours[0]:.3g} | {cpu / ours[1]:.3g} |")
+
+
+if __name__ == "__main__":
+    main()
