@@ -215,7 +215,7 @@ TEST(NodeLayout, IsEqualIfItsTextIs) {
     other.name = "other";
     EXPECT_NE(NodeLayout(other), paper) << "libraries and results name their layout";
     other = paper.description();
-    other.interface = {Rational(1, 3)};
+    other.interface = {Rational(1, 3), Rational(2, 3)};
     EXPECT_NE(NodeLayout(other), paper);
 }
 
