@@ -45,8 +45,8 @@ int allow_search(void*, int action, const char* first, const char* second, const
 /// The length of the longest text that an expression may make.
 constexpr int kLongestValue = 1'000'000;
 
-/// Restricts a database to searches as long as this object exists: statements are checked by allow_search(), a
-/// word in double quotes is always a column, and no transaction can begin.
+/// Restricts a database to searches as long as this object exists: statements are checked by allow_search(),
+/// a word in double quotes is always a column, and no transaction can begin.
 class SearchOnly {
   public:
     explicit SearchOnly(const Database& database) : handle_(database.handle()) {

@@ -49,8 +49,8 @@ std::string stages_text(std::span<const LoadStage> stages);
 /// Read a file of load stages. Throws as parse_stages.
 std::vector<LoadStage> read_stages(const std::filesystem::path& path);
 
-/// The names of the load stages that were begun, one for each of Result::load_steps. Empty for results without
-/// load stages. Throws InputError as parse_stages.
+/// The names of the load stages that were begun, one for each of Result::load_steps. Empty for results
+/// without load stages. Throws InputError as parse_stages.
 std::vector<std::string> stage_names(const SurfaceResult& result);
 
 /// Load stages with the load cases that they need.

@@ -85,8 +85,9 @@ void bind_surface_result(py::module_& m) {
             "The largest rotation of an interface node, rad.");
     m.def("is_doubtful", &is_doubtful, "result"_a,
           "True if the error of the result may be large and should be estimated.");
-    m.def("path_warning", &path_warning, "result"_a,
-          "A warning about a result that is not the answer to its load, or is unstable; '' if there is none.");
+    m.def(
+        "path_warning", &path_warning, "result"_a,
+        "A warning about a result that is not the answer to its load, or is unstable; '' if there is none.");
     m.def("model_warning", &model_warning, "result"_a,
           "A warning about a result whose error is or may be large; '' if there is none.");
     bind_files<SurfaceResult>(

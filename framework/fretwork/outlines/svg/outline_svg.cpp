@@ -42,8 +42,7 @@ OutlineFile SvgReader::run() {
 ColouredPicture SvgReader::run_for_colours() {
     read();
     if (picture_.shapes.empty())
-        throw base::GeometryError("nothing in it is filled, so that it has no colours" +
-                                  left_out_text());
+        throw base::GeometryError("nothing in it is filled, so that it has no colours" + left_out_text());
     return {std::move(picture_), std::move(colours_)};
 }
 
