@@ -129,6 +129,14 @@ TEST(OutsideCommand, ThatNeverSpeaksIsStopped) {
     EXPECT_EQ(questions, 9);
 }
 
+TEST(OutsideCommand, IsDoneAlsoIfItEndsSlowly) {
+    const auto report = run(python("ask(\"value\", lower)\n"
+                                   "print(\"done\", flush=True)\n"
+                                   "import time\n"
+                                   "time.sleep(600)\n"));
+    EXPECT_EQ(report.ending, Ending::Converged) << "it is killed after a second, which is no error";
+}
+
 TEST(OutsideCommand, HasAValidNameAndACommand) {
     for (const char* name : {"", "a,b", "a b", "a=b", "a:2"})
         EXPECT_THROW((void)outside_command_row({name, "true"}), base::InputError) << name;

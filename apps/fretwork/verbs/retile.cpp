@@ -55,8 +55,10 @@ RetilingOptions wanted_tiles(const RetileOptions& options) {
 }
 
 /// The library of the project has no patterns of another layout.
-std::optional<library::Library> painting_library(const RetileOptions& options, const Project& project) {
-    const bool has_own = options.layout.empty() && !options.painting.patterns.empty();
+std::optional<library::Library> painting_library(const RetileOptions& options, const Project& project,
+                                                 const RetilingOptions& wanted) {
+    const bool has_own =
+        wanted.layout.value_or(project.layout) == project.layout && !options.painting.patterns.empty();
     if (options.library.empty() && !has_own) return std::nullopt;
     return simulation::open_project_library(options.project, project, options.library);
 }
@@ -110,7 +112,7 @@ void run(const RetileOptions& options) {
     RetilingOptions wanted = wanted_tiles(options);
     const Project project = simulation::read_checked_project(options.project);
     refuse_other_project(options.out, {project, options.project});
-    const auto library = painting_library(options, project);
+    const auto library = painting_library(options, project, wanted);
     const library::Library* given = library ? &*library : nullptr;
     LongWork work;
     wanted.control = work.control();

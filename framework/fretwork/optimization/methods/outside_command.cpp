@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace fretwork::optimization {
@@ -52,9 +53,10 @@ class Conversation {
             if (!words.empty() && words.front() == "done") return end(words, *line);
             child_.write_line(answer(words, *line));
         }
-        const int exit_code = child_.finish();
+        const std::optional<int> exit_code = child_.finish();
         if (!is_spent_)
-            refuse("ended with exit code " + std::to_string(exit_code) + " before it said 'done'");
+            refuse((exit_code ? "ended with exit code " + std::to_string(*exit_code) : "closed its output") +
+                   " before it said 'done'");
         return outcome(Ending::BudgetSpent);
     }
 
@@ -119,7 +121,7 @@ class Conversation {
     RunOutcome end(const std::vector<std::string>& words, const std::string& line) {
         const bool is_stalled = words.size() == 2 && words[1] == "stalled";
         if (words.size() > 1 && !is_stalled) refuse_line(line);
-        const int exit_code = child_.finish();
+        const int exit_code = child_.finish().value_or(0);
         if (exit_code != 0) refuse("said 'done', but ended with exit code " + std::to_string(exit_code));
         if (is_spent_) return outcome(Ending::BudgetSpent);
         return outcome(is_stalled ? Ending::Stalled : Ending::Converged);

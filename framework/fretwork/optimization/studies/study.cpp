@@ -141,7 +141,7 @@ StudyReport run_study(const StudyPlan& plan, const std::filesystem::path& folder
     conditions.budget.control = plan.control.silent();
     ProblemStore store(plan.families);
     TableWriter writer(std::move(table), folder, plan);
-    {
+    try {
         const base::Task progress(plan.control, "run optimizers", tasks.size());
         base::parallel_for(tasks.size(), plan.threads, [&](std::size_t i) {
             if (plan.control.stop_wanted()) return;
@@ -153,6 +153,9 @@ StudyReport run_study(const StudyPlan& plan, const std::filesystem::path& folder
                 return;  // finished runs are stored below
             }
         });
+    } catch (...) {
+        (void)writer.finish();  // an error of one method does not lose the runs of the others
+        throw;
     }
     const std::size_t runs_done = writer.finish();
     return {runs_before, runs_done, tasks.size() - runs_done};

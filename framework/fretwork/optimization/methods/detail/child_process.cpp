@@ -68,6 +68,13 @@ int exit_code_of(int status) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : kKilled + WTERMSIG(status);
 }
 
+/// True if the process has ended; its number stays taken until somebody waits for it.
+bool has_ended(pid_t process) {
+    siginfo_t info{};
+    return ::waitid(P_PID, static_cast<id_t>(process), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+           info.si_pid == process;
+}
+
 }  // namespace
 
 ChildProcess::ChildProcess(const std::string& command, const base::Control& control)
@@ -126,23 +133,21 @@ void ChildProcess::write_line(const std::string& text) {
     }
 }
 
-int ChildProcess::finish() {
+std::optional<int> ChildProcess::finish() {
     constexpr auto kPatience = std::chrono::seconds(1);
     constexpr auto kStep = std::chrono::milliseconds(2);
     ::shutdown(socket_, SHUT_WR);
     const auto last = std::chrono::steady_clock::now() + kPatience;
-    int status = 0;
-    while (::waitpid(process_, &status, WNOHANG) == 0) {
+    while (!has_ended(process_) && std::chrono::steady_clock::now() <= last) {
         control_.check();
-        if (std::chrono::steady_clock::now() > last) {
-            ::kill(-process_, SIGKILL);
-            ::waitpid(process_, &status, 0);
-            break;
-        }
         std::this_thread::sleep_for(kStep);
     }
+    const bool is_in_time = has_ended(process_);
+    ::kill(-process_, SIGKILL);  // also the processes that it has started
+    int status = 0;
+    ::waitpid(process_, &status, 0);
     process_ = 0;
-    return exit_code_of(status);
+    return is_in_time ? std::optional(exit_code_of(status)) : std::nullopt;
 }
 
 }  // namespace fretwork::optimization::detail

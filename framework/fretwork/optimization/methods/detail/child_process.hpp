@@ -26,9 +26,10 @@ class ChildProcess {
     std::optional<std::string> read_line();
     /// Write a line. One that the command no longer reads is lost. Throws Stopped.
     void write_line(const std::string& text);
-    /// Say that no more lines come, and wait a second for the end of the command, which is then killed.
-    /// Returns its exit code, or that of a shell whose command was killed by a signal: 128 and its number.
-    int finish();
+    /// Say that no more lines come, and wait a second for the end of the command. Then the command and all
+    /// that it has started are killed. Returns its exit code, or that of a shell whose command was killed by
+    /// a signal: 128 and its number; none if it had not ended by itself.
+    std::optional<int> finish();
 
   private:
     void wait_for(short event) const;
