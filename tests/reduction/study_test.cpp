@@ -3,6 +3,7 @@
 
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/optimization/methods/outside_command.hpp>
 #include <fretwork/optimization/studies/run_table.hpp>
 #include <fretwork/optimization/studies/study.hpp>
 #include <fretwork/reduction/calibration/study_problems.hpp>
@@ -64,6 +65,17 @@ TEST(Study, StoresWhatIsDoneWhenItIsStoppedAndGoesOnThere) {
     EXPECT_EQ(rest.runs_before, 7U);
     EXPECT_EQ(rest.runs_done, 53U);
     EXPECT_EQ(stored_runs(folder.path()), 60U);
+}
+
+/// The first run is stored at once, the next ones only after some seconds, or at the end.
+TEST(Study, KeepsFinishedRunsWhereAMethodFails) {
+    const TemporaryFolder folder;
+    StudyPlan plan = small_plan("crs2");
+    const OptimizerRow failing = outside_command_row(
+        {"failing", "read word dimension; [ $dimension = 2 ] || exit 3; head -n 4 >/dev/null; echo done"});
+    plan.contenders.push_back({&failing, 1});
+    EXPECT_THROW(run_study(plan, folder.path()), base::InputError);
+    EXPECT_EQ(stored_runs(folder.path()), 3U) << "both of the first problem, and crs2's of the second";
 }
 
 TEST(Study, MakesItsFolderBeforeTheFirstRun) {
