@@ -130,10 +130,11 @@ TEST(OutsideCommand, ThatNeverSpeaksIsStopped) {
 }
 
 TEST(OutsideCommand, IsDoneAlsoIfItEndsSlowly) {
-    const auto report = run(python("ask(\"value\", lower)\n"
-                                   "print(\"done\", flush=True)\n"
-                                   "import time\n"
-                                   "time.sleep(600)\n"));
+    const auto report =
+        run(python("ask(\"value\", lower)\n"
+                   "print(\"done\", flush=True)\n"
+                   "import time\n"
+                   "time.sleep(600)\n"));
     EXPECT_EQ(report.ending, Ending::Converged) << "it is killed after a second, which is no error";
 }
 
