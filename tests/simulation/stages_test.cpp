@@ -280,6 +280,27 @@ TEST(Stages, ASupportThatWasMovedIsNotReleased) {
                                HasSubstr("is a support of the load case 'tip'")));
 }
 
+/// Supports that move a surface as a rigid body leave no forces but rounding: later stages begin there.
+TEST(Stages, BeginAndEndWhereSupportsHaveMovedTheSurfaceRigidly) {
+    const std::vector<LoadCase> cases = {named("tip", -0.01)};
+    const auto result = staged(cases, R"({"format": "fretwork/stages/1", "stages": [
+        {"name": "lift", "prescribed": [{"side": "left", "uz": 0.01}, {"side": "right", "uz": 0.01}]},
+        {"name": "hold", "keep": [{"side": "right", "fixed": ["uz"]}]},
+        {"name": "let go", "free": [{"side": "right", "fixed": ["uz"]}]},
+        {"name": "press", "loads": [{"load_case": "tip", "factor": 1}]},
+        {"name": "off", "loads": [{"load_case": "tip", "factor": 0}]}]})");
+    ASSERT_EQ(result.load_steps.size(), 5U);
+    for (const auto& step : result.load_steps) ASSERT_TRUE(step.converged());
+    const auto alone = simulate(strip(), cases.front(), {.model = "corotational"}).solution.displacements;
+    mechanics::NodeValues lift = mechanics::NodeValues::Zero(alone.rows(), alone.cols());
+    lift.col(2).setConstant(0.01);
+    const auto expect_lifted = [&](std::size_t stage, const mechanics::NodeValues& bent) {
+        EXPECT_LT((result.load_steps[stage].displacements - lift - bent).norm(), 1e-6 * alone.norm());
+    };
+    for (const std::size_t stage : {0, 1, 2, 4}) expect_lifted(stage, 0.0 * alone);
+    expect_lifted(3, alone);
+}
+
 TEST(Stages, NoneIsRefused) {
     const std::vector<LoadCase> cases = {named("tip", -0.01)};
     EXPECT_THAT(complaint_of([&] {

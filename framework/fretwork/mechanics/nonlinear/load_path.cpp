@@ -66,7 +66,7 @@ class LoadPath::Impl {
     }
 
     [[nodiscard]] PathEnd end() const {
-        return {point_.configuration, system_.loads_at(point_.load_factor), system_.reactions()};
+        return {point_.configuration, system_.loads_at(point_.load_factor), system_.held_forces()};
     }
 
   private:

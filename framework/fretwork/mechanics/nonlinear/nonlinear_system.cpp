@@ -297,18 +297,16 @@ void NonlinearSystem::gather_unbalanced(double load_factor, const NodeValues& lo
     }
     const double scale = structure::force_norm(loads, unknowns_.length()) +
                          structure::force_norm(reactions(), unknowns_.length());
-    const auto is_unloaded = [&] { return loads.isZero(0.0) && unknowns_.holds_at_rest(load_factor); };
-    const bool is_at_rest =
-        square == 0.0 || (is_rounding() && is_unloaded()) || is_moved_rigidly(scale, std::sqrt(square));
-    relative_residual_ = is_at_rest ? 0.0 : std::sqrt(square) / scale;
+    const bool is_unloaded = loads.isZero(0.0);
+    is_free_of_forces_ =
+        is_unloaded && std::max(scale, std::sqrt(square)) <= kRoundingOfMotion * rounding_.norm();
+    const bool is_rest = is_unloaded && is_rounding() && unknowns_.holds_at_rest(load_factor);
+    relative_residual_ = square == 0.0 || is_free_of_forces_ || is_rest ? 0.0 : std::sqrt(square) / scale;
 }
 
-/// True if supports move the structure as a rigid body. They cause no forces, so all forces are rounding,
-/// reactions included.
-bool NonlinearSystem::is_moved_rigidly(double scale, double unbalanced) const {
-    const bool has_loads = !unknowns_.assembly().loads.isZero(0.0) || !start_loads_.isZero(0.0);
-    if (!unknowns_.has_prescribed() || has_loads) return false;
-    return std::max(scale, unbalanced) <= kRoundingOfMotion * rounding_.norm();
+NodeValues NonlinearSystem::held_forces() const {
+    if (is_free_of_forces_) return NodeValues::Zero(forces_.rows(), kDofsPerNode);
+    return reactions();
 }
 
 void NonlinearSystem::evaluate(const Configuration& configuration, double load_factor, Demand demand) {

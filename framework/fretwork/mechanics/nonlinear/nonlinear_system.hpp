@@ -90,6 +90,9 @@ class NonlinearSystem {
                                              const Configuration& last) const;
     /// The true forces and moments of the supports.
     [[nodiscard]] NodeValues reactions() const;
+    /// The reactions, or zero if supports move the structure as a rigid body: all forces are then rounding,
+    /// which would be the loads of a path that begins by releasing a support.
+    [[nodiscard]] NodeValues held_forces() const;
 
   private:
     struct SkewBlock {
@@ -129,7 +132,6 @@ class NonlinearSystem {
                           const NodeValues& internal);
     [[nodiscard]] Eigen::Matrix3d skew_of_moment(int node, const NodeValues& loads) const;
     void gather_unbalanced(double load_factor, const NodeValues& loads);
-    [[nodiscard]] bool is_moved_rigidly(double scale, double unbalanced) const;
 
     Unknowns unknowns_;
     NodeValues start_loads_;                  ///< loads at the beginning of the path
@@ -151,6 +153,7 @@ class NonlinearSystem {
     NodeValues prescribed_rate_;
     double energy_ = 0.0;
     double relative_residual_ = 0.0;
+    bool is_free_of_forces_ = false;  ///< true without loads, if rounding explains all forces and reactions
     std::vector<double> values_;
     std::vector<SkewBlock> skew_;
     Eigen::VectorXd unbalanced_;
