@@ -3,8 +3,10 @@
 #include "cli/command.hpp"
 #include "output.hpp"
 #include "support.hpp"
+#include "verbs/solve_output.hpp"
 
 #include <fretwork/base/text.hpp>
+#include <fretwork/mechanics/solve.hpp>
 
 #include <algorithm>
 
@@ -89,6 +91,16 @@ TEST_F(Messages, NameThePlaceWhereNothingCanBeWrittenOrRead) {
     EXPECT_THAT(run("fretwork enumerate --library nowhere/N.db").err,
                 HasSubstr("nowhere/N.db: cannot be written"));
     EXPECT_THAT(run("fretwork solve /dev/zero --out r.json").err, HasSubstr("/dev/zero: is a device"));
+}
+
+TEST(PathThatEndsEarly, NamesStepsAndStagesWhereItsIterationsAreSpent) {
+    mechanics::Result result;
+    result.solver = mechanics::solver_name(mechanics::Solver::Newton);
+    result.solution.termination = mechanics::Termination::IterationsSpent;
+    testing::internal::CaptureStdout();
+    print_failure(result, mechanics::Branch::Primary);
+    EXPECT_THAT(testing::internal::GetCapturedStdout(),
+                HasSubstr("more load steps (--steps) or more load stages allow more"));
 }
 
 TEST(SizesOfFiles, HaveThreeDigitsInEveryUnit) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Verbs that read results: beams, comparisons, the range of linear ones, stable paths, modes.
-#include "cli/command.hpp"
+#include "cli/refusal.hpp"
 #include "support.hpp"
 
 #include <fretwork/base/text.hpp>
@@ -14,6 +14,7 @@ namespace fretwork::app {
 namespace THIS_TEST {
 
 using nlohmann::json;
+using test::expect_refused;
 using test::Outcome;
 using test::run_command;
 using testing::AllOf;
@@ -183,6 +184,19 @@ TEST_F(ResultTools, StagesAreListedAndCheckedBeforeTheyAreSimulated) {
     EXPECT_EQ(wrong.exit_code, 2);
     EXPECT_THAT(wrong.err,
                 StartsWith("fretwork: wrong.json: load stage 'let go': /free/0: releases nothing"));
+}
+
+/// Their errors name their file, and options of a load case alone would do nothing.
+TEST_F(ResultTools, StagesRefuseWhatTheyWouldIgnore) {
+    folder_.file("stages.json", R"({"format": "fretwork/stages/1", "stages": [
+        {"name": "press", "loads": [{"load_case": "cantilever", "factor": 0.5}]}]})");
+    const std::string staged = "fretwork simulate p.json --stages stages.json --out staged.json ";
+    expect_refused(staged + "--model condensed", folder_.path(),
+                   "fretwork: stages.json: stages are followed by full and corotational tiles");
+    expect_refused(staged + "--deck d.inp", folder_.path(), "--deck: is for a load case alone");
+    expect_refused(staged + "--frame-out f.json", folder_.path(), "--frame-out: is for a load case alone");
+    expect_refused(staged + "--buckling 1", folder_.path(), "--buckling: is for a load case alone");
+    expect_refused(staged + "--steps 1", folder_.path(), "--steps: is for a load case alone");
 }
 
 TEST_F(ResultTools, ALinearResultSaysInItsFileThatItIsOutOfItsRange) {

@@ -15,7 +15,6 @@
 #include <fretwork/mechanics/frame/frame_file.hpp>
 #include <fretwork/simulation/load_cases/combination.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
-#include <fretwork/simulation/load_cases/stage_conditions.hpp>
 #include <fretwork/simulation/project/project_library.hpp>
 #include <fretwork/simulation/simulate.hpp>
 #include <fretwork/simulation/stages.hpp>
@@ -99,7 +98,7 @@ mechanics::Frame full_frame(Surface surface, const LoadCase& load_case) {
     return simulation::surface_frame(surface, {}, simulation::resolve(load_case, surface));
 }
 
-/// Numerical errors name the project.
+/// Numerical errors name the project, errors of load stages their file.
 simulation::SurfaceResult simulate(const SimulateOptions& options, const Surface& surface,
                                    const LoadCase& load_case, const std::vector<LoadCase>& cases,
                                    const base::Control& control) {
@@ -108,8 +107,9 @@ simulation::SurfaceResult simulate(const SimulateOptions& options, const Surface
             return simulation::simulate(surface, load_case, options.simulation, control);
         const std::vector<simulation::LoadStage> stages = simulation::read_stages(options.stages);
         const simulation::StagePlan plan{load_case, cases, stages};
-        base::located(options.stages, "", [&] { simulation::check_stages(surface, plan); });
-        return simulation::simulate_stages(surface, plan, options.simulation, control);
+        return base::located(options.stages, "", [&] {
+            return simulation::simulate_stages(surface, plan, options.simulation, control);
+        });
     });
 }
 
@@ -154,6 +154,13 @@ ExitCode run(SimulateOptions options) {
     return result.solution.converged() && !misses_error ? ExitCode::Done : ExitCode::DidNotSucceed;
 }
 
+/// Load stages have loads of their own, and no whole load that could be shared out.
+void refuse_beside_stages(const CLI::App& verb, const SimulateOptions& options) {
+    if (options.stages.empty()) return;
+    refuse_given(verb, {"--deck", "--frame-out", "--buckling", "--steps"},
+                 "is for a load case alone, and would ignore --stages: leave one of the two out");
+}
+
 std::string models_help() {
     std::string text = "Model:";
     for (const reduction::TileModel& model : reduction::tile_models())
@@ -173,9 +180,11 @@ void add_what_to_solve(CLI::App& verb, SimulateOptions& options) {
                     "at a stable equilibrium of lower energy")
         ->check(CLI::IsMember(mechanics::branch_names()))
         ->capture_default_str();
-    verb.add_option("--stages", options.stages,
-                    "File of load stages, one after the other: factors of load cases, displacements, "
-                    "components kept and released; supports are those of --case");
+    verb.add_option(
+        "--stages", options.stages,
+        "File of load stages, one after the other: factors of load cases, displacements, "
+        "components kept and released; supports are those of --case. Not with --steps, --buckling, "
+        "--frame-out and --deck");
 }
 
 void add_answers(CLI::App& verb, SimulateOptions& options) {
@@ -233,7 +242,10 @@ void add_simulate(CLI::App& app, ExitCode& exit_code) {
                 output("--vtu", kVtuFile), output("--svg", kSvgFile), output("--series", kSeriesFile)});
     verb->footer(
         "Example: fretwork simulate project.json --case cantilever --model condensed --out reduced.json");
-    verb->callback([options, &exit_code] { exit_code = run(*options); });
+    verb->callback([options, verb, &exit_code] {
+        refuse_beside_stages(*verb, *options);
+        exit_code = run(*options);
+    });
 }
 
 }  // namespace fretwork::app

@@ -76,7 +76,7 @@ std::string ending_text(const mechanics::Result& result, mechanics::Branch branc
                    "; finer divisions or a smaller load may help";
         case mechanics::Termination::IterationsSpent:
             return "the load was not reached within the allowed steps; the path ends at " + place +
-                   "; more load steps (--steps) allow more";
+                   "; more load steps (--steps) or more load stages allow more";
     }
     return "";
 }
