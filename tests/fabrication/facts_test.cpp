@@ -4,6 +4,7 @@
 #include <fretwork/fabrication/facts.hpp>
 #include <fretwork/simulation/results/result_subject.hpp>
 #include <fretwork/simulation/simulate.hpp>
+#include <fretwork/simulation/stages.hpp>
 
 namespace fretwork::fabrication {
 namespace THIS_TEST {
@@ -154,6 +155,40 @@ TEST(Facts, AStressOfAResultThatIsNotTheAnswerIsWarnedOf) {
             EXPECT_FALSE(warning.place) << "it is about the whole surface";
         }
     }
+}
+
+/// The load is taken off again in the last stage, where nearly no stress is left.
+TEST(Facts, TheLargestStressOfAllLoadStagesIsTakenAndItsStageNamed) {
+    const simulation::Surface surface = sample();
+    const std::vector<simulation::LoadCase> cases = {cantilever()};
+    const auto stages = simulation::parse_stages(R"({"format": "fretwork/stages/1", "stages": [
+        {"name": "touch", "loads": [{"load_case": "hanging", "factor": 0.5}]},
+        {"name": "press", "loads": [{"load_case": "hanging", "factor": 1}]},
+        {"name": "off", "loads": [{"load_case": "hanging", "factor": 0}]}]})",
+                                                 "stages.json");
+    const simulation::SurfaceResult staged =
+        simulation::simulate_stages(surface, {cases.front(), cases, stages}, {.model = "corotational"});
+    ASSERT_TRUE(staged.solution.converged());
+    const Facts known = facts(surface, {}, {nullptr, &staged});
+    ASSERT_TRUE(known.stress);
+    EXPECT_EQ(known.stress->source, "the result, load stage press");
+    simulation::SurfaceResult pressed = staged;
+    pressed.solution = staged.load_steps[1];
+    pressed.load_steps.clear();
+    const Facts alone = facts(surface, {}, {nullptr, &pressed});
+    EXPECT_EQ(alone.stress->source, "the result");
+    EXPECT_DOUBLE_EQ(known.stress->value, alone.stress->value);
+    EXPECT_EQ(known.stress->node, alone.stress->node);
+}
+
+TEST(Facts, TheLoadStepWithTheLargestStressIsNamed) {
+    const simulation::Surface surface = sample();
+    const simulation::SurfaceResult result =
+        simulation::simulate(surface, cantilever(), {.model = "corotational", .load_steps = 3});
+    ASSERT_EQ(result.load_steps.size(), 3U);
+    const Facts known = facts(surface, {}, {nullptr, &result});
+    ASSERT_TRUE(known.stress);
+    EXPECT_EQ(known.stress->source, "the result, load step 3") << "the stress grows with the load";
 }
 
 TEST(Facts, SharpAnglesAreToldWithTileAndNode) {

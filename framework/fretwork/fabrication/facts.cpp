@@ -14,6 +14,7 @@
 #include <fretwork/simulation/results/surface_beams.hpp>
 #include <fretwork/simulation/results/surface_linear_range.hpp>
 #include <fretwork/simulation/simulate.hpp>
+#include <fretwork/simulation/stages.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -224,11 +225,24 @@ class FactFinder {
         take_stress(result, "load case " + load_case.name);
     }
 
+    /// Of all load steps and load stages: a load that is taken off again leaves its largest stress behind.
     void take_stress(const simulation::SurfaceResult& result, const std::string& source) {
         const simulation::SurfaceBeams beams = simulation::surface_beams(surface_);
         const auto sections = simulation::beam_sections(beams, surface_.setting);
-        const simulation::BeamState state =
-            simulation::beam_state(surface_, result, beams, sections, options_.models);
+        if (result.load_steps.empty())
+            return take_largest(
+                beams, simulation::beam_state(surface_, result, beams, sections, options_.models), source);
+        const std::vector<simulation::BeamState> states =
+            simulation::step_beam_states(surface_, result, beams, sections, options_.models);
+        const std::vector<std::string> stages = simulation::stage_names(result);
+        for (std::size_t i = 0; i < states.size(); ++i)
+            take_largest(beams, states[i],
+                         source + (i < stages.size() ? ", load stage " + stages[i]
+                                                     : ", load step " + std::to_string(i + 1)));
+    }
+
+    void take_largest(const simulation::SurfaceBeams& beams, const simulation::BeamState& state,
+                      const std::string& source) {
         for (Eigen::Index row = 0; row < state.forces.rows(); ++row) {
             const double value = state.forces(row, simulation::kVonMisesField);
             if (!(value > (facts_.stress ? facts_.stress->value : -1.0))) continue;

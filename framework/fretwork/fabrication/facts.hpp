@@ -74,9 +74,11 @@ struct Facts {
         geometry::Point2 place;   ///< place of the largest deflection, m, at rest
     };
     std::optional<Sag> sag{};  ///< sag under the surface's own weight
-    /// The largest normal stress of a beam.
+    /// The largest von Mises stress of a beam, at the end of any load step or load stage.
     struct Stress {
-        std::string source;          ///< "load case" and its name, or "the result"
+        /// "load case" and its name, or "the result"; of a result with load steps or load stages also the
+        /// number of the load step or the name of the load stage with the stress.
+        std::string source;
         double value = 0.0;          ///< stress, Pa
         TileIndex tile;              ///< tile of the beam
         TessellationNodeIndex node;  ///< node at the end of the beam with the stress
