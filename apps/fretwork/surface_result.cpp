@@ -4,17 +4,13 @@
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/simulation/results/model_doubt.hpp>
-#include <fretwork/simulation/results/surface_linear_range.hpp>
 
 namespace fretwork::app {
 
 simulation::SurfaceResult read_surface_result(const std::string& file) {
     simulation::SurfaceResult result = simulation::read_surface_result(file);
     simulation::check_subject(*result.subject, file);
-    if (simulation::is_out_of_range(result)) warn(file + ": " + simulation::linear_doubt_text(result));
-    for (const std::string& warning : {simulation::path_warning(result), simulation::model_warning(result)}) {
-        if (!warning.empty()) warn(file + ": " + warning);
-    }
+    for (const std::string& warning : simulation::result_warnings(result)) warn(file + ": " + warning);
     return result;
 }
 

@@ -4,6 +4,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/results/result_file.hpp>
 #include <fretwork/simulation/results/model_doubt.hpp>
+#include <fretwork/simulation/results/surface_linear_range.hpp>
 #include <fretwork/simulation/results/surface_result.hpp>
 
 #include <gmock/gmock.h>
@@ -109,6 +110,21 @@ TEST(SurfaceResult, AnEndThatIsNotTheAnswerIsWarnedOf) {
     EXPECT_THAT(path_warning(result), HasSubstr("load stage 1 ends at 43 % of the load"));
     result.solver = "relaxation";
     EXPECT_EQ(path_warning(result), "this is not an equilibrium");
+}
+
+TEST(SurfaceResult, HasAllOfItsWarningsInOneList) {
+    SurfaceResult result = some_result();
+    result.linear_range.reset();
+    result.model_doubt.reset();
+    result.model_error.reset();
+    ASSERT_EQ(path_warning(result), "");
+    EXPECT_THAT(result_warnings(result), testing::IsEmpty());
+    result.solution.stable = false;
+    result.solution.stability = mechanics::StabilityTest::Tangent;
+    result.linear_range = mechanics::LinearRange{0.125, true};
+    result.model_error = ModelError{.mean = 0.1, .largest = 0.2};
+    EXPECT_THAT(result_warnings(result),
+                testing::ElementsAre(path_warning(result), linear_doubt_text(result), model_warning(result)));
 }
 
 }  // namespace THIS_TEST

@@ -12,7 +12,6 @@
 #include <fretwork/simulation/results/model_doubt.hpp>
 #include <fretwork/simulation/results/result_subject.hpp>
 #include <fretwork/simulation/results/surface_beams.hpp>
-#include <fretwork/simulation/results/surface_linear_range.hpp>
 #include <fretwork/simulation/simulate.hpp>
 #include <fretwork/simulation/stages.hpp>
 
@@ -111,11 +110,7 @@ class FactFinder {
     }
     /// Sag and stress are as good as the result from which they come.
     void warn_of_result(const std::string& value, const simulation::SurfaceResult& result) {
-        const std::string linear =
-            simulation::is_out_of_range(result) ? simulation::linear_doubt_text(result) : "";
-        for (const std::string& warning :
-             {simulation::path_warning(result), linear, simulation::model_warning(result)})
-            if (!warning.empty()) warn(value + ": " + warning);
+        for (const std::string& warning : simulation::result_warnings(result)) warn(value + ": " + warning);
     }
     void warn_of_more(std::size_t count, const std::string& what) {
         if (count > kMostOfOneKind) warn("and " + std::to_string(count - kMostOfOneKind) + " more " + what);

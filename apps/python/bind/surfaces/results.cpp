@@ -90,6 +90,8 @@ void bind_surface_result(py::module_& m) {
         "A warning about a result that is not the answer to its load, or is unstable; '' if there is none.");
     m.def("model_warning", &model_warning, "result"_a,
           "A warning about a result whose error is or may be large; '' if there is none.");
+    m.def("result_warnings", &result_warnings, "result"_a,
+          "All warnings about a result: its path, the range of a linear solution, its model.");
     bind_files<SurfaceResult>(
         m, "surface_result",
         {&parse_surface_result, &surface_result_text, &read_surface_result, &write_surface_result});

@@ -2,6 +2,7 @@
 #include <fretwork/mechanics/solve.hpp>
 #include <fretwork/simulation/results/comparison.hpp>
 #include <fretwork/simulation/results/model_doubt.hpp>
+#include <fretwork/simulation/results/surface_linear_range.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -76,6 +77,14 @@ std::string model_warning(const SurfaceResult& result) {
     std::snprintf(stress, sizeof stress, ", and by %.2g %% of the largest stress",
                   100.0 * *error->largest_stress);
     return std::string(text) + stress;
+}
+
+std::vector<std::string> result_warnings(const SurfaceResult& result) {
+    std::vector<std::string> warnings = {path_warning(result),
+                                         is_out_of_range(result) ? linear_doubt_text(result) : "",
+                                         model_warning(result)};
+    std::erase(warnings, "");
+    return warnings;
 }
 
 }  // namespace fretwork::simulation

@@ -5,6 +5,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace fretwork::simulation {
 
@@ -42,5 +43,8 @@ std::string path_warning(const SurfaceResult& result);
 /// The warning about a converged result whose estimated error is large, or whose error is not known and may
 /// be large. Empty if there is no reason to warn.
 std::string model_warning(const SurfaceResult& result);
+/// All warnings about a result, each in one line: path_warning(), linear_doubt_text() if is_out_of_range(),
+/// and model_warning(). Empty if there is no reason to warn.
+std::vector<std::string> result_warnings(const SurfaceResult& result);
 
 }  // namespace fretwork::simulation
