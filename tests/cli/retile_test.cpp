@@ -178,5 +178,25 @@ TEST(ProjectsInOtherFolders, KeepTheirLibrary) {
     }
 }
 
+/// What comes through a pipe, or from a shell, lies in no folder: the library is sought from the current one.
+TEST(ProjectsFromPipes, KeepTheLibraryOfTheCurrentFolder) {
+    const TemporaryFolder folder;
+    const auto run = [&](const std::string& command) { return run_command(command, folder.path()); };
+    ASSERT_EQ(run("mkdir sub && fretwork enumerate --edges 2..3 --library L.db && fretwork tile "
+                  "experiments/outlines/specimen.svg --edge-length 60mm --library L.db --patterns 0-1+1-6 "
+                  "--out p.json")
+                  .exit_code,
+              0);
+    for (const std::string words :
+         {"retile /dev/stdin --edge-length 50mm --patterns 0-5+5-6", "paint /dev/stdin --patterns 0-5+5-6"}) {
+        for (const std::string line : {"cat p.json | fretwork " + words + " --out sub/q.json",
+                                       "fretwork " + words + " --out sub/q.json < p.json"}) {
+            const Outcome done = run(line);
+            ASSERT_EQ(done.exit_code, 0) << line << "\n" << done.err;
+            EXPECT_EQ(simulation::read_project(folder.path() / "sub/q.json").library_path, "../L.db") << line;
+        }
+    }
+}
+
 }  // namespace THIS_TEST
 }  // namespace fretwork::app

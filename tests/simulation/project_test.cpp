@@ -6,8 +6,10 @@
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
 #include <fretwork/simulation/project/new_project.hpp>
 #include <fretwork/simulation/project/project_file.hpp>
+#include <fretwork/simulation/project/project_library.hpp>
 
 #include <regex>
+#include <sys/stat.h>
 
 namespace fretwork::simulation {
 namespace THIS_TEST {
@@ -49,6 +51,28 @@ TEST(ProjectFile, KeepsItsLibrary) {
     write_project(project, folder.path() / "a.json");
     EXPECT_EQ(read_project(folder.path() / "a.json").library_path, "lib.db");
     EXPECT_EQ(read_project(folder.path() / "a.json").library_hash, "abc");
+}
+
+/// A named pipe has a folder; what comes through it does not lie there.
+TEST(ProjectLibrary, OfAProjectThatComesThroughAPipeLiesInTheCurrentFolder) {
+    namespace fs = std::filesystem;
+    const TemporaryFolder folder;
+    const std::string pipe = folder.path() / "pipe";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    Project project = example();
+    project.library_path = "lib.db";
+    const std::string from_here = fs::absolute("lib.db").lexically_relative(folder.path());
+    for (const std::string& stream : {pipe, std::string("/dev/stdin"), std::string("/dev/fd/0")}) {
+        EXPECT_TRUE(folder_of_project(stream).empty()) << stream;
+        EXPECT_EQ(library_path_of(stream, project), "lib.db") << stream;
+        Project written = project;
+        move_library_path(written, stream, folder.path() / "p.json");
+        EXPECT_EQ(written.library_path, from_here) << stream;
+    }
+    EXPECT_TRUE(folder_of_project(folder.path() / "p.json") == folder.path());
+    EXPECT_EQ(library_path_from(folder.path() / "p.json", folder.path() / "lib.db"), "lib.db");
+    EXPECT_EQ(library_path_from("/dev/stdout", "lib.db"), "lib.db");
+    EXPECT_EQ(library_path_from("p.json", "sub/../lib.db"), "lib.db");
 }
 
 TEST(ProjectFile, KeepsItsSettingAndTheModelsOfItsTiles) {

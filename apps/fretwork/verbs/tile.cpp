@@ -83,9 +83,7 @@ void name_library(Project& project, const TileOptions& options, const Library* l
     project.library_path.clear();
     project.library_hash.clear();
     if (!library) return;
-    const auto folder = std::filesystem::absolute(options.out).parent_path();
-    project.library_path =
-        std::filesystem::absolute(library->path()).lexically_relative(folder).generic_string();
+    project.library_path = simulation::library_path_from(options.out, library->path());
     project.library_hash = library->content_hash();
 }
 

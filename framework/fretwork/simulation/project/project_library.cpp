@@ -12,6 +12,8 @@
 namespace fretwork::simulation {
 namespace {
 
+namespace fs = std::filesystem;
+
 /// Where a project says which tile model a tile has; "" where it does not.
 std::string place_of_model(const Project& project, tiling::TileIndex tile) {
     for (std::size_t i = 0; i < project.tile_models.size(); ++i) {
@@ -36,25 +38,39 @@ void check_values(std::span<const double> values, const std::string& pattern,
     }
 }
 
+/// Pipes, and names of open files, which may also lead to a file that a shell has opened.
+bool is_stream(const fs::path& file) {
+    const fs::path folder = file.lexically_normal().parent_path();
+    if (folder == "/dev" || folder == "/dev/fd" || folder == "/proc/self/fd") return true;
+    std::error_code unknown;
+    return fs::exists(file, unknown) && !fs::is_regular_file(file, unknown);
+}
+
+fs::path absolute_folder(const std::string& project_file) {
+    return fs::absolute(folder_of_project(project_file) / "project").lexically_normal().parent_path();
+}
+
 }  // namespace
+
+fs::path folder_of_project(const std::string& project_file) {
+    return is_stream(project_file) ? fs::path() : fs::path(project_file).parent_path();
+}
+
+std::string library_path_from(const std::string& project_file, const fs::path& library) {
+    return fs::absolute(library)
+        .lexically_normal()
+        .lexically_relative(absolute_folder(project_file))
+        .generic_string();
+}
 
 std::string library_path_of(const std::string& project_file, const Project& project) {
     if (project.library_path.empty()) return "";
-    // A project that comes through a pipe lies nowhere: its paths are those of the folder one works in.
-    std::error_code unknown;
-    const bool is_file = std::filesystem::is_regular_file(project_file, unknown);
-    const auto folder = is_file ? std::filesystem::path(project_file).parent_path() : std::filesystem::path();
-    return (folder / project.library_path).string();
+    return (folder_of_project(project_file) / project.library_path).string();
 }
 
 void move_library_path(Project& project, const std::string& from_file, const std::string& to_file) {
-    namespace fs = std::filesystem;
-    const auto folder_of = [](const std::string& file) {
-        return fs::absolute(file).lexically_normal().parent_path();
-    };
-    if (project.library_path.empty() || folder_of(from_file) == folder_of(to_file)) return;
-    const fs::path library = fs::absolute(library_path_of(from_file, project)).lexically_normal();
-    project.library_path = library.lexically_relative(folder_of(to_file)).generic_string();
+    if (project.library_path.empty() || absolute_folder(from_file) == absolute_folder(to_file)) return;
+    project.library_path = library_path_from(to_file, library_path_of(from_file, project));
 }
 
 reduction::Setting setting_of(const Project& project, const library::Library* library) {
@@ -71,7 +87,7 @@ std::optional<library::Library> open_project_library(const std::string& project_
     if (project.library_path.empty()) return std::nullopt;
     const std::string path = library_path_of(project_file, project);
     std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored))
+    if (!fs::exists(path, ignored))
         throw base::InputError(
             project_file, "/library/path",
             "the library " + path + " is not there; bring it back, or give another library");

@@ -5,10 +5,19 @@
 #include <fretwork/simulation/model_choice.hpp>
 #include <fretwork/simulation/project/project.hpp>
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
 namespace fretwork::simulation {
+
+/// The folder from which the path of a project's library leads: the folder of the project file. A project
+/// that comes or goes through a pipe (a named pipe, /dev/stdin) has no folder; the paths in it lead from the
+/// current folder. Empty: the current folder.
+std::filesystem::path folder_of_project(const std::string& project_file);
+
+/// The path by which a project in `project_file` names a library.
+std::string library_path_from(const std::string& project_file, const std::filesystem::path& library);
 
 /// The path of a project's library; empty if the project names none.
 std::string library_path_of(const std::string& project_file, const Project& project);
