@@ -3,12 +3,18 @@
 
 #include <fretwork/simulation/results/result_subject.hpp>
 
+#include <span>
 #include <string>
+#include <vector>
 
 namespace fretwork::app {
 
 /// Read a surface's result and check its subject. Each warning about the result is a line on standard error.
 simulation::SurfaceResult read_surface_result(const std::string& file);
+
+/// Read results and check their subjects. A warning that several results have is one line, with all of their
+/// files.
+std::vector<simulation::SurfaceResult> read_surface_results(std::span<const std::string> files);
 
 /// Throw InputError unless a result that was read from `file` is one of a project's surface.
 void check_subject_of(const simulation::SurfaceIdentity& surface, const simulation::SurfaceResult& result,

@@ -166,6 +166,23 @@ TEST_F(ResultTools, AResultThatIsNotTheAnswerSaysSoInEveryCommand) {
     EXPECT_THAT(base::read_text_file(folder_.path() / "e.json"), HasSubstr("ends at 43 % of the load"));
 }
 
+TEST_F(ResultTools, AWarningOfBothResultsIsGivenOnceByComparisons) {
+    json unstable = json::parse(base::read_text_file(folder_.path() / "full.json"));
+    unstable["stable"] = false;
+    unstable["stability"] = "tangent";
+    folder_.file("one.json", unstable.dump());
+    folder_.file("two.json", unstable.dump());
+    const Outcome both = run("fretwork compare one.json two.json");
+    EXPECT_EQ(both.exit_code, 0);
+    EXPECT_EQ(
+        both.err,
+        "fretwork: one.json and two.json: this equilibrium is unstable: a specimen does not stay there\n"
+        "fretwork: one.json: the errors are relative to an equilibrium that is not stable; simulate "
+        "--branch stable finds the stable one\n");
+    EXPECT_THAT(run("fretwork compare two.json two.json").err,
+                StartsWith("fretwork: two.json: this equilibrium is unstable"));
+}
+
 TEST_F(ResultTools, StagesAreListedAndCheckedBeforeTheyAreSimulated) {
     folder_.file("stages.json", R"({"format": "fretwork/stages/1", "stages": [
         {"name": "press", "loads": [{"load_case": "cantilever", "factor": 0.5}]},

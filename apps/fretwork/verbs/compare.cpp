@@ -10,6 +10,7 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/simulation/results/comparison.hpp>
 
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -55,8 +56,9 @@ simulation::Comparison compare(const CompareOptions& options, const simulation::
 }
 
 ExitCode run(const CompareOptions& options) {
-    const auto full = read_surface_result(options.full);
-    const auto reduced = read_surface_result(options.reduced);
+    const auto results = read_surface_results(std::array{options.full, options.reduced});
+    const simulation::SurfaceResult& full = results.front();
+    const simulation::SurfaceResult& reduced = results.back();
     const simulation::Comparison comparison = compare(options, full, reduced);
     const std::string name =
         options.name.empty() ? std::filesystem::path(options.full).stem().string() : options.name;
@@ -70,8 +72,8 @@ ExitCode run(const CompareOptions& options) {
     }
     if (comparison.full_is_unstable)
         warn(options.full +
-             " is an unstable equilibrium, in which no specimen stays, and the errors are relative to it; "
-             "simulate --branch stable finds the stable one");
+             ": the errors are relative to an equilibrium that is not stable; simulate --branch stable finds "
+             "the stable one");
     if (options.tolerance && !(comparison.relative_l2_error <= *options.tolerance)) {
         warn("the relative error " + base::format_number(comparison.relative_l2_error, 4) +
              " is above the tolerance " + base::format_number(*options.tolerance, 4));
