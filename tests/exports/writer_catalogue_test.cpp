@@ -38,11 +38,25 @@ TEST(WriterCatalogue, EveryWriterWritesEverySceneDeterministically) {
             }
             texts.insert(text);
         }
-        if (writer.is_made() && writer.content != Content::Facts)
+        if (!writer.shows_results())
             EXPECT_EQ(texts.size(), 1U) << writer.ending << ": results make no difference";
         else
             EXPECT_GE(texts.size(), writer.is_made() ? 2U : 3U)
                 << writer.ending << ": results make a difference";
+    }
+}
+
+TEST(WriterCatalogue, FilesThatMoveAreThoseThatShowLoadSteps) {
+    const simulation::Surface surface = sample_surface();
+    Scene at_end{surface, std::nullopt, {{"full", bent(surface, Rows::EveryNode)}}};
+    at_end.picture.size = {64, 40};
+    Scene in_steps = at_end;
+    simulation::SurfaceResult& result = in_steps.results.front().result;
+    result.load_steps = {bent(surface, Rows::EveryNode, 0.5).solution, result.solution};
+    for (const WriterRow& writer : writer_catalogue()) {
+        if (writer.is_made()) continue;
+        EXPECT_EQ(writer.write(in_steps).text != writer.write(at_end).text, writer.moves()) << writer.ending;
+        EXPECT_EQ(writer.is_picture() && !writer.has_view(), writer.moves()) << writer.ending;
     }
 }
 

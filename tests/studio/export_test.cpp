@@ -17,7 +17,6 @@ namespace fretwork::studio {
 namespace THIS_TEST {
 
 using base::Json;
-using exports::Content;
 using exports::WriterRow;
 using test::Client;
 using test::RunningStudio;
@@ -40,11 +39,6 @@ Download exported(const RunningStudio& studio, const WriterRow& writer) {
         test::get_request("/export?token=" + studio.token() + "&to=file" + std::string(writer.ending) +
                           "&content=" + std::string(content_name(writer.content)) + "&size=64x40"));
     return {test::status_of(answer), answer.substr(answer.find("\r\n\r\n") + 4)};
-}
-
-/// Files that show how the surface answers its load.
-bool shows_answer(const WriterRow& writer) {
-    return !writer.is_made() || writer.content == Content::Facts;
 }
 
 /// The state that the page shows: the document as it would be saved, with its live model and its selected
@@ -86,7 +80,7 @@ void expect_exports_of_what_is_shown(const RunningStudio& studio, Client& client
     for (const WriterRow& writer : exports::writer_catalogue()) {
         const Download file = exported(studio, writer);
         ASSERT_EQ(file.status, 200) << writer.ending << ": " << file.body;
-        if (shows_answer(writer)) {
+        if (writer.shows_results()) {
             EXPECT_NE(file.body, writer.write(at_rest).text) << writer.ending;
         }
         if (writer.ending == ".csv") {
@@ -149,7 +143,7 @@ TEST(StudioExports, WithoutAnAnswerFilesThatWouldShowItAreRefusedWithTheReason) 
     ASSERT_TRUE(client.ask("set_load_case", {{"index", 0}, {"load_case", not_held}})["ok"].get<bool>());
     for (const WriterRow& writer : exports::writer_catalogue()) {
         const Download file = exported(studio, writer);
-        if (shows_answer(writer)) {
+        if (writer.shows_results()) {
             EXPECT_EQ(file.status, 422) << writer.ending;
             EXPECT_THAT(file.body, HasSubstr("there is no answer to export: ")) << writer.ending;
         } else {

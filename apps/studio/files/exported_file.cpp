@@ -63,9 +63,6 @@ const exports::WriterRow& find_target_writer(const Target& target) {
     return exports::find_writer(target.value("to"), wanted);
 }
 
-/// The kind of files that move.
-constexpr std::string_view kMoves = ".glb";
-
 /// The load path of a nonlinear model, in the number of steps that is asked for. The path of a linear one is
 /// straight, and its end is enough.
 void add_load_path(const Target& target, simulation::SimulationOptions options, exports::Scene& scene) {
@@ -101,7 +98,7 @@ HttpAnswer exported(const Target& target, const Situation& situation, const Solv
                 simulation::result_subject(scene.surface, load_case, options);
         }
     }
-    if (writer.ending == kMoves) add_load_path(target, options, scene);
+    if (writer.moves()) add_load_path(target, options, scene);
     if (writer.is_made()) scene.making = read_making(target, scene.conditions);
     exports::Written written = writer.write(scene);
     if (writer.is_made()) {
@@ -132,8 +129,7 @@ bool ExportTarget::is_project() const {
 
 bool ExportTarget::shows_answer() const {
     if (is_project()) return false;
-    const exports::WriterRow& writer = find_target_writer(target_);
-    return !writer.is_made() || writer.content == exports::Content::Facts;
+    return find_target_writer(target_).shows_results();
 }
 
 HttpAnswer ExportTarget::file_of(const Situation& situation, const std::filesystem::path& folder,

@@ -133,7 +133,7 @@ constexpr std::array<WriterRow, 18> kWriters = {{
      "animated glTF for slides and 3D programs: the same bars, moving from rest through the load steps of "
      "the "
      "first result",
-     [](const Scene& scene) { return Written{motion_glb(scene)}; }, Kind::Picture},
+     [](const Scene& scene) { return Written{motion_glb(scene)}; }, Kind::Motion},
     {".dxf", Content::Cut, "outline for cutting: closed lines with true arcs, in millimetres, in layers",
      [](const Scene& scene) { return cut(scene, cut_dxf); }, Kind::Made},
     {".stl", Content::Solid, "solid for printing: closed, in millimetres (binary)",
@@ -209,8 +209,7 @@ std::string_view content_name(Content content) {
 
 std::string_view unit_of(const WriterRow& writer) {
     if (writer.ending == ".png" || writer.ending == ".html") return "none";
-    return writer.ending == ".svg" || (writer.is_made() && writer.content != Content::Facts) ? "millimetre"
-                                                                                             : "metre";
+    return writer.ending == ".svg" || !writer.shows_results() ? "millimetre" : "metre";
 }
 
 Content parse_content(const std::string& name) {

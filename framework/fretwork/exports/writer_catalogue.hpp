@@ -42,17 +42,22 @@ struct WriterRow {
         Data,     ///< no further members
         Drawing,  ///< conditions, scale and view
         Picture,  ///< those of a drawing, and Scene::picture
+        Motion,   ///< those of a picture without view; the file moves through the load steps of a result
         Made      ///< the members for making
     };
     Kind kind = Kind::Data;  ///< kind of members
     /// True if the writer reads conditions, scale and view of a scene.
     [[nodiscard]] bool is_drawing() const { return kind == Kind::Drawing || is_picture(); }
     /// True if the writer also reads Scene::picture.
-    [[nodiscard]] bool is_picture() const { return kind == Kind::Picture; }
+    [[nodiscard]] bool is_picture() const { return kind == Kind::Picture || moves(); }
+    /// True if the file moves from rest through the load steps of the first result.
+    [[nodiscard]] bool moves() const { return kind == Kind::Motion; }
     /// True if the writer reads Scene::view.
-    [[nodiscard]] bool has_view() const { return is_drawing() && ending != ".glb"; }
+    [[nodiscard]] bool has_view() const { return is_drawing() && !moves(); }
     /// True if the writer reads Scene::making.
     [[nodiscard]] bool is_made() const { return kind == Kind::Made; }
+    /// True if the file depends on the results of a scene; other files show the surface as it is made.
+    [[nodiscard]] bool shows_results() const { return !is_made() || content == Content::Facts; }
 };
 
 /// The unit of lengths in the files of a writer.

@@ -139,7 +139,7 @@ FRETWORK_ENUM(exports::Content, "Content", "The kind of content of a file.", "dr
               "solid", "facts");
 FRETWORK_ENUM(exports::WriterRow::Kind, "WriterKind",
               "The input of a writer in addition to surface and results.", "data", "drawing", "picture",
-              "made");
+              "motion", "made");
 FRETWORK_ENUM(exports::DrawnLabels::Shown, "Shown", "The choice whether numbers are drawn.", "no", "yes");
 FRETWORK_ENUM(exports::MeshKind, "MeshKind", "Kinds of files for meshes of lines.", "obj", "ply");
 
