@@ -8,7 +8,6 @@
 #include <fretwork/optimization/studies/study.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <map>
 #include <mutex>
@@ -85,7 +84,6 @@ class TableWriter {
         const std::lock_guard lock(mutex_);
         table_.add(record);
         ++runs_done_;
-        if (plan_.control.progress != nullptr) plan_.control.progress->update(runs_done_);
         if (Clock::now() >= next_write_) write();
     }
 
@@ -142,13 +140,14 @@ StudyReport run_study(const StudyPlan& plan, const std::filesystem::path& folder
     ProblemStore store(plan.families);
     TableWriter writer(std::move(table), folder, plan);
     try {
-        const base::Task progress(plan.control, "run optimizers", tasks.size());
+        base::ParallelTask progress(plan.control, "run optimizers", tasks.size());
         base::parallel_for(tasks.size(), plan.threads, [&](std::size_t i) {
             if (plan.control.stop_wanted()) return;
             const Task& task = tasks[i];
             const StudyProblem& entry = store.get(task.key.problem);
             try {
                 writer.add(record_run({*entry.problem, entry.optimum}, task.contender, task.key, conditions));
+                progress.advance();
             } catch (const base::Stopped&) {
                 return;  // finished runs are stored below
             }
