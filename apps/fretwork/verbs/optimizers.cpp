@@ -51,11 +51,14 @@ struct OptimizersOptions {
     bool json = false;
 };
 
-/// The setting of --setting, which ids of problems name by its own name or that of its file.
+/// The name by which ids of problems name the setting of --setting: its own, or that of its file.
+std::string setting_name(const OptimizersOptions& options) {
+    return std::filesystem::path(options.setting).stem().string();
+}
+
 std::vector<reduction::NamedSetting> given_settings(const OptimizersOptions& options) {
     if (options.setting.empty()) return {};
-    return {
-        {std::filesystem::path(options.setting).stem().string(), reduction::find_setting(options.setting)}};
+    return {{setting_name(options), reduction::find_setting(options.setting)}};
 }
 
 optimization::study::ProblemFamilies families_of(const OptimizersOptions& options) {
@@ -64,9 +67,8 @@ optimization::study::ProblemFamilies families_of(const OptimizersOptions& option
 
 /// The problems of a comparison in the setting of --setting, or else in the paper's.
 std::vector<std::string> problems_to_choose(const OptimizersOptions& options) {
-    const auto settings = given_settings(options);
-    return settings.empty() ? reduction::study_problem_ids(options.patterns)
-                            : reduction::study_problem_ids_in(settings.front().name, options.patterns);
+    return options.setting.empty() ? reduction::study_problem_ids(options.patterns)
+                                   : reduction::study_problem_ids_in(setting_name(options), options.patterns);
 }
 
 // ---- list ----
