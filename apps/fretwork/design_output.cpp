@@ -42,7 +42,7 @@ void print_utilization(const DesignReport& report) {
 
 }  // namespace
 
-void print_design_json(const DesignReport& report, const design::DesignOptions& options) {
+void print_design_json(const DesignReport& report, std::span<const design::DesignWarning> warnings) {
     const Json json = {{"error_mean", base::or_null(report.error, &TargetError::mean)},
                        {"error_largest", base::or_null(report.error, &TargetError::largest)},
                        {"error_best_uniform", base::or_null(report.best_uniform, &TargetError::mean)},
@@ -69,7 +69,7 @@ void print_design_json(const DesignReport& report, const design::DesignOptions& 
                        {"starts", report.starts},
                        {"history", history_json(report)},
                        {"patterns", report.patterns},
-                       {"warnings", design::plain_texts(design::design_warnings(report, options))},
+                       {"warnings", design::plain_texts(warnings)},
                        {"seconds", report.seconds},
                        {"solutions", report.solutions},
                        {"full_solutions", report.full_solutions},
@@ -107,8 +107,8 @@ void print_design(const DesignReport& report) {
         report.full_solutions, report.seconds, std::string(design::design_end_words(report.end)).c_str());
 }
 
-void warn_of_design(const DesignReport& report, const design::DesignOptions& options) {
-    for (const design::DesignWarning& warning : design::design_warnings(report, options))
+void warn_of_design(std::span<const design::DesignWarning> warnings) {
+    for (const design::DesignWarning& warning : warnings)
         warn(plain_text(warning) + (warning.factor_may_help ? " (--free factor searches one)" : ""));
 }
 

@@ -3,13 +3,16 @@
 
 #include <fretwork/design/design.hpp>
 
+#include <span>
+
 namespace fretwork::app {
 
 /// Print what a design is, as JSON (the keys are listed in framework/fretwork/design/README.md).
-void print_design_json(const design::DesignReport& report, const design::DesignOptions& options);
+/// @param warnings  those of design::design_warnings()
+void print_design_json(const design::DesignReport& report, std::span<const design::DesignWarning> warnings);
 /// The same for people.
 void print_design(const design::DesignReport& report);
 /// One line on standard error for each thing that keeps the target out of reach, as far as it is known.
-void warn_of_design(const design::DesignReport& report, const design::DesignOptions& options);
+void warn_of_design(std::span<const design::DesignWarning> warnings);
 
 }  // namespace fretwork::app

@@ -14,6 +14,7 @@
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/design/design.hpp>
+#include <fretwork/design/design_words.hpp>
 #include <fretwork/design/target/target_file.hpp>
 #include <fretwork/exports/designs/design_page.hpp>
 #include <fretwork/simulation/project/project_file.hpp>
@@ -132,12 +133,13 @@ ExitCode run(DesignArguments arguments) {
     design::DesignReport report = run_design(arguments, project, given, target, options);
     simulation::move_library_path(report.project, arguments.project, arguments.out);
     write_design(arguments, report, target);
+    const std::vector<design::DesignWarning> warnings = design::design_warnings(report, options);
     if (arguments.json) {
-        print_design_json(report, options);
+        print_design_json(report, warnings);
     } else {
         print_design(report);
     }
-    warn_of_design(report, options);
+    warn_of_design(warnings);
     const bool is_ended =
         report.end != design::DesignEnd::Stopped && report.end != design::DesignEnd::Unreachable;
     return report.is_better() && keeps_limits(report, options) && is_ended ? ExitCode::Done

@@ -23,7 +23,7 @@ std::string plain_text(const DesignWarning& warning) {
     return text;
 }
 
-std::vector<std::string> plain_texts(const std::vector<DesignWarning>& warnings) {
+std::vector<std::string> plain_texts(std::span<const DesignWarning> warnings) {
     std::vector<std::string> texts;
     for (const DesignWarning& own : warnings) texts.push_back(plain_text(own));
     return texts;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,6 @@ std::string plain_text(const WarnedValue& value);
 /// The text with its values in millimetres and degrees.
 std::string plain_text(const DesignWarning& warning);
 /// The texts of warnings, with their values in millimetres and degrees.
-std::vector<std::string> plain_texts(const std::vector<DesignWarning>& warnings);
+std::vector<std::string> plain_texts(std::span<const DesignWarning> warnings);
 
 }  // namespace fretwork::design
