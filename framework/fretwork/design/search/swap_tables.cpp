@@ -127,8 +127,7 @@ PairTable Trials::pair_table(const Point& point, const Trial& trial, const std::
     return table;
 }
 
-JointAnswer Trials::joint_response(const std::vector<CaseModel>& models,
-                                   const std::vector<std::pair<std::size_t, std::size_t>>& choices) const {
+std::vector<TileSwap> Trials::swaps_of(const Choices& choices) const {
     std::vector<TileSwap> swaps;
     for (const auto& [group, pattern] : choices) {
         for (const TileGroup::Member& member : parts_.groups[group].members) {
@@ -140,6 +139,11 @@ JointAnswer Trials::joint_response(const std::vector<CaseModel>& models,
                              parts_.candidates.mass(own, wanted) - parts_.candidates.mass(own, old)});
         }
     }
+    return swaps;
+}
+
+JointAnswer Trials::joint_response(const std::vector<CaseModel>& models, const Choices& choices) const {
+    const std::vector<TileSwap> swaps = swaps_of(choices);
     JointAnswer response{VectorXd(rows_of(models)), 0.0};
     Index row = 0;
     for (const CaseModel& model : models) {
@@ -154,19 +158,13 @@ JointAnswer Trials::joint_response(const std::vector<CaseModel>& models,
 JointAnswer Trials::added_response(const std::vector<CaseModel>& models, std::size_t group,
                                    std::size_t pattern) const {
     JointAnswer response{VectorXd::Zero(rows_of(models)), 0.0};
-    for (const TileGroup::Member& member : parts_.groups[group].members) {
-        const std::size_t old = painted_[static_cast<std::size_t>(member.tile.value)];
-        const std::size_t wanted = member_pattern(member, pattern);
-        if (wanted == old) continue;
-        const std::size_t own = parts_.candidates.class_of(member.tile);
-        const double more = parts_.candidates.mass(own, wanted) - parts_.candidates.mass(own, old);
+    for (const TileSwap& swap : swaps_of({{group, pattern}})) {
         Index row = 0;
         for (const CaseModel& model : models) {
-            const CaseModel::Tile& tile = model.tiles[member.tile];
-            const SwapAnswer answer =
-                swap_answer(tile, strains_.stiffness(own, old), strains_.stiffness(own, wanted));
+            const CaseModel::Tile& tile = model.tiles[swap.tile];
+            const SwapAnswer answer = swap_answer(tile, swap.from, swap.to);
             response.residuals.segment(row, model.residual.size()) +=
-                tile.reach * answer.stress + more * tile.of_weight;
+                tile.reach * answer.stress + swap.mass * tile.of_weight;
             response.energy += answer.energy;
             row += model.residual.size();
         }
@@ -186,11 +184,7 @@ void Trials::fill_group(std::size_t group, const std::vector<CaseModel>& models,
                                              : added_response(models, group, columns[c]);
         responses.col(column) = answer.residuals;
         table.energies(column, static_cast<Index>(group)) = answer.energy;
-        double mass = 0.0;
-        for (const TileGroup::Member& member : parts_.groups[group].members)
-            mass += parts_.candidates.mass(parts_.candidates.class_of(member.tile),
-                                           member_pattern(member, columns[c]));
-        table.masses(column, static_cast<Index>(group)) = mass;
+        table.masses(column, static_cast<Index>(group)) = group_mass(group, columns[c]);
     }
 }
 

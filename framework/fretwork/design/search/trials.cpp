@@ -169,18 +169,19 @@ double Trials::mass_of(const Point& point) const {
     return sum * setting_at(point).section.area / candidate_setting_.section.area;
 }
 
+double Trials::group_mass(std::size_t group, std::size_t pattern) const {
+    double mass = 0.0;
+    for (const TileGroup::Member& member : parts_.groups[group].members)
+        mass +=
+            parts_.candidates.mass(parts_.candidates.class_of(member.tile), member_pattern(member, pattern));
+    return mass;
+}
+
 Lightest Trials::lightest(const std::vector<std::size_t>& palette) const {
     Point point = uniform(palette.front());
-    for (std::size_t g = 0; g < parts_.groups.size(); ++g) {
-        const auto mass = [&](std::size_t pattern) {
-            double own = 0.0;
-            for (const TileGroup::Member& member : parts_.groups[g].members)
-                own += parts_.candidates.mass(parts_.candidates.class_of(member.tile),
-                                              member_pattern(member, pattern));
-            return own;
-        };
-        point.patterns[g] = *std::ranges::min_element(palette, {}, mass);
-    }
+    for (std::size_t g = 0; g < parts_.groups.size(); ++g)
+        point.patterns[g] = *std::ranges::min_element(
+            palette, {}, [&](std::size_t pattern) { return group_mass(g, pattern); });
     return {mass_of(point), point.patterns.front()};
 }
 

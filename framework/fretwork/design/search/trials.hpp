@@ -160,10 +160,15 @@ class Trials {
     [[nodiscard]] SwapTable table_of(const std::vector<CaseModel>& models, const Point& point,
                                      const std::vector<std::size_t>& columns,
                                      const base::Control& control) const;
-    /// The effect on all load cases if groups, each with the index of its group, get other patterns at once.
-    [[nodiscard]] JointAnswer joint_response(
-        const std::vector<CaseModel>& models,
-        const std::vector<std::pair<std::size_t, std::size_t>>& choices) const;
+    /// For some groups, the index of the group and that of the pattern that it gets.
+    using Choices = std::vector<std::pair<std::size_t, std::size_t>>;
+    /// The mass of a group's tiles with a pattern, kg.
+    [[nodiscard]] double group_mass(std::size_t group, std::size_t pattern) const;
+    /// The tiles that change by choices, from their present patterns.
+    [[nodiscard]] std::vector<TileSwap> swaps_of(const Choices& choices) const;
+    /// The effect on all load cases if groups get other patterns at once.
+    [[nodiscard]] JointAnswer joint_response(const std::vector<CaseModel>& models,
+                                             const Choices& choices) const;
     /// The same for one group, with the effects of its tiles added.
     [[nodiscard]] JointAnswer added_response(const std::vector<CaseModel>& models, std::size_t group,
                                              std::size_t pattern) const;
