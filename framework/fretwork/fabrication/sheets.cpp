@@ -11,7 +11,7 @@
 #include <fretwork/geometry/plane.hpp>
 
 #include <algorithm>
-#include <map>
+#include <ranges>
 #include <set>
 #include <utility>
 
@@ -95,41 +95,23 @@ class SheetCutter {
 
     /// The sides that two parts share.
     void find_connectors() {
-        struct Side {
-            std::size_t tile;
-            std::size_t side;
-        };
-        const auto& tiles = surface_.tessellation.tiles;
-        std::map<std::pair<int, int>, Side> sides;
-        for (std::size_t t = 0; t < tiles.size(); ++t) {
-            const auto& vertices = tiles[t].vertices;
-            for (std::size_t s = 0; s < vertices.size(); ++s) {
-                const int from = vertices[s];
-                const int to = vertices[(s + 1) % vertices.size()];
-                const auto other = sides.find({to, from});
-                if (other == sides.end())
-                    sides[{from, to}] = {t, s};
-                else if (part_of_tile_[other->second.tile] != part_of_tile_[t])
-                    add_connectors(other->second.tile, other->second.side, t);
-            }
-        }
+        for (const tiling::SharedSide& side : tiling::shared_sides(surface_.tessellation))
+            if (part_of_tile_[side.tiles[0]] != part_of_tile_[side.tiles[1]]) add_connectors(side);
     }
 
-    void add_connectors(std::size_t first, std::size_t side, std::size_t second) {
-        const tiling::Tile& tile = surface_.tessellation.tiles[first];
-        const std::size_t per_side = tile.interface_nodes.size() / tile.vertices.size();
-        const Polygon polygon = tiling::tile_polygon(surface_.tessellation, TileIndex(first));
-        const Point2& from = polygon[side];
-        const Point2& to = polygon[(side + 1) % polygon.size()];
+    /// In the direction of the first tile's polygon, which is against that of the side.
+    void add_connectors(const tiling::SharedSide& side) {
+        const tiling::Tessellation& tessellation = surface_.tessellation;
+        const Point2& from = tessellation.vertices[side.to];
+        const Point2& to = tessellation.vertices[side.from];
         const Point2 outward = -1.0 * left_of(unit(to - from));
-        const bool knob_first = part_of_tile_[first] < part_of_tile_[second];
-        for (std::size_t i = 0; i < per_side; ++i) {
-            const auto node = tile.interface_nodes[side * per_side + i];
-            const Point2 place = surface_.tessellation.interface_nodes[node];
+        const std::size_t first = part_of_tile_[side.tiles[0]];
+        const std::size_t second = part_of_tile_[side.tiles[1]];
+        for (const auto node : side.nodes | std::views::reverse) {
+            const Point2& place = tessellation.interface_nodes[node];
             require_room(place, {from, to}, node);
-            connectors_.push_back({connectors_.size() + 1, place, knob_first ? outward : -1.0 * outward,
-                                   part_of_tile_[knob_first ? first : second],
-                                   part_of_tile_[knob_first ? second : first]});
+            connectors_.push_back({connectors_.size() + 1, place, first < second ? outward : -1.0 * outward,
+                                   std::min(first, second), std::max(first, second)});
         }
     }
 
