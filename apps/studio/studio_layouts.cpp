@@ -11,18 +11,11 @@
 #include <studio/server/sent_file.hpp>
 #include <studio/studio_impl.hpp>
 
-#include <algorithm>
-
 namespace fretwork::studio {
 namespace {
 
 namespace fs = std::filesystem;
 using base::Json;
-
-bool is_shipped(const std::string& name) {
-    const std::vector<std::string> names = pattern::layout_names();
-    return std::ranges::find(names, name) != names.end();
-}
 
 /// A shipped layout gets another name: what is drawn would not be that layout.
 Json shipped_json(const std::string& name) {
@@ -53,7 +46,8 @@ void Studio::Impl::open_layout(const Request& request) {
     request.json.allow_only({"id", "do", "from"});
     const base::JsonReader from = request.json.at("from");
     const std::string name = read_name_or_path(from);
-    pages_.answer(request, is_shipped(name) ? shipped_json(name) : layout_file_json(read_path(from)));
+    pages_.answer(request,
+                  pattern::is_layout_name(name) ? shipped_json(name) : layout_file_json(read_path(from)));
 }
 
 void Studio::Impl::draw_layout(const Request& request) {

@@ -28,6 +28,12 @@ TEST(Layouts, OfTheFolderAreAllKnownByName) {
     EXPECT_EQ(files, layout_names().size());
 }
 
+TEST(Layouts, OnlyThoseThatAreBuiltInHaveNames) {
+    for (const std::string& name : layout_names()) EXPECT_TRUE(is_layout_name(name)) << name;
+    EXPECT_FALSE(is_layout_name("paper7.json"));
+    EXPECT_FALSE(is_layout_name(""));
+}
+
 // The files beside the layouts: what their page shows.
 TEST(Layouts, HaveTheCensusThatLiesBesideThem) {
     for (const std::string& name : layout_names()) {

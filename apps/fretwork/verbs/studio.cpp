@@ -10,7 +10,6 @@
 #include <fretwork/pattern/node_layout.hpp>
 #include <studio/studio.hpp>
 
-#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -74,8 +73,7 @@ void open_browser(std::string address) {
 /// A layout by its name, or the absolute path of its file, which the page asks for; "": the paper's.
 std::string layout_to_draw(const std::string& text) {
     if (!text.empty()) (void)pattern::find_node_layout(text);  // the reason names it as it was typed
-    const std::vector<std::string> shipped = pattern::layout_names();
-    if (text.empty() || std::ranges::find(shipped, text) != shipped.end()) return text;
+    if (text.empty() || pattern::is_layout_name(text)) return text;
     return std::filesystem::absolute(text).lexically_normal().string();
 }
 

@@ -164,6 +164,10 @@ std::vector<std::string> layout_names() {
     return names;
 }
 
+bool is_layout_name(std::string_view name) {
+    return std::ranges::any_of(embedded_layouts, [&](const auto& layout) { return layout.first == name; });
+}
+
 const NodeLayout& paper_layout() {
     static const NodeLayout layout = find_node_layout("paper7");
     return layout;

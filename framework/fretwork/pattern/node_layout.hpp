@@ -99,6 +99,8 @@ NodeLayout parse_node_layout(std::string_view text, std::string source);
 
 /// The names of the built-in layouts; the paper's layout comes first.
 std::vector<std::string> layout_names();
+/// True if a built-in layout has this name.
+bool is_layout_name(std::string_view name);
 
 /// The paper's layout, "paper7", read once. Several threads may call this function at once.
 const NodeLayout& paper_layout();
