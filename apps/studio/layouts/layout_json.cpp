@@ -16,21 +16,18 @@ using pattern::LayoutNodeIndex;
 using pattern::NodeLayout;
 using pattern::Region;
 
+/// The kinds of nodes, as messages name them. A radial node is added on the left side, its partner with it.
+constexpr std::pair<std::string_view, Region> kKinds[] = {{"center", Region::Center},
+                                                          {"radial", Region::LeftRadial},
+                                                          {"radial", Region::RightRadial},
+                                                          {"face", Region::Face},
+                                                          {"interface", Region::Interface}};
+
 std::string_view kind_of(Region region) {
-    switch (region) {
-        case Region::Center:
-            return "center";
-        case Region::LeftRadial:
-        case Region::RightRadial:
-            return "radial";
-        case Region::Face:
-            return "face";
-        case Region::Interface:
-            return "interface";
-        case Region::Corner:
-            break;
+    for (const auto& [kind, its_region] : kKinds) {
+        if (its_region == region) return kind;
     }
-    return "corner";
+    return "corner";  // no layout has any
 }
 
 Json node_json(const NodeLayout& layout, LayoutNodeIndex index) {
@@ -48,10 +45,6 @@ Json node_json(const NodeLayout& layout, LayoutNodeIndex index) {
 }
 
 Region read_region(const JsonReader& json) {
-    constexpr std::pair<std::string_view, Region> kKinds[] = {{"center", Region::Center},
-                                                              {"radial", Region::LeftRadial},
-                                                              {"face", Region::Face},
-                                                              {"interface", Region::Interface}};
     const std::string name = json.string();
     for (const auto& [kind, region] : kKinds) {
         if (kind == name) return region;
