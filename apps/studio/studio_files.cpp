@@ -82,8 +82,6 @@ void Studio::Impl::download(const Request& request) {
                   {{"text", simulation::project_text(make_project(*shown.now(), folder_of(shown.path())))}});
 }
 
-/// A file that this document was neither read from nor written to is replaced only by a page that has seen
-/// it: `replaces` is the hash in the refusal.
 void Studio::Impl::save(const Request& request) {
     request.json.allow_only({"id", "do", "path", "replaces"});
     Document& shown = document();
@@ -93,16 +91,10 @@ void Studio::Impl::save(const Request& request) {
     const bool is_own = shown.path() == path;
     if (!is_own) require_file_of_kind(path, "project");
     const base::FileLock lock = lock_for_writing(path);
-    if (const auto present = hash_of_file(path)) {
-        const auto replaces = request.json.find("replaces");
-        const bool is_known = is_own && shown.file_hash() == present;
-        if (!is_known && (!replaces || replaces->string() != *present))
-            return refuse_to_replace(request,
-                                     {.path = path,
-                                      .reason = is_own ? Conflict::Reason::Changed : Conflict::Reason::Exists,
-                                      .hash = *present,
-                                      .kind = "project"});
-    }
+    const auto reason = is_own ? Conflict::Reason::Changed : Conflict::Reason::Exists;
+    if (refuses_to_replace(request, {.path = path, .reason = reason, .kind = "project"},
+                           is_own ? shown.file_hash() : std::nullopt))
+        return;
     const std::string text = simulation::project_text(make_project(*shown.now(), folder_of(path)));
     base::write_file_atomically(path, text);
     kept_.forget();
@@ -112,8 +104,14 @@ void Studio::Impl::save(const Request& request) {
     pages_.broadcast(changed_event(*shown.now(), *shown.now(), shown.status()));
 }
 
-void Studio::Impl::refuse_to_replace(const Request& request, const Conflict& conflict) {
+bool Studio::Impl::refuses_to_replace(const Request& request, Conflict conflict,
+                                      const std::optional<std::string>& known) {
+    const auto present = hash_of_file(conflict.path);
+    const auto replaces = request.json.find("replaces");
+    if (!present || present == known || (replaces && replaces->string() == *present)) return false;
+    conflict.hash = *present;
     pages_.refuse(request, conflict.text(), conflict.json());
+    return true;
 }
 
 /// Folders of other machines may answer late.

@@ -96,7 +96,10 @@ class Studio::Impl final : public Service {
     void upload(const Request& request);
     void download(const Request& request);
     void save(const Request& request);
-    void refuse_to_replace(const Request& request, const Conflict& conflict);
+    /// True, and the request is refused, if a file lies there that is neither the one with the hash `known`
+    /// nor the one that the page has seen: `replaces` of the request is the hash in an earlier refusal.
+    bool refuses_to_replace(const Request& request, Conflict conflict,
+                            const std::optional<std::string>& known = {});
     void folder(const Request& request);
     void patterns(const Request& request);
     void recover(const Request& request);

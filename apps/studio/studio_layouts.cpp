@@ -78,21 +78,14 @@ void Studio::Impl::count_layout(const Request& request) {
     });
 }
 
-/// As `save`: a file that the page has not seen is replaced only by a page that says its hash.
 void Studio::Impl::save_layout(const Request& request) {
     request.json.allow_only({"id", "do", "layout", "path", "replaces"});
     const pattern::NodeLayout layout = pattern::read_node_layout(request.json.at("layout"));
     const fs::path path = read_path(request.json.at("path"));
     require_file_of_kind(path, "layout");
     const base::FileLock lock = lock_for_writing(path);
-    const auto replaces = request.json.find("replaces");
-    const auto present = hash_of_file(path);
-    if (present && (!replaces || replaces->string() != *present))
-        return refuse_to_replace(request,
-                                 {.path = path,
-                                  .reason = replaces ? Conflict::Reason::Changed : Conflict::Reason::Exists,
-                                  .hash = *present,
-                                  .kind = "layout"});
+    const auto reason = request.json.find("replaces") ? Conflict::Reason::Changed : Conflict::Reason::Exists;
+    if (refuses_to_replace(request, {.path = path, .reason = reason, .kind = "layout"})) return;
     const std::string text = pattern::node_layout_text(layout);
     base::write_file_atomically(path, text);
     pages_.answer(request, {{"path", path.string()}, {"hash", base::sha256(text)}});

@@ -21,8 +21,8 @@ struct Conflict {
     };
     std::filesystem::path path;
     Reason reason;
-    std::string hash;  ///< of the file that is there
-    std::string kind;  ///< "project"
+    std::string hash{};  ///< of the file that is there
+    std::string kind;    ///< "project"
     /// Why it is not replaced, in one line.
     [[nodiscard]] std::string text() const;
     /// The key `conflict` of the refusal.
