@@ -32,7 +32,7 @@ Json layout_file_json(const fs::path& path) {
     const auto hash = hash_of_file(path);
     Json answer = layout_json(pattern::read_node_layout(path));
     answer["path"] = path.string();
-    answer["hash"] = hash ? Json(*hash) : Json();
+    answer["hash"] = base::or_null(hash);
     return answer;
 }
 
@@ -57,7 +57,7 @@ void Studio::Impl::draw_layout(const Request& request) {
     if (const auto change = request.json.find("change"))
         drawn = changed(drawn.layout, read_change(*change, drawn.layout), hand);
     Json answer = layout_json(drawn.layout);
-    answer["node"] = drawn.node ? Json(drawn.node->value) : Json();
+    answer["node"] = base::or_null(drawn.node, &pattern::LayoutNodeIndex::value);
     pages_.answer(request, std::move(answer));
 }
 

@@ -44,8 +44,7 @@ base::Json to_json(const std::string& name, const simulation::Comparison& compar
             {"full_model_seconds", comparison.full_seconds},
             {"reduced_model_seconds", comparison.reduced_seconds},
             {"full_is_unstable", comparison.full_is_unstable},
-            {"joints", comparison.joints ? base::Json(reduction::joints_name(*comparison.joints))
-                                         : base::Json(nullptr)}};
+            {"joints", base::or_null(comparison.joints, reduction::joints_name)}};
 }
 
 /// A refusal names the files, which the stage does not know.

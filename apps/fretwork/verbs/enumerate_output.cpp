@@ -46,8 +46,7 @@ Json census_json(const NodeLayout& layout, const pattern::Census& census) {
     for (const pattern::CensusRow& row : census.rows) {
         Json entry = {{"edges", row.edges}, {"patterns", json_count(row.patterns)}};
         for (std::size_t i = 0; i < census.filters.size(); ++i) {
-            const std::optional<pattern::GraphCount>& rejected = row.rejected[i];
-            entry[census.filters[i]] = rejected ? json_count(*rejected) : Json(nullptr);
+            entry[census.filters[i]] = base::or_null(row.rejected[i], json_count);
         }
         entry["valid"] = json_count(row.valid);
         rows.push_back(std::move(entry));

@@ -46,7 +46,7 @@ std::string text_of(const Json& json) {
 
 /// The project's text is put in as it is: it is long.
 std::string autosave_text(const State& state, const AutosaveLabel& label, const fs::path& file) {
-    const Json path = label.document ? Json(label.document->string()) : Json();
+    const Json path = base::or_null(label.document);
     return "{\"format\": \"" + std::string(kFormat) + "\", \"name\": " + text_of(label.name) +
            ", \"document\": " + text_of(path) + ", \"tiles\": " + std::to_string(state.tile_count()) +
            ", \"project\": " + simulation::project_text(make_project(state, file.parent_path())) + "}\n";

@@ -96,7 +96,7 @@ void add_status(const DocumentStatus& status, Json& event) {
 
 void add_place(const State& state, const DocumentStatus& status, Json& event) {
     event["name"] = status.name;
-    event["path"] = status.path ? Json(status.path->string()) : Json();
+    event["path"] = base::or_null(status.path);
     event["library"] = state.library->path.empty() ? Json() : Json(state.library->path.string());
 }
 

@@ -75,7 +75,7 @@ Json KeptWork::recoverable_json() const {
         const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(one.time.time_since_epoch());
         list.push_back({{"key", one.key},
                         {"name", one.label.name},
-                        {"path", one.label.document ? Json(one.label.document->string()) : Json()},
+                        {"path", base::or_null(one.label.document)},
                         {"time", seconds.count()},
                         {"tiles", one.tiles}});
     }

@@ -101,7 +101,7 @@ Json pattern_list(const std::string& layout_name, const State* state, const base
         const bool is_mirror = sameness.of_pattern[i].symmetry == pattern::Symmetry::Mirror;
         list.push_back({{"id", id},
                         {"edges", patterns[i].edge_count()},
-                        {"mass", known ? Json(known->mass_per_area) : Json()},
+                        {"mass", base::or_null(known, &EffectiveProperties::mass_per_area)},
                         {"membrane", known ? stiffness_json(known->A) : Json()},
                         {"bending", known ? stiffness_json(known->D) : Json()},
                         {"symmetry", is_mirror ? "mirror" : "none"},

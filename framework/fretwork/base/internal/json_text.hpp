@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,15 +14,10 @@ namespace fretwork::base {
 /// The type in which writers build their documents: members keep the order in which they were added.
 using Json = nlohmann::ordered_json;
 
-/// A value, or null if there is none.
-template <class Value>
-Json or_null(const std::optional<Value>& value) {
-    return value ? Json(*value) : Json(nullptr);
-}
-/// A member of a value, or null if there is no value.
-template <class Object, class Value>
-Json or_null(const std::optional<Object>& object, Value Object::*member) {
-    return object ? Json((*object).*member) : Json(nullptr);
+/// A value, or what a function or a member gives of it; null if there is no value.
+template <class Value, class Part = std::identity>
+Json or_null(const std::optional<Value>& value, Part part = {}) {
+    return value ? Json(std::invoke(part, *value)) : Json(nullptr);
 }
 
 /// A table as an array of rows, kept in one piece of memory: most of a large document. Only json_text can

@@ -152,7 +152,7 @@ std::string facts_json(const Facts& facts) {
     document["warnings"] = Json::array();
     for (const fabrication::Warning& warning : facts.warnings)
         document["warnings"].push_back(
-            {{"message", warning.message}, {"place", warning.place ? place_json(*warning.place) : Json()}});
+            {{"message", warning.message}, {"place", base::or_null(warning.place, place_json)}});
     return base::json_text(document);
 }
 
