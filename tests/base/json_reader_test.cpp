@@ -25,6 +25,8 @@ TEST(JsonReader, ReadsWhatIsThere) {
     EXPECT_TRUE(json.at("d").boolean());
     EXPECT_EQ(json.at("e").at("f").integer(0, 10), 7);
     EXPECT_FALSE(json.find("g").has_value());
+    EXPECT_FALSE(json.at("d").is_null());
+    EXPECT_TRUE(parsed("[null]").elements()[0].is_null());
     EXPECT_EQ(json.at("b").elements()[2].pointer(), "/b/2");
 }
 

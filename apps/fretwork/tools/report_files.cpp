@@ -45,7 +45,7 @@ void check_beam(const JsonReader& beam, bool has_strength) {
     const JsonReader utilization = beam.at("utilization");
     if (has_strength)
         check_not_negative(utilization);
-    else if (utilization.text() != "null")
+    else if (!utilization.is_null())
         utilization.fail("is " + utilization.text() + ", where null is needed: the file has no strength");
 }
 
@@ -77,7 +77,7 @@ void check_warnings(const JsonReader& warnings) {
         warning.allow_only({"message", "place"});
         (void)warning.at("message").string();
         const JsonReader place = warning.at("place");
-        if (place.text() != "null") (void)place.numbers(2);
+        if (!place.is_null()) (void)place.numbers(2);
     }
 }
 
@@ -88,7 +88,7 @@ void check_beam_table(const std::string& text, const std::string& source) {
     json.expect_format("beams", 2, 2);
     json.allow_only({"format", "joints", "strength", "utilization_formula", "unknown_beams", "beams"});
     (void)json.at("joints").choice({"centreline", "stiff"});
-    const bool has_strength = json.at("strength").text() != "null";
+    const bool has_strength = !json.at("strength").is_null();
     if (has_strength) (void)json.at("strength").positive_number();
     (void)json.at("utilization_formula").string();
     check_count(json.at("unknown_beams"));

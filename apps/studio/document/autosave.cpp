@@ -64,7 +64,7 @@ std::size_t tiles_of(const JsonReader& json) {
 AutosaveLabel label_of(const JsonReader& json) {
     AutosaveLabel label{.name = json.at("name").string()};
     const JsonReader document = json.at("document");
-    if (document.text() != "null") label.document = document.string();
+    if (!document.is_null()) label.document = document.string();
     return label;
 }
 

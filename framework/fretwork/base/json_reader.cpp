@@ -137,6 +137,9 @@ std::vector<JsonReader> JsonReader::elements(std::size_t count) const {
     return elements();
 }
 
+bool JsonReader::is_null() const {
+    return Access::value(*this).is_null();
+}
 bool JsonReader::is_object() const {
     return Access::value(*this).is_object();
 }

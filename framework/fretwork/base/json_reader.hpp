@@ -50,6 +50,8 @@ class JsonReader {
     /// All elements of an array that must have `count` elements.
     [[nodiscard]] std::vector<JsonReader> elements(std::size_t count) const;
 
+    /// True for `null`.
+    [[nodiscard]] bool is_null() const;
     /// True for `{..}`.
     [[nodiscard]] bool is_object() const;
     /// True for `[..]`.

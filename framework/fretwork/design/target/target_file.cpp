@@ -25,7 +25,7 @@ double read_bounded(const JsonReader& json) {
 }
 
 std::optional<double> read_component(const JsonReader& json) {
-    if (json.text() == "null") return std::nullopt;
+    if (json.is_null()) return std::nullopt;
     return read_bounded(json);
 }
 
@@ -55,7 +55,7 @@ NodesGoal read_nodes_goal(const JsonReader& json) {
 }
 
 std::optional<std::string> read_expression(const JsonReader& json) {
-    if (json.text() == "null") return std::nullopt;
+    if (json.is_null()) return std::nullopt;
     if (json.is_number()) {
         (void)read_bounded(json);
         return json.text();
