@@ -37,25 +37,14 @@ Conditions Session::Impl::resolved(const LoadCase& load_case) {
     return resolve(load_case, surface_, tile_masses_.value());
 }
 
-/// Patterns of the palette were checked when they came into it.
-pattern::NamedPattern Session::Impl::checked_pattern(const std::string& id) const {
-    const auto& palette = surface_.tessellation.patterns;
-    const auto known = std::ranges::find(palette, id, &pattern::NamedPattern::id);
-    if (known != palette.end()) return *known;
-    return tiling::make_palette(surface_.layout, std::vector{id}).front();
-}
-
-/// The place of a pattern in the palette, or that behind its end.
-std::size_t Session::Impl::palette_entry(const pattern::NamedPattern& pattern) const {
-    const std::vector<pattern::NamedPattern>& palette = surface_.tessellation.patterns;
-    return std::ranges::find(palette, pattern) - palette.begin();
-}
-
 void Session::Impl::paint(std::span<const TileIndex> tiles, const std::string& wanted) {
     require_tiles(surface_, tiles);
-    const pattern::NamedPattern pattern = checked_pattern(wanted);
-    const std::size_t entry = palette_entry(pattern);
-    const bool is_new = entry == surface_.tessellation.patterns.size();
+    const std::vector<pattern::NamedPattern>& palette = surface_.tessellation.patterns;
+    const auto pattern = pattern::parse_named_pattern(surface_.layout, wanted);
+    const std::size_t entry = std::ranges::find(palette, pattern) - palette.begin();
+    const bool is_new = entry == palette.size();
+    // Patterns of the palette were checked when they came into it.
+    if (is_new) (void)tiling::make_palette(surface_.layout, std::vector{pattern.id});
     const auto calibrations = !is_new               ? surface_.calibrations[entry]
                               : calibration_source_ ? calibration_source_(pattern.id)
                                                     : std::vector<reduction::Calibration>{};

@@ -60,8 +60,6 @@ class Session::Impl {
   private:
     [[nodiscard]] ModelChoice choice() const { return {options_.model, options_.models}; }
     [[nodiscard]] Conditions resolved(const LoadCase& load_case);
-    [[nodiscard]] pattern::NamedPattern checked_pattern(const std::string& id) const;
-    [[nodiscard]] std::size_t palette_entry(const pattern::NamedPattern& pattern) const;
     void invalidate_tiles(std::span<const tiling::TileIndex> tiles);
     void invalidate_all_tiles();
     void weigh_anew();
