@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/geometry/box.hpp>
+#include <fretwork/geometry/plane.hpp>
 
 #include <algorithm>
 
 namespace fretwork::geometry {
+
+double Box::diagonal() const {
+    return length({width(), height()});
+}
 
 Box box_of(std::span<const Point2> points) {
     Box box{points.front().x, points.front().y, points.front().x, points.front().y};

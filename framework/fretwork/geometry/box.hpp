@@ -17,6 +17,8 @@ struct Box {
     [[nodiscard]] double width() const { return xmax - xmin; }
     /// The size of the box along y, m.
     [[nodiscard]] double height() const { return ymax - ymin; }
+    /// The distance of two opposite corners, m.
+    [[nodiscard]] double diagonal() const;
     /// True if the boxes have a point in common.
     [[nodiscard]] bool meets(const Box& other) const {
         return xmin <= other.xmax && other.xmin <= xmax && ymin <= other.ymax && other.ymin <= ymax;

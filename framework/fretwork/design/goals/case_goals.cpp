@@ -2,7 +2,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/design/goals/case_goals.hpp>
-#include <fretwork/geometry/plane.hpp>
+#include <fretwork/geometry/box.hpp>
 #include <fretwork/simulation/load_cases/selection.hpp>
 #include <fretwork/tiling/painting/field.hpp>
 
@@ -79,8 +79,7 @@ CaseGoals::CaseGoals(const Target& target, const std::string& load_case, const s
 }
 
 void CaseGoals::add(const Goal& goal, const Tessellation& tessellation) {
-    const geometry::Box box = tiling::bounding_box(tessellation);
-    const double size = geometry::distance({box.xmin, box.ymin}, {box.xmax, box.ymax});
+    const double size = tiling::bounding_box(tessellation).diagonal();
     const double before = std::exchange(largest_, 0.0);
     add_nodes(goal, tessellation);
     if (!(largest_ <= kFarthest * size))

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/design/reach/reach_bound.hpp>
 #include <fretwork/geometry/box.hpp>
-#include <fretwork/geometry/plane.hpp>
 #include <fretwork/simulation/load_cases/conditions.hpp>
 #include <fretwork/tiling/painting/tile_choice.hpp>
 
@@ -31,8 +30,7 @@ constexpr Index kSix = 6;
 bool is_linear(const Trials& trials) {
     const auto& parts = trials.parts();
     if (trials.initial_unknowns().size() > 0) return false;
-    const geometry::Box box = tiling::bounding_box(parts.surface.tessellation);
-    const double size = geometry::distance({box.xmin, box.ymin}, {box.xmax, box.ymax});
+    const double size = tiling::bounding_box(parts.surface.tessellation).diagonal();
     if (trials.largest_wanted() > kLargestLinear * size) return false;
     return std::ranges::all_of(parts.cases, [](const DesignCase& own) {
         return own.load_case.gravity.isZero(0) && !own.goals.slides() &&

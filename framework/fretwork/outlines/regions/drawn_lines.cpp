@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/text.hpp>
 #include <fretwork/geometry/box.hpp>
-#include <fretwork/geometry/plane.hpp>
 #include <fretwork/outlines/detail/outline_readers.hpp>
 #include <fretwork/outlines/regions/drawn_lines.hpp>
 #include <fretwork/outlines/regions/filled_region.hpp>
@@ -23,8 +22,7 @@ constexpr double kGapPerTolerance = kDetail / 1000;
 constexpr double kSameShare = 0.5;
 
 double width_of(const Polygon& line) {
-    const geometry::Box box = geometry::box_of(line);
-    return geometry::length({box.width(), box.height()});
+    return geometry::box_of(line).diagonal();
 }
 
 }  // namespace

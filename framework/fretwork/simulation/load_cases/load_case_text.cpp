@@ -112,9 +112,7 @@ class EntryTexts {
 class Doubts {
   public:
     Doubts(const LoadCase& load_case, const Surface& surface)
-        : load_case_(load_case), surface_(surface), box_(tiling::bounding_box(surface.tessellation)) {
-        size_ = std::hypot(box_.width(), box_.height());
-    }
+        : load_case_(load_case), surface_(surface), box_(tiling::bounding_box(surface.tessellation)) {}
 
     std::vector<std::string> run() && {
         for (const auto& entry : load_case_.supports) look_at(entry.where);
@@ -134,7 +132,7 @@ class Doubts {
 
     /// A point between the nodes of the rim and a tile's side away from them is near enough.
     void look_at(const Point2& point) {
-        double distance = size_ + std::hypot(point.x, point.y);
+        double distance = box_.diagonal() + std::hypot(point.x, point.y);
         for (const Point2& node : surface_.tessellation.interface_nodes)
             distance = std::min(distance, std::hypot(node.x - point.x, node.y - point.y));
         if (distance <= 2.0 * tiling::mean_tile_side(surface_.tessellation)) return;
@@ -147,9 +145,9 @@ class Doubts {
     void look_at_prescribed(const LoadCase::PrescribedDisplacement& entry) {
         look_at(entry.where);
         const std::string name = mechanics::dof_name(entry.dof);
-        if (entry.dof < mechanics::Dof::rx && std::abs(entry.value) > size_)
+        if (entry.dof < mechanics::Dof::rx && std::abs(entry.value) > box_.diagonal())
             doubts_.push_back("a prescribed " + name + " of " + geometry::short_number(entry.value) +
-                              " m is larger than the surface of " + geometry::short_number(size_) +
+                              " m is larger than the surface of " + geometry::short_number(box_.diagonal()) +
                               " m: displacements are in metres");
         if (entry.dof >= mechanics::Dof::rx && std::abs(entry.value) > 2.0 * std::numbers::pi)
             doubts_.push_back("a prescribed " + name + " of " + geometry::short_number(entry.value) +
@@ -185,7 +183,6 @@ class Doubts {
     const LoadCase& load_case_;
     const Surface& surface_;
     geometry::Box box_;
-    double size_ = 0.0;
     std::vector<std::string> doubts_;
 };
 
