@@ -171,7 +171,7 @@ InnerCircle inner_circle(const Polygon& polygon) {
     const auto cell = [&](const Point2& center, double size) {
         return Cell{center, size, distance_to_rim(polygon, center)};
     };
-    Cell best = cell({0.5 * (box.xmin + box.xmax), 0.5 * (box.ymin + box.ymax)}, 0.0);
+    Cell best = cell(box.middle(), 0.0);
     if (!(half > 0.0)) return {best.center, 0.0};  // flat: no square covers it
     std::priority_queue<Cell> cells;
     for (double x = box.xmin + half; x < box.xmax + half; x += 2.0 * half)

@@ -324,8 +324,7 @@ CutSheet side_by_side(const SheetSet& set, const Bed& bed) {
     for (const Contour& guide : set.assembly.guides) box = united(box, box_of(guide));
     const Motion motion{false, {-box.xmin, bed.height + 2.0 * kApart - box.ymin}};
     append_moved(drawing, set.assembly, motion);
-    drawing.labels.push_back(
-        {motion({0.5 * (box.xmin + box.xmax), box.ymax + kTitle}), set.assembly.title, kTitle});
+    drawing.labels.push_back({motion({box.middle().x, box.ymax + kTitle}), set.assembly.title, kTitle});
     return drawing;
 }
 

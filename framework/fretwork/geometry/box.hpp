@@ -19,6 +19,8 @@ struct Box {
     [[nodiscard]] double height() const { return ymax - ymin; }
     /// The distance of two opposite corners, m.
     [[nodiscard]] double diagonal() const;
+    /// The middle of the box.
+    [[nodiscard]] Point2 middle() const { return {0.5 * (xmin + xmax), 0.5 * (ymin + ymax)}; }
     /// True if the boxes have a point in common.
     [[nodiscard]] bool meets(const Box& other) const {
         return xmin <= other.xmax && other.xmin <= xmax && ymin <= other.ymax && other.ymin <= ymax;

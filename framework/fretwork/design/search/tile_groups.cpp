@@ -24,8 +24,7 @@ class Images {
   public:
     Images(const Tessellation& tessellation, const Symmetry& symmetry) : symmetry_(symmetry) {
         middles_ = tiling::tile_centers(tessellation);
-        const geometry::Box box = tiling::bounding_box(tessellation);
-        middle_ = {0.5 * (box.xmin + box.xmax), 0.5 * (box.ymin + box.ymax)};
+        middle_ = tiling::bounding_box(tessellation).middle();
         reach_ = kNear * tiling::mean_tile_side(tessellation);
     }
     /// The tile on which the image of another one lies.

@@ -27,8 +27,7 @@ constexpr double kLeastDeviation = 4e-9;  // m
 class Grid {
   public:
     explicit Grid(const Box& box)
-        : x_(std::round(0.5 * (box.xmin + box.xmax) * kPerMetre)),
-          y_(std::round(0.5 * (box.ymin + box.ymax) * kPerMetre)) {}
+        : x_(std::round(box.middle().x * kPerMetre)), y_(std::round(box.middle().y * kPerMetre)) {}
     [[nodiscard]] Path path(const Polygon& polygon) const {
         Path path;
         path.reserve(polygon.size());

@@ -47,8 +47,8 @@ std::vector<std::size_t> cells_of_tiles(const std::vector<Box>& boxes, const Box
         return std::min(count - 1, static_cast<std::size_t>(share * static_cast<double>(count)));
     };
     for (const Box& box : boxes) {
-        const double x = (0.5 * (box.xmin + box.xmax) - whole.xmin) / whole.width();
-        const double y = (0.5 * (box.ymin + box.ymax) - whole.ymin) / whole.height();
+        const double x = (box.middle().x - whole.xmin) / whole.width();
+        const double y = (box.middle().y - whole.ymin) / whole.height();
         found.push_back(index(y, cells.rows) * cells.columns + index(x, cells.columns));
     }
     return found;
