@@ -19,13 +19,6 @@ void each_segment(const Contour& contour, const Visit& visit) {
         visit(contour[i], contour[(i + 1) % contour.size()].place);
 }
 
-void include(Box& box, const Point2& point) {
-    box.xmin = std::min(box.xmin, point.x);
-    box.xmax = std::max(box.xmax, point.x);
-    box.ymin = std::min(box.ymin, point.y);
-    box.ymax = std::max(box.ymax, point.y);
-}
-
 /// The directions along the axes that an arc passes.
 void include_arc(Box& box, const ContourPoint& from, const Point2& to) {
     const Arc arc = arc_between(from, to);
@@ -34,8 +27,7 @@ void include_arc(Box& box, const ContourPoint& from, const Point2& to) {
     const double low = std::min(start, start + arc.sweep);
     const double high = std::max(start, start + arc.sweep);
     for (double angle = std::ceil(low / kQuarter) * kQuarter; angle <= high; angle += kQuarter)
-        include(box,
-                {arc.center.x + arc.radius * std::cos(angle), arc.center.y + arc.radius * std::sin(angle)});
+        box = geometry::united(box, arc.center + arc.radius * geometry::direction(angle));
 }
 
 }  // namespace
@@ -116,7 +108,7 @@ Box box_of(const Contour& contour) {
     const Point2& first = contour.front().place;
     Box box{first.x, first.y, first.x, first.y};
     each_segment(contour, [&](const ContourPoint& from, const Point2& to) {
-        include(box, from.place);
+        box = geometry::united(box, from.place);
         if (from.bulge != 0.0) include_arc(box, from, to);
     });
     return box;

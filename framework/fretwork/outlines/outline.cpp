@@ -3,6 +3,7 @@
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/geometry/box.hpp>
 #include <fretwork/outlines/detail/outline_readers.hpp>
 #include <fretwork/outlines/detail/remarks.hpp>
 #include <fretwork/outlines/detail/small_letters.hpp>
@@ -73,22 +74,16 @@ constexpr std::array<Reader, 6> kReaders = {{{".json", read_json},
                                              {".ply", outline_of_loops<detail::read_ply_loops>},
                                              {".off", outline_of_loops<detail::read_off_loops>}}};
 
-std::array<Point2, 2> box_of_all(const std::vector<Outline>& parts) {
-    std::array<Point2, 2> box = {parts.front().boundary.front(), parts.front().boundary.front()};
-    for (const Outline& part : parts) {
-        for (const Point2& point : part.boundary) {
-            box[0] = {std::min(box[0].x, point.x), std::min(box[0].y, point.y)};
-            box[1] = {std::max(box[1].x, point.x), std::max(box[1].y, point.y)};
-        }
-    }
+geometry::Box box_of_all(const std::vector<Outline>& parts) {
+    geometry::Box box = geometry::box_of(parts.front().boundary);
+    for (const Outline& part : parts) box = geometry::united(box, geometry::box_of(part.boundary));
     return box;
 }
 
 }  // namespace
 
 OutlineFile scaled_to_width(OutlineFile file, double width) {
-    const auto [lower, upper] = box_of_all(file.parts);
-    const double factor = width / (upper.x - lower.x);
+    const double factor = width / box_of_all(file.parts).width();
     const auto scale = [factor](geometry::Polygon& loop) {
         for (Point2& point : loop) point = {factor * point.x, factor * point.y};
         geometry::remove_repeated_points(loop, 0.0);
@@ -142,8 +137,8 @@ OutlineFile take_parts(OutlineFile file, std::string_view which) {
 }
 
 std::string size_text(const std::vector<Outline>& parts) {
-    const auto [low, high] = box_of_all(parts);
-    return detail::in_millimetres(high.x - low.x) + " x " + detail::in_millimetres(high.y - low.y) + " mm";
+    const geometry::Box box = box_of_all(parts);
+    return detail::in_millimetres(box.width()) + " x " + detail::in_millimetres(box.height()) + " mm";
 }
 
 }  // namespace fretwork::outlines

@@ -268,19 +268,9 @@ Candidate best_tiling(const outlines::Outline& outline, const TessellationOption
     return best;
 }
 
-/// The extent of the boundary in x and in y, m.
-std::pair<double, double> extent(const outlines::Outline& outline) {
-    const auto [left, right] = std::minmax_element(outline.boundary.begin(), outline.boundary.end(),
-                                                   [](auto& a, auto& b) { return a.x < b.x; });
-    const auto [low, high] = std::minmax_element(outline.boundary.begin(), outline.boundary.end(),
-                                                 [](auto& a, auto& b) { return a.y < b.y; });
-    return {right->x - left->x, high->y - low->y};
-}
-
 /// Refuse sizes that would fill the memory, such as by a slip of units. A needle without area still has a
 /// long rim.
 void check_size(const outlines::Outline& outline, const TessellationOptions& options) {
-    const auto [width, height] = extent(outline);
     const double rim = length_of_loops(outline);
     const double tiles = std::max(0.5 * rim / options.edge_length, estimated_tiles(outline, options));
     if (tiles <= kMostTiles) return;
@@ -288,8 +278,9 @@ void check_size(const outlines::Outline& outline, const TessellationOptions& opt
         std::max(options.edge_length * std::sqrt(tiles / kMostTiles), 0.5 * rim / kMostTiles);
     const std::string need =
         std::isfinite(tiles) ? "about " + geometry::short_number(std::round(tiles)) : "countless";
-    throw base::InputError("the outline is " + geometry::metres(width) + " wide and " +
-                           geometry::metres(height) + " high: with sides of " +
+    const geometry::Box box = geometry::box_of(outline.boundary);
+    throw base::InputError("the outline is " + geometry::metres(box.width()) + " wide and " +
+                           geometry::metres(box.height()) + " high: with sides of " +
                            geometry::metres(options.edge_length) + " it would need " + need +
                            " tiles, where " + std::to_string(kMostTiles) +
                            " are the most; is the unit of the outline right? Otherwise choose sides of " +
