@@ -18,11 +18,6 @@ using geometry::Point2;
 using reduction::Calibration;
 using reduction::Setting;
 
-std::vector<Point2> moved(std::vector<Point2> points, const Point2& by) {
-    for (Point2& point : points) point = {point.x + by.x, point.y + by.y};
-    return points;
-}
-
 /// A tile model of beams, as one drawing of the sheet.
 struct ReducedTile {
     LineSet lines;  ///< interface nodes first
@@ -35,12 +30,10 @@ void draw_reduced(SvgCanvas& canvas, const ReducedTile& tile, const Setting& set
     std::vector<Point2> nodes;
     for (const Eigen::Vector3d& node : lines.nodes)
         nodes.push_back({node.x() + center.x, node.y() + center.y});
-    std::vector<std::array<Point2, 2>> beams;
-    for (const auto& line : lines.lines) beams.push_back({nodes[line[0]], nodes[line[1]]});
     const double width = std::sqrt(setting.section.area);
-    canvas.polygon(moved(geometry::regular_polygon(setting.sides, setting.tile_side), center),
+    canvas.polygon(detail::moved(geometry::regular_polygon(setting.sides, setting.tile_side), center),
                    {"#f4f6f8", detail::kRimColour, 0.15 * width, 1.0});
-    canvas.segments(beams, {"none", detail::kReducedColour, width, 1.0});
+    canvas.segments(detail::segments_of(lines.lines, nodes), {"none", detail::kReducedColour, width, 1.0});
     for (int i = 0; i < interface_nodes; ++i)
         canvas.circle(nodes[i], 0.8 * width, {kInterfaceColour, "#ffffff", 0.2 * width, 1.0});
 }

@@ -2,6 +2,7 @@
 #include <fretwork/exports/drawings/detail/furniture.hpp>
 #include <fretwork/exports/drawings/detail/surface_parts.hpp>
 #include <fretwork/exports/drawings/pattern_drawing.hpp>
+#include <fretwork/geometry/plane.hpp>
 #include <fretwork/mechanics/discretization.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/paths/equilibrium.hpp>
@@ -118,34 +119,28 @@ class CellPen {
 
     void draw(const Cell& cell, const Point2& middle) {
         canvas_.layer(cell.scenario->name);
-        auto rim = projection_.all(surface_.tessellation.vertices);
-        for (Point2& point : rim) point = moved(point, middle);
+        const auto rim = detail::moved(projection_.all(surface_.tessellation.vertices), middle);
         canvas_.polygon(rim, {"#f4f6f8", detail::kRimColour, 0.15 * bar_, 1.0});
         draw_lines(cell.full.lines, middle, {"none", kFullColour, bar_, 1.0});
         if (cell.reduced)
             draw_lines(*cell.reduced, middle, {"none", detail::kReducedColour, 0.5 * bar_, 1.0});
         for (detail::SupportMark mark : detail::support_marks(surface_, cell.conditions, projection_)) {
-            mark.place = moved(mark.place, middle);
+            mark.place = mark.place + middle;
             draw_support(canvas_, mark, kBall * side_);
         }
         for (detail::LoadMark mark :
              detail::load_marks(surface_, cell.conditions, projection_, kReach * side_)) {
-            mark.from = moved(mark.from, middle);
-            mark.to = moved(mark.to, middle);
+            mark.from = mark.from + middle;
+            mark.to = mark.to + middle;
             draw_load(canvas_, mark);
         }
         write_caption(cell, {middle.x, middle.y - (0.5 * kCellHeight - 2.5 * kText) * side_});
     }
 
   private:
-    static Point2 moved(const Point2& point, const Point2& by) { return {point.x + by.x, point.y + by.y}; }
-
     void draw_lines(const LineSet& lines, const Point2& middle, const detail::Style& style) {
-        auto places = projection_.all(displaced_nodes(lines, 1.0));
-        for (Point2& place : places) place = moved(place, middle);
-        std::vector<std::array<Point2, 2>> segments;
-        for (const auto& line : lines.lines) segments.push_back({places[line[0]], places[line[1]]});
-        canvas_.segments(segments, style);
+        const auto places = detail::moved(projection_.all(displaced_nodes(lines, 1.0)), middle);
+        canvas_.segments(detail::segments_of(lines.lines, places), style);
     }
 
     void write_caption(const Cell& cell, const Point2& place) {

@@ -17,16 +17,9 @@ namespace {
 
 using geometry::Box;
 using geometry::Point2;
-using Segments = std::vector<std::array<Point2, 2>>;
 
 constexpr int kBands = 16;     ///< colours of a scale
 constexpr double kEdge = 2.4;  ///< of a line's width: the white below it, which hides what is behind
-
-Segments segments_of(const LineSet& lines, const std::vector<Point2>& points) {
-    Segments segments;
-    for (const auto& line : lines.lines) segments.push_back({points[line[0]], points[line[1]]});
-    return segments;
-}
 
 /// The lengths of all displacements; zeros if there are no results.
 std::vector<double> displacement_sizes(const LineSet& lines) {
@@ -88,7 +81,7 @@ Point2 legend_place(const Box& box, int line) {
 
 void draw_rest(SvgCanvas& canvas, const View& view, const DeformedViewOptions& options) {
     canvas.layer("at rest");
-    canvas.segments(segments_of(options.rest, view.rest), rest_style(view.box));
+    canvas.segments(segments_of(options.rest.lines, view.rest), rest_style(view.box));
 }
 
 /// The last lines of every legend. `line` is the first free one.
@@ -196,7 +189,7 @@ void draw_lines(SvgCanvas& canvas, const SeenLines& seen, Below below, const Col
     std::vector<std::size_t> order(seen.lines.lines.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return seen.of_ends(seen.nearnesses, i); });
-    const Segments segments = segments_of(seen.lines, seen.points);
+    const Segments segments = segments_of(seen.lines.lines, seen.points);
     WhiteEdges edges(seen.lines, segments, seen.width);
     for (const std::size_t i : order) {
         if (below == Below::Nothing) edges.draw(canvas, i);

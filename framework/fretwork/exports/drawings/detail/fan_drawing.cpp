@@ -14,32 +14,23 @@ using pattern::Pattern;
 
 constexpr const char* kGuiltyColour = "#d7191c";
 
-std::vector<Point2> moved(std::vector<Point2> points, const Point2& by) {
-    for (Point2& point : points) point = {point.x + by.x, point.y + by.y};
-    return points;
-}
+}  // namespace
 
-void draw_beams(SvgCanvas& canvas, const NodeLayout& layout, const Pattern& pattern,
-                const geometry::Polygon& polygon, const Style& style) {
+void draw_fan_beams(SvgCanvas& canvas, const NodeLayout& layout, const Pattern& pattern,
+                    const geometry::Polygon& polygon, const Style& style) {
     const pattern::Fan fan = pattern::make_fan(layout, pattern, static_cast<int>(polygon.size()));
     const std::vector<Point2> nodes = pattern::place_fan(layout, fan, polygon);
-    std::vector<std::array<Point2, 2>> beams;
-    for (const auto& edge : fan.edges) {
-        beams.push_back({nodes[edge[0]], nodes[edge[1]]});
-    }
-    canvas.segments(beams, style);
+    canvas.segments(segments_of(fan.edges, nodes), style);
 }
-
-}  // namespace
 
 void draw_fan(SvgCanvas& canvas, const NodeLayout& layout, const Pattern& pattern, const FanPlace& place,
               const PatternDrawingOptions& options, const Pattern& guilty) {
     const geometry::Polygon polygon =
         moved(geometry::regular_polygon(options.sides, options.tile_side), place.center);
     canvas.polygon(polygon, {place.face, kRimColour, 0.15 * options.beam_width, 1.0});
-    draw_beams(canvas, layout, pattern, polygon, {"none", kBeamColour, options.beam_width, 1.0});
+    draw_fan_beams(canvas, layout, pattern, polygon, {"none", kBeamColour, options.beam_width, 1.0});
     if (guilty.edge_count() > 0)
-        draw_beams(canvas, layout, guilty, polygon, {"none", kGuiltyColour, options.beam_width, 1.0});
+        draw_fan_beams(canvas, layout, guilty, polygon, {"none", kGuiltyColour, options.beam_width, 1.0});
 }
 
 }  // namespace fretwork::exports::detail

@@ -15,6 +15,10 @@ struct FanPlace {
 /// The places of interface nodes.
 inline constexpr const char* kInterfaceColour = "#1b9e77";
 
+/// Draw the beams of a pattern's fan on a polygon.
+void draw_fan_beams(SvgCanvas& canvas, const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
+                    const geometry::Polygon& polygon, const Style& style);
+
 /// Draw a pattern's fan with beams of true width on its regular polygon. The beams of `guilty`, which are
 /// some of the pattern's, are red.
 void draw_fan(SvgCanvas& canvas, const pattern::NodeLayout& layout, const pattern::Pattern& pattern,

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/text.hpp>
 #include <fretwork/exports/colours.hpp>
+#include <fretwork/exports/drawings/detail/fan_drawing.hpp>
 #include <fretwork/exports/drawings/detail/furniture.hpp>
 #include <fretwork/exports/drawings/detail/panels.hpp>
 #include <fretwork/exports/drawings/detail/surface_parts.hpp>
-#include <fretwork/pattern/fan.hpp>
 #include <fretwork/tiling/tessellation.hpp>
 
 #include <algorithm>
@@ -83,18 +83,10 @@ class PatternLegend {
 
     void draw_icon(SvgCanvas& canvas, std::size_t pattern, const Point2& middle) const {
         const double side = 1.65 * text_;
-        const auto move = [&](std::vector<Point2> points) {
-            for (Point2& point : points) point = {point.x + middle.x, point.y + middle.y};
-            return points;
-        };
-        const geometry::Polygon hexagon = geometry::regular_polygon(6, side);
-        const pattern::Fan fan =
-            pattern::make_fan(surface_->layout, surface_->tessellation.patterns[pattern].pattern, 6);
-        const auto nodes = move(pattern::place_fan(surface_->layout, fan, hexagon));
-        canvas.polygon(move(hexagon), {pattern_colour(static_cast<int>(pattern)), "none", 0.0, 1.0});
-        std::vector<std::array<Point2, 2>> beams;
-        for (const auto& edge : fan.edges) beams.push_back({nodes[edge[0]], nodes[edge[1]]});
-        canvas.segments(beams, {"none", kBeamColour, 0.06 * side, 1.0});
+        const geometry::Polygon hexagon = moved(geometry::regular_polygon(6, side), middle);
+        canvas.polygon(hexagon, {pattern_colour(static_cast<int>(pattern)), "none", 0.0, 1.0});
+        draw_fan_beams(canvas, surface_->layout, surface_->tessellation.patterns[pattern].pattern, hexagon,
+                       {"none", kBeamColour, 0.06 * side, 1.0});
     }
 
     const Surface* surface_;
@@ -281,9 +273,7 @@ SvgCanvas reduced_panel(const Surface& surface, const LineSet& beams) {
                        {"#f4f6f8", kRimColour, 0.2 * width, 1.0});
     canvas.layer("beams of the reduced model");
     const std::vector<Point2> nodes = projection.all(beams.nodes);
-    std::vector<std::array<Point2, 2>> segments;
-    for (const auto& line : beams.lines) segments.push_back({nodes[line[0]], nodes[line[1]]});
-    canvas.segments(segments, {"none", kReducedColour, width, 1.0});
+    canvas.segments(segments_of(beams.lines, nodes), {"none", kReducedColour, width, 1.0});
     return canvas;
 }
 

@@ -63,6 +63,11 @@ Box bounding_box(std::span<const Point2> points, double margin) {
     return geometry::grown(geometry::box_of(points), margin);
 }
 
+std::vector<Point2> moved(std::vector<Point2> points, const Point2& by) {
+    for (Point2& point : points) point = point + by;
+    return points;
+}
+
 SvgCanvas::SvgCanvas(const Box& box, double scale) : box_(box), units_per_metre_(1000.0 * scale) {}
 
 std::string SvgCanvas::place(const Point2& point) const {

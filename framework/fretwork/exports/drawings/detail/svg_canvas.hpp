@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace fretwork::exports::detail {
 
@@ -15,6 +16,19 @@ using Colour = std::string;
 
 /// The smallest box around some points, none or more, wider by `margin` on every side.
 geometry::Box bounding_box(std::span<const geometry::Point2> points, double margin);
+
+/// The points, each with `by` added.
+std::vector<geometry::Point2> moved(std::vector<geometry::Point2> points, const geometry::Point2& by);
+
+/// Lines by their two ends.
+using Segments = std::vector<std::array<geometry::Point2, 2>>;
+/// The lines between points; each line has the numbers of its two ends.
+template <class Ends>
+Segments segments_of(const std::vector<Ends>& lines, std::span<const geometry::Point2> points) {
+    Segments segments;
+    for (const auto& [first, second] : lines) segments.push_back({points[first], points[second]});
+    return segments;
+}
 
 /// How a shape is drawn. Widths in metres.
 struct Style {
