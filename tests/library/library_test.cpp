@@ -272,6 +272,7 @@ TEST_F(LibraryTest, PatternsLeftToComputeShrinkAsResultsAndFailuresAreStored) {
                                        {"0-6+1-6+3-6", calibration_computation(key), "no start converged"}});
     EXPECT_EQ(ids_of(library.patterns_without_responses()),
               (std::vector<std::string>{"0-6+1-6+3-6", "0-1+1-5+3-6+5-6"}));
+    EXPECT_EQ(ids_of(library.patterns_with_responses()), std::vector<std::string>{"0-1+1-6"});
     EXPECT_EQ(ids_of(library.patterns_without_calibration(key)),
               (std::vector<std::string>{"0-1+1-5+3-6+5-6"}));
     CalibrationKey other = key;

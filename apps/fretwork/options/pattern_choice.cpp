@@ -6,28 +6,14 @@
 #include <fretwork/base/text.hpp>
 
 #include <algorithm>
-#include <set>
 #include <string_view>
 
 namespace fretwork::app {
 namespace {
 
-using pattern::NamedPattern;
-
 std::size_t parse_count(std::string_view text, const char* option, const char* what) {
     if (const auto number = base::read_number<std::size_t>(text); number && *number > 0) return *number;
     throw base::InputError(option, "", "'" + std::string(text) + "' is not a " + what);
-}
-
-/// Responses are stored, recorded as failed, or lacking: never two of these.
-std::vector<NamedPattern> computed_patterns(const library::Library& library) {
-    std::set<std::string> without;
-    for (const NamedPattern& lacking : library.patterns_without_responses()) without.insert(lacking.id);
-    for (const library::Failure& failure : library.failures())
-        if (failure.computation == library::responses_computation()) without.insert(failure.pattern);
-    std::vector<NamedPattern> computed = library.patterns();
-    std::erase_if(computed, [&](const NamedPattern& entry) { return without.contains(entry.id); });
-    return computed;
 }
 
 }  // namespace
@@ -35,7 +21,7 @@ std::vector<NamedPattern> computed_patterns(const library::Library& library) {
 std::vector<pattern::NamedPattern> wanted_patterns(const library::Library& library,
                                                    const std::string& choice) {
     if (choice == "all") return library.patterns();
-    if (choice == "computed") return computed_patterns(library);
+    if (choice == "computed") return library.patterns_with_responses();
     if (choice.starts_with("sample:")) {
         return library.sample(
             parse_count(std::string_view(choice).substr(7), "--patterns", "number of patterns"));

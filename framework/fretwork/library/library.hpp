@@ -161,6 +161,8 @@ class Library {
     /// suggests the nearest id.
     [[nodiscard]] pattern::NamedPattern find_pattern(std::string_view id) const;
 
+    /// The patterns, in the order of patterns(), whose responses are stored.
+    [[nodiscard]] std::vector<pattern::NamedPattern> patterns_with_responses() const;
     /// The patterns, in the order of patterns(), whose responses are neither stored nor recorded as failed.
     [[nodiscard]] std::vector<pattern::NamedPattern> patterns_without_responses() const;
     /// The patterns, in the order of patterns(), whose calibration of this key is neither stored nor recorded

@@ -149,6 +149,11 @@ pattern::NamedPattern Library::find_pattern(std::string_view id) const {
     return entry;
 }
 
+std::vector<pattern::NamedPattern> Library::patterns_with_responses() const {
+    Statement ids(impl_->database, "SELECT DISTINCT pattern_id FROM response_state");
+    return impl_->select_patterns(ids);
+}
+
 std::vector<pattern::NamedPattern> Library::patterns_without_responses() const {
     Statement ids(impl_->database, kWithoutResponses);
     ids.bind_all(responses_computation());
