@@ -54,4 +54,16 @@ class Honeycomb {
     tiling::Tessellation tessellation_;
 };
 
+/// `columns` x `rows` hexagons, row by row, tile t painted with pattern t modulo their number. `first_vertex`
+/// turns every tile's pattern by this number of sectors.
+inline tiling::Tessellation hexagons(double side, int columns, int rows,
+                                     const std::vector<std::string>& patterns, int first_vertex = 0) {
+    Honeycomb tiles(side);
+    for (int row = 0; row < rows; ++row) {
+        for (int column = 0; column < columns; ++column)
+            tiles.add(column, row, static_cast<int>(tiles.size() % patterns.size()), first_vertex);
+    }
+    return std::move(tiles).painted(patterns);
+}
+
 }  // namespace fretwork::test

@@ -8,7 +8,6 @@
 #include <fretwork/exports/writer_catalogue.hpp>
 
 #include <cmath>
-#include <utility>
 
 namespace fretwork::exports::test {
 
@@ -19,12 +18,7 @@ inline constexpr double kSide = 0.026;
 
 /// A honeycomb of the paper's layout, tile t painted with pattern t modulo their number.
 inline tiling::Tessellation honeycomb(int columns, int rows, const std::vector<std::string>& patterns) {
-    fretwork::test::Honeycomb tiles(kSide);
-    for (int row = 0; row < rows; ++row) {
-        for (int column = 0; column < columns; ++column)
-            tiles.add(column, row, static_cast<int>(tiles.size() % patterns.size()));
-    }
-    return std::move(tiles).painted(patterns);
+    return fretwork::test::hexagons(kSide, columns, rows, patterns);
 }
 
 inline simulation::Surface sample_surface(int columns = 3, int rows = 2) {

@@ -8,7 +8,6 @@
 
 #include <cmath>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace fretwork::test {
@@ -18,13 +17,8 @@ namespace fretwork::test {
 inline simulation::Project honeycomb(int columns, int rows, const std::vector<std::string>& patterns,
                                      int first_vertex = 0) {
     const double side = 0.015 * std::sqrt(3.0);
-    Honeycomb tiles(side);
-    for (int row = 0; row < rows; ++row) {
-        for (int column = 0; column < columns; ++column)
-            tiles.add(column, row, static_cast<int>(tiles.size() % patterns.size()), first_vertex);
-    }
     simulation::Project project;
-    project.tessellation = std::move(tiles).painted(patterns);
+    project.tessellation = hexagons(side, columns, rows, patterns, first_vertex);
     const double w = 1.5 * side * (columns + 1);
     const double h = std::sqrt(3.0) * side * (rows + 1);
     project.outline = outlines::make_outline({{-w, -h}, {w, -h}, {w, h}, {-w, h}}, {});
