@@ -204,6 +204,17 @@ TEST(Compare, OfAResultWithItselfIsZero) {
     EXPECT_GT(comparison.max_displacement, 0.0);
 }
 
+TEST(Compare, CallsTheFullResultUnstableOnlyIfItsTestDecides) {
+    simulation::SurfaceResult full;
+    full.nodes = {{0, {0, 0, 0}, true}};
+    full.solution.displacements = NodeValues::Constant(1, 6, 0.004);
+    full.solution.stable = false;
+    full.solution.stability = mechanics::StabilityTest::SymmetricPart;
+    EXPECT_FALSE(compare(full, full).full_is_unstable);
+    full.solution.stability = mechanics::StabilityTest::Tangent;
+    EXPECT_TRUE(compare(full, full).full_is_unstable);
+}
+
 /// Two nodes with errors of 3 and 1 mm: mean 2, sd of the population 1; rotations about x by 0.1 and 0.
 TEST(Compare, MatchesAnExampleByHand) {
     simulation::SurfaceResult full;

@@ -5,6 +5,7 @@
 #include <fretwork/base/files/base64.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
 #include <fretwork/simulation/simulate.hpp>
+#include <studio/solving/live_solver.hpp>
 
 #include <gmock/gmock.h>
 
@@ -853,6 +854,15 @@ TEST(StudioJobs, AnUnknownModelIsRefusedAndTheModelsAreNamed) {
         EXPECT_THAT(error, HasSubstr("condensed"));
         EXPECT_THAT(error, HasSubstr("full"));
     }
+}
+
+TEST(StudioWarnings, CallAnEquilibriumUnstableOnlyIfItsTestDecides) {
+    simulation::SurfaceResult result;
+    result.solution.stable = false;
+    result.solution.stability = mechanics::StabilityTest::SymmetricPart;
+    EXPECT_THAT(warnings_of(result), testing::IsEmpty());
+    result.solution.stability = mechanics::StabilityTest::Tangent;
+    EXPECT_THAT(warnings_of(result), testing::ElementsAre(HasSubstr("not stable")));
 }
 
 }  // namespace THIS_TEST

@@ -149,7 +149,7 @@ void print_result(const simulation::SurfaceResult& result, const Wanted& wanted)
                 std::string(reduction::joints_name(subject.joints.value())).c_str(),
                 base::printable(subject.load_case).c_str(), result.solver.c_str(),
                 std::string(mechanics::termination_name(solution.termination)).c_str(),
-                solution.stable ? "" : ", unstable");
+                solution.is_unstable() ? ", unstable" : "");
     if (!solution.converged()) print_failure(result, wanted.branch);
     std::printf("largest displacement %.4g mm, largest rotation %.4g deg (interface nodes), %.3g s\n",
                 1e3 * simulation::largest_displacement(result, solution),

@@ -37,7 +37,7 @@ std::vector<std::string> warnings_of(const simulation::SurfaceResult& result) {
         warnings.emplace_back("No equilibrium was found: the computation stopped at " +
                               std::to_string(std::lround(100 * solution.load_factor)) +
                               " % of the load. Make the load smaller, or hold the surface more.");
-    if (!solution.stable)
+    if (solution.is_unstable())
         warnings.emplace_back("This equilibrium is not stable: the surface would snap into another shape.");
     if (simulation::is_doubtful(result))
         warnings.emplace_back(

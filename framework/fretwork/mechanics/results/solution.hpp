@@ -52,6 +52,9 @@ struct Solution {
     [[nodiscard]] bool converged() const { return termination == Termination::Converged; }
     bool stable = true;                             ///< true if the tangent has no negative pivot
     StabilityTest stability = StabilityTest::None;  ///< the test of stability
+    /// True if the test has found that the equilibrium is unstable. A test that is only sufficient leaves it
+    /// undecided.
+    [[nodiscard]] bool is_unstable() const { return !stable && stability == StabilityTest::Tangent; }
     NodeValues displacements;  ///< one row for each reported node; rotations as rotation vectors
     /// Rows of the assembly's other nodes, which lie inside divided beams or belong to hinges.
     NodeValues inner_displacements{};

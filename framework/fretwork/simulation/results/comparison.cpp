@@ -156,7 +156,7 @@ Comparison compare(const SurfaceResult& full, const SurfaceResult& reduced) {
     if (!std::isfinite(comparison.relative_l2_error) || !std::isfinite(comparison.max_translation_error) ||
         !std::isfinite(comparison.max_rotation_error))
         throw base::InputError("the results hold displacements that are too large to be compared");
-    comparison.full_is_unstable = !full.solution.stable;
+    comparison.full_is_unstable = full.solution.is_unstable();
     for (const SurfaceResult* result : {&full, &reduced}) {
         if (!comparison.joints && result->subject) comparison.joints = result->subject->joints;
     }

@@ -48,9 +48,7 @@ double warned_error(const ModelError& error) {
 std::string path_warning(const SurfaceResult& result) {
     const mechanics::Solution& solution = result.solution;
     if (solution.converged())
-        return !solution.stable && solution.stability == mechanics::StabilityTest::Tangent
-                   ? "this equilibrium is unstable: a specimen does not stay there"
-                   : "";
+        return solution.is_unstable() ? "this equilibrium is unstable: a specimen does not stay there" : "";
     if (result.solver != mechanics::solver_name(mechanics::Solver::Newton))
         return "this is not an equilibrium";
     char share[40];
