@@ -44,11 +44,12 @@ palette=0-1+1-6,0-5+5-6,2-4+2-6+4-6
 picture_of() {
   local name=$1 size=$2
   shift 2
-  "$fretwork" studio --no-browser --port 8741 "$@" >studio.log 2>&1 &
+  local log=$name.log  # its own: in the log of the studio before it, the old address could be read
+  "$fretwork" studio --no-browser --port 8741 "$@" >"$log" 2>&1 &
   studio=$!
   trap 'kill $studio 2>/dev/null; rm -rf "$work"' EXIT
-  for _ in $(seq 50); do grep -q http studio.log && break; sleep 0.1; done
-  address=$(grep -o 'http://[^ ]*' studio.log | head -n 1)
+  for _ in $(seq 50); do grep -qs http "$log" && break; sleep 0.1; done
+  address=$(grep -o 'http://[^ ]*' "$log" | head -n 1)
   chromium --headless --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --hide-scrollbars --window-size="$size" \
     --user-data-dir="$work/browser" --timeout=20000 --virtual-time-budget=20000 --screenshot="$out/$name.png" "$address" 2>/dev/null
   kill $studio
