@@ -7,7 +7,6 @@ Example: entry.py build/release/apps/fretwork/fretwork out/dataset/paper7 out/be
 The release stays as it is: the work is done in a copy of its library.
 """
 import argparse
-import csv
 import pathlib
 import shutil
 import sqlite3
@@ -17,6 +16,7 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "common"))
 sys.path.insert(0, str(HERE))
+from csv_tables import write_table  # noqa: E402
 from objective import PARAMETERS  # noqa: E402
 from program import Fretwork  # noqa: E402
 
@@ -49,10 +49,7 @@ def main():
                                                     "--starts", options.starts, "--budget", options.budget, "--seed", options.seed, accepted=(0, 1))
         rows = calibrations(pathlib.Path(folder) / "library.db", options)
     options.out.parent.mkdir(parents=True, exist_ok=True)
-    with options.out.open("w", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["pattern_id", "evaluations", *PARAMETERS])
-        writer.writerows([name, rows[name][0], *map(repr, rows[name][1])] for name in held_out if name in rows)
+    write_table(options.out, ["pattern_id", "evaluations", *PARAMETERS], ([name, rows[name][0], *rows[name][1]] for name in held_out if name in rows))
     lacking = [name for name in held_out if name not in rows]
     if lacking:
         print(f"entry.py: {len(lacking)} patterns failed, such as {lacking[0]}", file=sys.stderr)

@@ -8,7 +8,6 @@ Example: predict.py out/dataset/paper7 out/benchmark/ridge-pairs.csv --features 
 chosen by five-fold cross-validation on the patterns that are not held out. Stiffness is predicted in logarithms.
 """
 import argparse
-import csv
 import itertools
 import pathlib
 import sys
@@ -18,6 +17,8 @@ import numpy
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 sys.path.insert(0, str(HERE.parent / "dataset"))
+sys.path.insert(0, str(HERE.parent / "common"))
+from csv_tables import write_table  # noqa: E402
 from load import load  # noqa: E402
 from score import RATIOS, STIFFNESS  # noqa: E402
 
@@ -74,7 +75,7 @@ def predict(patterns, properties, held_out, kind):
     weights, constant = fit(table, targets, validated_penalty(table, targets))
     found = features(wanted, kind, vocabulary) @ weights + constant
     found[:, :len(STIFFNESS)] = numpy.exp(found[:, :len(STIFFNESS)])
-    return [[name, *map(repr, map(float, row))] for name, row in zip(wanted, found)]
+    return [[name, *map(float, row)] for name, row in zip(wanted, found)]
 
 
 def main():
@@ -85,10 +86,8 @@ def main():
     options = parser.parse_args()
     arrays, properties, held_out = load(options.release)
     options.out.parent.mkdir(parents=True, exist_ok=True)
-    with options.out.open("w", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["pattern_id", *STIFFNESS, *RATIOS])
-        writer.writerows(predict([str(name) for name in arrays["patterns"]], properties, held_out, options.features))
+    write_table(options.out, ["pattern_id", *STIFFNESS, *RATIOS],
+                predict([str(name) for name in arrays["patterns"]], properties, held_out, options.features))
 
 
 if __name__ == "__main__":

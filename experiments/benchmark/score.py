@@ -18,6 +18,7 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "common"))
 sys.path.insert(0, str(HERE))
+from csv_tables import read_rows  # noqa: E402
 from intervals import exact_interval, resampled_interval  # noqa: E402
 from objective import PARAMETERS, Release  # noqa: E402
 
@@ -71,8 +72,7 @@ def read_row(path, line, row, columns, held_out, rows):
 # ---- calibrate ----
 
 def best_known(path):
-    with open(path, newline="") as file:
-        return {row["problem"].removeprefix("calibration/"): float(row["best_value"]) for row in csv.DictReader(file)}
+    return {row["problem"].removeprefix("calibration/"): float(row["best_value"]) for row in read_rows(path)}
 
 
 def gap_of(path, release, name, row, known):

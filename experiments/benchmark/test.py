@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The objective in NumPy against the program's, the scores on counted cases, and all scripts on a small release. Usage: test.py PROGRAM"""
-import csv
 import json
 import math
 import pathlib
@@ -11,7 +10,7 @@ import tempfile
 import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE), str(HERE.parent / "dataset")]
+sys.path[:0] = [str(HERE), str(HERE.parent / "dataset"), str(HERE.parent / "common")]
 try:
     import numpy
 except ImportError:
@@ -19,7 +18,7 @@ except ImportError:
 import objective  # noqa: E402
 import predict  # noqa: E402
 import score  # noqa: E402
-from archives import rows_of  # noqa: E402
+from csv_tables import read_rows, write_table  # noqa: E402
 
 PROGRAM = str(pathlib.Path(sys.argv.pop(1)).resolve())
 
@@ -90,17 +89,17 @@ class Whole(unittest.TestCase):
     def test_objective_is_the_programs(self):
         tables = self.folder / "release" / "tables"
         parameters = {}
-        for row in rows_of(tables / "calibration_parameter.csv"):
+        for row in read_rows(tables / "calibration_parameter.csv"):
             if row["model"] == "paper6":
                 parameters.setdefault(row["pattern_id"], {})[row["name"]] = float(row["value"])
-        rows = [row for row in rows_of(tables / "calibration.csv") if row["model"] == "paper6"]
+        rows = [row for row in read_rows(tables / "calibration.csv") if row["model"] == "paper6"]
         self.assertEqual(len(rows), 24)
         for row in rows:
             values = [parameters[row["pattern_id"]][name] for name in objective.PARAMETERS]
             self.assertAlmostEqual(self.release.problem(row["pattern_id"])(values) / float(row["objective"]), 1.0, places=9)
 
     def test_bounds_hold_the_calibrations(self):
-        for row in rows_of(self.folder / "ours.csv"):
+        for row in read_rows(self.folder / "ours.csv"):
             problem = self.release.problem(row["pattern_id"])
             values = numpy.array([float(row[name]) for name in objective.PARAMETERS])
             self.assertTrue((values >= problem.lower * (1.0 - 1e-12 * numpy.sign(problem.lower))).all(), row)
@@ -110,7 +109,7 @@ class Whole(unittest.TestCase):
         told = run(HERE / "score.py", "calibrate", self.folder / "release", self.folder / "ours.csv", "--json")
         self.assertEqual(told.returncode, 0, told.stderr)
         found = json.loads(told.stdout)[0]
-        rows = rows_of(self.folder / "ours.csv")
+        rows = read_rows(self.folder / "ours.csv")
         self.assertEqual({row["pattern_id"] for row in rows}, self.release.held_out)
         self.assertEqual(found["patterns"], len(rows))
         total = sum(int(row["evaluations"]) for row in rows)
@@ -121,7 +120,7 @@ class Whole(unittest.TestCase):
         self.assertIn("| `ours` |", run(HERE / "score.py", "calibrate", self.folder / "release", self.folder / "ours.csv").stdout)
 
     def test_a_worse_point_is_no_hit_whatever_it_claims(self):
-        rows = rows_of(self.folder / "ours.csv")
+        rows = read_rows(self.folder / "ours.csv")
         for row in rows:
             row["A"] = repr(max(0.99 * float(row["A"]), float(self.release.tile.lower[0])))
         self.write("moved.csv", rows)
@@ -130,7 +129,7 @@ class Whole(unittest.TestCase):
 
     def test_refuses_what_breaks_a_rule(self):
         def spoiled(change):
-            rows = rows_of(self.folder / "ours.csv")
+            rows = read_rows(self.folder / "ours.csv")
             change(rows)
             self.write("spoiled.csv", rows)
             told = run(HERE / "score.py", "calibrate", self.folder / "release", self.folder / "spoiled.csv")
@@ -153,10 +152,7 @@ class Whole(unittest.TestCase):
         self.assertEqual((told.returncode, len(told.stderr.splitlines())), (2, 1), told.stderr)
 
     def write(self, name, rows):
-        with (self.folder / name).open("w", newline="") as file:
-            writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
-            writer.writeheader()
-            writer.writerows(rows)
+        write_table(self.folder / name, list(rows[0]), (row.values() for row in rows))
 
     def test_example_and_baselines_can_be_scored(self):
         self.assertEqual(run(HERE / "example.py", self.folder / "release", self.folder / "compass.csv", "--budget", "40").returncode, 0)

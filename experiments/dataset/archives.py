@@ -1,15 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """NumPy archives of a release: the tables of responses as arrays, and the condensed stiffness with the plate's tensors."""
-import csv
-
 import numpy
 
+from csv_tables import each_row, read_rows
 from plate import Plate
-
-
-def rows_of(path):
-    with path.open(newline="") as file:
-        return list(csv.DictReader(file))
 
 
 def state_arrays(states, shape, place_of):
@@ -25,8 +19,8 @@ def state_arrays(states, shape, place_of):
 
 def response_arrays(tables):
     """The responses as arrays: patterns x scenarios x magnitudes (x nodes x 6), and flags of samples."""
-    scenarios = [row["name"] for row in sorted(rows_of(tables / "scenario.csv"), key=lambda row: int(row["position"]))]
-    states = rows_of(tables / "response_state.csv")
+    scenarios = [row["name"] for row in sorted(read_rows(tables / "scenario.csv"), key=lambda row: int(row["position"]))]
+    states = read_rows(tables / "response_state.csv")
     patterns = sorted({row["pattern_id"] for row in states})
     pattern_at = {name: place for place, name in enumerate(patterns)}
     scenario_at = {name: place for place, name in enumerate(scenarios)}
@@ -36,12 +30,10 @@ def response_arrays(tables):
 
     shape = (len(patterns), len(scenarios), max(int(row["step"]) for row in states))
     arrays = state_arrays(states, shape, place_of)
-    with (tables / "response.csv").open(newline="") as file:
-        nodes = 1 + max(int(row["node"]) for row in csv.DictReader(file))
+    nodes = 1 + max(int(row["node"]) for row in each_row(tables / "response.csv"))
     displacements = numpy.full((*shape, nodes, 6), numpy.nan)
-    with (tables / "response.csv").open(newline="") as file:
-        for row in csv.DictReader(file):
-            displacements[(*place_of(row), int(row["node"]))] = [float(row[name]) for name in ("ux", "uy", "uz", "rx", "ry", "rz")]
+    for row in each_row(tables / "response.csv"):
+        displacements[(*place_of(row), int(row["node"]))] = [float(row[name]) for name in ("ux", "uy", "uz", "rx", "ry", "rz")]
     return {"patterns": numpy.array(patterns), "scenarios": numpy.array(scenarios), "displacements": displacements, **arrays}
 
 

@@ -2,20 +2,20 @@
 """Checks of a release folder."""
 import numpy
 
-from archives import rows_of
+from csv_tables import read_rows
 
 TOLERANCE = 1e-9  # of what is equal but for rounding
 
 
 def properties_of(folder):
     found = {}
-    for row in rows_of(folder / "tables" / "property.csv"):
+    for row in read_rows(folder / "tables" / "property.csv"):
         found.setdefault(row["pattern_id"], {})[row["name"]] = float(row["value"])
     return found
 
 
 def mirror_pairs(folder):
-    return [(row["id"], row["mirror"]) for row in rows_of(folder / "tables" / "pattern.csv")]
+    return [(row["id"], row["mirror"]) for row in read_rows(folder / "tables" / "pattern.csv")]
 
 
 def unequal_mirrors(pairs, properties):
@@ -79,14 +79,14 @@ def silent_failures(folder, arrays, is_whole):
     finite = numpy.isfinite(arrays["displacements"]).all(axis=(3, 4))
     for name in arrays["patterns"][(arrays["converged"] & ~finite).any(axis=(1, 2))]:
         yield f"{name}: a converged sample has displacements that are not finite"
-    failed = {row["pattern_id"] for row in rows_of(folder / "tables" / "failure.csv")}
-    calibrated = {(row["pattern_id"], row["model"]) for row in rows_of(folder / "tables" / "calibration.csv")}
+    failed = {row["pattern_id"] for row in read_rows(folder / "tables" / "failure.csv")}
+    calibrated = {(row["pattern_id"], row["model"]) for row in read_rows(folder / "tables" / "calibration.csv")}
     models = sorted({model for _, model in calibrated})
     for name in arrays["patterns"]:
         for model in models:
             if (name, model) not in calibrated and name not in failed:
                 yield f"{name}: has neither a calibration of {model} nor a failure"
-    wanted = {row["id"] for row in rows_of(folder / "tables" / "pattern.csv")} if is_whole else set()
+    wanted = {row["id"] for row in read_rows(folder / "tables" / "pattern.csv")} if is_whole else set()
     for name in sorted(wanted - set(arrays["patterns"]) - failed):
         yield f"{name}: has neither responses nor a failure"
 

@@ -8,7 +8,6 @@ Example: make.py build/release/apps/fretwork/fretwork out/dataset/paper7 --patte
 Killed at any moment, the same command goes on. All files but library.db are equal to the last byte for equal content (program, layout, setting, patterns).
 """
 import argparse
-import csv
 import hashlib
 import json
 import pathlib
@@ -22,8 +21,9 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "common"))
 sys.path.insert(0, str(HERE))
 import clearance  # noqa: E402
-from archives import response_arrays, rows_of, stiffness_arrays  # noqa: E402
+from archives import response_arrays, stiffness_arrays  # noqa: E402
 from checks import check  # noqa: E402
+from csv_tables import read_rows, write_table  # noqa: E402
 from package import write_package  # noqa: E402
 from program import Fretwork  # noqa: E402
 
@@ -66,13 +66,6 @@ def export(fretwork, options):
         fretwork("enumerate", "--layout", options.layout, "--classes", "tables/classes.csv")
 
 
-def write_table(path, columns, rows):
-    with path.open("w", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(columns)
-        writer.writerows(rows)
-
-
 def write_release(folder):
     tables = folder / "tables"
     layout, setting = (json.loads((tables / name).read_text()) for name in ("layout.json", "setting.json"))
@@ -82,9 +75,9 @@ def write_release(folder):
     numpy.savez_compressed(folder / "arrays.npz", **arrays)
     numpy.savez_compressed(folder / "stiffness.npz", **matrices)
     write_table(tables / "coupling.csv", ("pattern_id", *(f"B{i}{j}" for i in "126" for j in "126")),
-                ([name, *map(repr, map(float, tensor.ravel()))] for name, tensor in zip(matrices["patterns"], matrices["B"])))
+                ([name, *map(float, tensor.ravel())] for name, tensor in zip(matrices["patterns"], matrices["B"])))
     write_table(tables / "clearance.csv", clearance.COLUMNS, clearance.rows(layout, setting, arrays["patterns"]))
-    mirrors = {row["id"]: row["mirror"] for row in rows_of(tables / "pattern.csv")}
+    mirrors = {row["id"]: row["mirror"] for row in read_rows(tables / "pattern.csv")}
     (folder / "held_out.txt").write_text("".join(f"{name}\n" for name in arrays["patterns"] if is_held_out(name, mirrors[name])))
     write_package(folder, layout["name"])
     return arrays, matrices

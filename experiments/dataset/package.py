@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """datapackage.json of a release (specs.frictionlessdata.io), and its checksums."""
-import csv
 import hashlib
 import json
 import pathlib
 
-from archives import rows_of
+from csv_tables import columns_of, read_rows
 
 HERE = pathlib.Path(__file__).resolve().parent
 LICENCE = {"name": "GPL-3.0-or-later", "title": "GNU General Public License v3.0 or later", "path": "https://www.gnu.org/licenses/gpl-3.0.html"}
@@ -18,7 +17,7 @@ def digest(path):
 
 def fields_of(table, columns):
     """One field a column; its type, unit and meaning are those of dictionary.csv."""
-    meaning = {(row["table"], row["column"]): row for row in rows_of(HERE / "dictionary.csv")}
+    meaning = {(row["table"], row["column"]): row for row in read_rows(HERE / "dictionary.csv")}
     for column in columns:
         row = meaning.get((table, column)) or meaning.get(("*", column))
         if row is None:
@@ -27,10 +26,8 @@ def fields_of(table, columns):
 
 
 def table_resource(path):
-    with path.open(newline="") as file:
-        columns = next(csv.reader(file))
     return {"name": path.stem.replace("_", "-"), "path": f"tables/{path.name}", "profile": "tabular-data-resource", "format": "csv", "mediatype": "text/csv",
-            "encoding": "utf-8", "schema": {"fields": list(fields_of(path.stem, columns))}, "hash": f"sha256:{digest(path)}", "bytes": path.stat().st_size}
+            "encoding": "utf-8", "schema": {"fields": list(fields_of(path.stem, columns_of(path)))}, "hash": f"sha256:{digest(path)}", "bytes": path.stat().st_size}
 
 
 def archive_resource(path):

@@ -8,7 +8,6 @@ Both programs get one setting (resolve_linear.json, resolve_nonlinear.json), in 
 difference as a share of the largest displacement; ends with 1 if one is above its tolerance, with 77 without ccx.
 """
 import argparse
-import csv
 import json
 import pathlib
 import shutil
@@ -21,7 +20,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "common"))
 sys.path.insert(0, str(HERE))
 import calculix  # noqa: E402
-from archives import rows_of  # noqa: E402
+from csv_tables import read_rows, write_table  # noqa: E402
 from program import Fretwork  # noqa: E402
 
 # CalculiX prints seven digits. Its nonlinear beams are solids, whose elements leave a difference that falls with their number.
@@ -66,9 +65,9 @@ def linear_rows(folder, setting, patterns):
 
 
 def nonlinear_rows(folder, setting, patterns):
-    states = {(row["pattern_id"], row["scenario"], row["step"]): row for row in rows_of(folder / "tables" / "response_state.csv")}
+    states = {(row["pattern_id"], row["scenario"], row["step"]): row for row in read_rows(folder / "tables" / "response_state.csv")}
     ours = {}
-    for row in rows_of(folder / "tables" / "response.csv"):
+    for row in read_rows(folder / "tables" / "response.csv"):
         ours.setdefault((row["pattern_id"], row["scenario"], row["step"]), []).append([float(row[name]) for name in calculix.COMPONENTS])
     for name in patterns:
         nodes, bars = calculix.read_mesh(folder / "meshes" / f"{name}.obj")
@@ -100,10 +99,7 @@ def main():
         raise SystemExit(77)
     rows = list(resolve(options.program.resolve(), options))
     options.out.parent.mkdir(parents=True, exist_ok=True)
-    with options.out.open("w", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["kind", "pattern_id", "scenario", "magnitude", "difference"])
-        writer.writerows([*row[:4], f"{row[4]:.3g}"] for row in rows)
+    write_table(options.out, ["kind", "pattern_id", "scenario", "magnitude", "difference"], ([*row[:4], f"{row[4]:.3g}"] for row in rows))
     worst = {}
     for kind, tolerance in TOLERANCES.items():
         shares = [row[4] for row in rows if row[0] == kind]

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A release of twenty patterns. Usage: test.py PROGRAM"""
 import copy
-import csv
 import hashlib
 import json
 import math
@@ -13,7 +12,7 @@ import tempfile
 import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE))
+sys.path[:0] = [str(HERE), str(HERE.parent / "common")]
 try:
     import jsonschema
     import numpy
@@ -22,7 +21,7 @@ except ImportError:
 import checks  # noqa: E402
 import clearance  # noqa: E402
 import tile_geometry  # noqa: E402
-from archives import rows_of  # noqa: E402
+from csv_tables import columns_of, read_rows  # noqa: E402
 from load import load  # noqa: E402
 from make import is_held_out  # noqa: E402
 
@@ -73,8 +72,7 @@ class Release(unittest.TestCase):
         tables = [resource for resource in package["resources"] if resource["profile"] == "tabular-data-resource"]
         self.assertEqual(len(tables), len(list((self.folder / "tables").glob("*.csv"))))
         for resource in tables:
-            with (self.folder / resource["path"]).open(newline="") as file:
-                self.assertEqual([field["name"] for field in resource["schema"]["fields"]], next(csv.reader(file)))
+            self.assertEqual([field["name"] for field in resource["schema"]["fields"]], columns_of(self.folder / resource["path"]))
         self.assertEqual(len({resource["name"] for resource in package["resources"]}), len(package["resources"]))
 
     def test_checksums_are_those_of_the_files(self):
@@ -88,7 +86,7 @@ class Release(unittest.TestCase):
         mirrors = dict(checks.mirror_pairs(self.folder))
         self.assertEqual(held_out, {name for name in properties if is_held_out(name, mirrors[name])})
         scenarios, patterns = list(arrays["scenarios"]), list(arrays["patterns"])
-        for row in rows_of(self.folder / "tables" / "response.csv"):
+        for row in read_rows(self.folder / "tables" / "response.csv"):
             values = arrays["displacements"][patterns.index(row["pattern_id"]), scenarios.index(row["scenario"]), int(row["step"]) - 1, int(row["node"])]
             self.assertEqual(list(values), [float(row[name]) for name in ("ux", "uy", "uz", "rx", "ry", "rz")])
 
@@ -113,7 +111,7 @@ class Release(unittest.TestCase):
             self.assertAlmostEqual(work / flexibility, 1.0, delta=0.05)
 
     def test_distances_are_those_of_the_filter(self):
-        rows = rows_of(self.folder / "tables" / "clearance.csv")
+        rows = read_rows(self.folder / "tables" / "clearance.csv")
         for width in clearance.WIDTHS:
             run(self.folder, "enumerate", "--filter", f"tight_clearance={clearance.GAP}", "--beam-width", width, "--list", "../list.txt")
             allowed = set((self.folder.parent / "list.txt").read_text().split())
@@ -125,7 +123,7 @@ class Release(unittest.TestCase):
         side = json.loads((self.folder / "tables" / "setting.json").read_text())["tile_side"]
         self.write_hexagons(self.folder.parent / "hexagons.obj", side)
         bars = 0.002
-        rows = [row for row in rows_of(self.folder / "tables" / "clearance.csv") if float(row["distance"]) > bars]
+        rows = [row for row in read_rows(self.folder / "tables" / "clearance.csv") if float(row["distance"]) > bars]
         self.assertGreater(len(rows), 5)
         for row in rows[:6]:
             gap = float(row["distance"]) - bars

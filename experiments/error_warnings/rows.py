@@ -7,7 +7,6 @@ The kinds of cases.py, and random surfaces of ../large_deflections with another 
 paper6, and OUT/patterns.txt. Rows go to OUT/rows.csv; those that are there are kept, so it goes on when started again.
 """
 import argparse
-import csv
 import json
 import pathlib
 import sys
@@ -18,6 +17,7 @@ for name in ("common", "large_deflections"):
 import cases  # noqa: E402
 import run as large_deflections  # noqa: E402
 import surfaces  # noqa: E402
+from csv_tables import GrowingTable  # noqa: E402
 from program import Failed, Fretwork  # noqa: E402
 
 TURNING = ("corotational", "mixed:0.05", "mixed:0.1")
@@ -103,10 +103,6 @@ def row_of(fretwork, case, full, model):
     return row
 
 
-def written(value):
-    return f"{value:.5g}" if isinstance(value, float) else value
-
-
 def new_rows(fretwork, options, done):
     """Of each surface that is not done yet a row for each model."""
     for case, prepare in [*own_kinds(fretwork, options), *random_surfaces(fretwork, options)]:
@@ -129,15 +125,9 @@ def main():
     options = parser.parse_args()
     (options.out / "surface").mkdir(parents=True, exist_ok=True)
     fretwork = Surface(options.program.resolve(), options.out / "surface")
-    table = options.out / "rows.csv"
-    done = {(row["kind"], row["painting"], row["amount"]) for row in csv.DictReader(table.open())} if table.exists() else set()
-    with table.open("a", newline="") as file:
-        writer = csv.DictWriter(file, FIELDS, restval="", lineterminator="\n")
-        if not done:
-            writer.writeheader()
-        for rows in new_rows(fretwork, options, done):
-            writer.writerows({key: written(value) for key, value in row.items()} for row in rows)
-            file.flush()
+    table = GrowingTable(options.out / "rows.csv", large_deflections.DIGITS, FIELDS)
+    for rows in new_rows(fretwork, options, {(row["kind"], row["painting"], row["amount"]) for row in table.rows}):
+        table.add(rows)
 
 
 if __name__ == "__main__":

@@ -6,6 +6,9 @@ import pathlib
 import statistics
 import sys
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
+from csv_tables import print_table, write_table  # noqa: E402
+
 COLUMNS = ("method tiles target patterns seed bent uniform error ratio solutions full_solutions used_patterns swaps seconds unit "
            "units half_units model_error end equal relaxed outside").split()
 
@@ -39,22 +42,22 @@ def percent(value):
 def main():
     folder = pathlib.Path(sys.argv[1])
     rows = read_rows(folder)
-    (folder.parent / "rows.csv").write_text(
-        "\n".join([",".join(COLUMNS)] + [",".join(row[c] for c in COLUMNS) for row in rows]) + "\n")
+    write_table(folder.parent / "rows.csv", COLUMNS, ([row[column] for column in COLUMNS] for row in rows))
     groups = collections.defaultdict(list)
     for row in rows:
         groups[(row["method"], int(row["tiles"]), row["target"], row["patterns"])].append(row)
-    print("| search | tiles | target | patterns | runs | u_max / span | best uniform, % | error, % | ratio | worst ratio | solutions | swaps scored | units | units to half | tiles as hidden | mixtures, % | curvatures outside, % |")
-    print("|---" * 17 + "|")
+    header = ("search | tiles | target | patterns | runs | u_max / span | best uniform, % | error, % | ratio | worst ratio | solutions | swaps scored | "
+              "units | units to half | tiles as hidden | mixtures, % | curvatures outside, %").split(" | ")
+    lines = []
     for key in sorted(groups, key=lambda k: (k[1], k[2], k[0])):
         group = groups[key]
         ratios = [float(row["ratio"]) for row in group]
         uniform, error = median(group, "uniform"), median(group, "error")
-        print(f"| {key[0]} | {key[1]} | {key[2]} | {key[3]} | {len(group)} | {text(median(group, 'bent'), 2)} | "
-              f"{text(uniform and 100 * uniform)} | {text(error and 100 * error)} | {text(statistics.median(ratios))} | "
-              f"{text(max(ratios))} | {text(median(group, 'solutions'))} | {text(median(group, 'swaps') or None)} | {text(median(group, 'units'))} | "
-              f"{text(median(group, 'half_units'))} | {text(median(group, 'equal'))} | {percent(median(group, 'relaxed'))} | "
-              f"{percent(median(group, 'outside'))} |")
+        lines.append([*key, len(group), text(median(group, "bent"), 2), percent(uniform), percent(error), text(statistics.median(ratios)),
+                      text(max(ratios)), text(median(group, "solutions")), text(median(group, "swaps") or None), text(median(group, "units")),
+                      text(median(group, "half_units")), text(median(group, "equal")), percent(median(group, "relaxed")),
+                      percent(median(group, "outside"))])
+    print_table(header, lines)
 
 
 main()

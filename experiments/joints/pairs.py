@@ -21,7 +21,6 @@ import geometry
 import outline
 import scan
 import solid
-import solids
 import study
 import unseen
 
@@ -149,12 +148,12 @@ def main():
     options.out.mkdir(parents=True, exist_ok=True)
     fretwork = study.Fretwork(options.program.resolve(), options.out.resolve())
     drawn = unseen.drawn(fretwork, "--sample", 2 * options.count, "--seed", unseen.SEED)
-    table = options.out / "pairs.csv"
-    done = {(row["first"], row["second"]) for row in study.read_rows(table)} if table.exists() else set()
+    table = study.GrowingTable(options.out / "pairs.csv", study.DIGITS)
+    done = {(row["first"], row["second"]) for row in table.rows}
     for pair in zip(drawn[0::2], drawn[1::2]):
         if pair not in done:
-            solids.append(table, row_of(fretwork, pair, options.ccx))
-    print_table(study.read_rows(table))
+            table.add([row_of(fretwork, pair, options.ccx)])
+    print_table(study.read_rows(table.path))
 
 
 if __name__ == "__main__":

@@ -7,7 +7,6 @@ Appends to OUT/solids.csv, one row a pattern, width and mesh, as each is done; r
 started again. What cannot be meshed or solved goes to OUT/failures.csv. OUT/provenance.json tells what it was made with.
 """
 import argparse
-import csv
 import json
 import pathlib
 import platform
@@ -71,15 +70,6 @@ def key(row):
     return row["pattern"], *(float(row[name]) for name in ("width_mm", "mesh", "corner", "layers", "fillet_mm"))
 
 
-def append(path, row):
-    is_new = not path.exists()
-    with path.open("a", newline="") as file:
-        writer = csv.DictWriter(file, row, lineterminator="\n")
-        if is_new:
-            writer.writeheader()
-        writer.writerow({name: f"{value:.7g}" if isinstance(value, float) else value for name, value in row.items()})
-
-
 def version(*command, line=-1):
     done = subprocess.run(command, capture_output=True, text=True)
     return (done.stdout + done.stderr).strip().splitlines()[line].strip()
@@ -114,8 +104,8 @@ def main():
     options.out.mkdir(parents=True, exist_ok=True)
     fretwork = study.Fretwork(options.program.resolve(), options.out.resolve())
     write_provenance(fretwork, options)
-    rows, failed = options.out / "solids.csv", 0
-    done = {key(row) for row in study.read_rows(rows)} if rows.exists() else set()
+    table, failures, failed = *(study.GrowingTable(options.out / f"{name}.csv", study.DIGITS) for name in ("solids", "failures")), 0
+    done = {key(row) for row in table.rows}
     patterns = options.only.split(",") if options.only else study.sample(fretwork, options.sample)
     for width in map(float, options.widths.split(",")):
         library = study.library(fretwork, width, "centreline", ",".join(patterns))
@@ -125,10 +115,10 @@ def main():
             try:
                 row = row_of(fretwork, library, pattern, width, options)
             except ValueError as problem:
-                append(options.out / "failures.csv", {"pattern": pattern, "width_mm": width, "why": str(problem)})
+                failures.add([{"pattern": pattern, "width_mm": width, "why": str(problem)}])
                 failed += 1
                 continue
-            append(rows, row)
+            table.add([row])
             print(f"{width:g} mm {pattern}: {row['triangles']} triangles, {row['seconds']:.0f} s", flush=True)
     raise SystemExit(1 if failed else 0)
 

@@ -7,7 +7,7 @@ import sqlite3
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
-from csv_tables import read_rows, write_rows  # noqa: E402, F401
+from csv_tables import GrowingTable, read_rows, write_rows  # noqa: E402, F401
 from program import Fretwork  # noqa: E402, F401
 
 LAYOUT = "paper8"
@@ -16,6 +16,7 @@ YOUNG, POISSON = 1e9, 0.3  # Pa
 SHEAR_FACTOR = 5.0 / 6.0
 TENSORS = ("A11", "A12", "A66", "D11", "D12", "D66")  # N/m, N m
 MODELS = ("centreline", "sheared", "stiff", "stiff_sheared")
+DIGITS = 7  # of the numbers in tables
 
 
 def torsion_constant(side):

@@ -6,11 +6,11 @@ Usage: held_out.py PROGRAM PATTERNS OUT [--seeds 3,4,5,6] [--count 126]
 Rows go to OUT/held_out.csv; those that are there are kept. Prints the table of README.md. Exit code 1 if a surface beyond the aims is
 not named: neither warned of, nor with an estimate that is beyond them.
 """
-import csv
 import json
 
 import run
 import surfaces
+from csv_tables import GrowingTable, print_table, read_rows
 from program import Failed
 
 AIMS = {"mean": 0.015, "largest": 0.035}
@@ -41,14 +41,14 @@ def new_rows(study, done):
                 row |= row_of(study, surface)
             except Failed as failure:
                 row["note"] = failure.told
-            yield {key: f"{value:.5g}" if isinstance(value, float) else value for key, value in row.items()}
+            yield row
 
 
 def is_beyond(row, prefix=""):
     return any(row[prefix + key] and float(row[prefix + key]) > aim for key, aim in AIMS.items())
 
 
-def print_table(rows):
+def print_tables(rows):
     lines = []
     for kind in ("cantilever", "bridge"):
         own = [row for row in rows if row["kind"] == kind and not row["note"]]
@@ -59,9 +59,7 @@ def print_table(rows):
                       len(named), len(wrongly)])
     header = ["kind", "surfaces", "largest mean error", "largest error of a node", "beyond 1.5 or 3.5 %", "of these named",
               "warned of, and not beyond"]
-    print("| " + " | ".join(header) + " |\n|" + "---|" * len(header))
-    for line in lines:
-        print("| " + " | ".join(map(str, line)) + " |")
+    print_table(header, lines)
     for row in rows:
         if row["note"]:
             print(f"without a result: {row['seed']} {row['number']} ({row['kind']}): {row['note']}")
@@ -72,16 +70,10 @@ def print_table(rows):
 
 def main():
     study = run.Study(__doc__, lambda parser: parser.add_argument("--seeds", default="3,4,5,6"))
-    table = study.out / "held_out.csv"
-    done = {(row["seed"], row["number"]) for row in csv.DictReader(table.open())} if table.exists() else set()
-    with table.open("a", newline="") as file:
-        writer = csv.DictWriter(file, FIELDS, restval="", lineterminator="\n")
-        if not done:
-            writer.writeheader()
-        for row in new_rows(study, done):
-            writer.writerow(row)
-            file.flush()
-    raise SystemExit(1 if print_table(list(csv.DictReader(table.open()))) else 0)
+    table = GrowingTable(study.out / "held_out.csv", run.DIGITS, FIELDS)
+    for row in new_rows(study, {(row["seed"], row["number"]) for row in table.rows}):
+        table.add([row])
+    raise SystemExit(1 if print_tables(read_rows(table.path)) else 0)
 
 
 if __name__ == "__main__":

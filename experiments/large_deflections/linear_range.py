@@ -7,14 +7,15 @@ The surfaces are those of run.py, each under a tenth, three tenths and all of it
 estimate of `simulate --model condensed`, and the largest error of the condensed and the full linear model against the full
 one, as shares of the largest displacement. A summary is printed.
 """
-import csv
 import json
 
 import run
+from csv_tables import GrowingTable
 
 SHARES = (0.1, 0.3, 1.0)
 FIELDS = ["number", "kind", "share", "estimate", "loses_stability", "is_exceeded", "error", "full_is_unstable", "note"]
 IN_RANGE = 0.05
+DIGITS = 10
 
 
 def scaled(case, share):
@@ -65,17 +66,14 @@ def summary(rows):
 def main():
     study = run.Study(__doc__)
     rows = []
-    with (study.out / "linear_range.csv").open("w", newline="") as file:
-        writer = csv.DictWriter(file, FIELDS, restval="")
-        writer.writeheader()
-        for surface in study.surfaces:
-            try:
-                found = list(rows_of(study.fretwork, surface, study.patterns, study.folder))
-            except run.Failed as failure:
-                found = [{"number": surface["number"], "kind": surface["kind"], "note": failure.told}]
-            writer.writerows(found)
-            file.flush()
-            rows += found
+    table = GrowingTable.anew(study.out / "linear_range.csv", DIGITS, FIELDS)
+    for surface in study.surfaces:
+        try:
+            found = list(rows_of(study.fretwork, surface, study.patterns, study.folder))
+        except run.Failed as failure:
+            found = [{"number": surface["number"], "kind": surface["kind"], "note": failure.told}]
+        table.add(found)
+        rows += found
     summary(rows)
 
 

@@ -6,7 +6,6 @@ Usage: run.py PROGRAM PATTERNS OUT [--count N] [--seed N]   (PATTERNS: ids, one 
 Rows go to OUT/rows.csv; those that are there already are kept and not computed again.
 """
 import argparse
-import csv
 import json
 import pathlib
 import random
@@ -14,10 +13,12 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
 import surfaces  # noqa: E402
+from csv_tables import GrowingTable  # noqa: E402
 from program import Failed, Fretwork  # noqa: E402
 
 MODELS = ("condensed", "corotational", "mixed:0.05", "mixed:0.1", "mixed:0.3")
 SEARCH_STEPS = 6
+DIGITS = 5  # of the numbers in tables
 FIELDS = ["number", "kind", "shape", "tiles", "span", "deflection", "rotation", "full_s", "full_linear_s"]
 for name in MODELS:
     FIELDS += [f"{name}_{what}" for what in ("mean", "largest", "l2", "s")]
@@ -131,23 +132,16 @@ class Study:
 
 def main():
     study = Study(__doc__)
-    table = study.out / "rows.csv"
-    done = set()
-    if table.exists():
-        done = {int(row["number"]) for row in csv.DictReader(table.open())}
-    with table.open("a", newline="") as file:
-        writer = csv.DictWriter(file, FIELDS, restval="")
-        if not done:
-            writer.writeheader()
-        for surface in study.surfaces:
-            if surface["number"] in done:
-                continue
-            try:
-                row = row_of(study.fretwork, surface, study.patterns, study.folder)
-            except Failed as failure:
-                row = {"number": surface["number"], "kind": surface["kind"], "shape": surface["shape"], "note": failure.told}
-            writer.writerow({key: f"{value:.5g}" if isinstance(value, float) else value for key, value in row.items()})
-            file.flush()
+    table = GrowingTable(study.out / "rows.csv", DIGITS, FIELDS)
+    done = {int(row["number"]) for row in table.rows}
+    for surface in study.surfaces:
+        if surface["number"] in done:
+            continue
+        try:
+            row = row_of(study.fretwork, surface, study.patterns, study.folder)
+        except Failed as failure:
+            row = {"number": surface["number"], "kind": surface["kind"], "shape": surface["shape"], "note": failure.told}
+        table.add([row])
 
 
 if __name__ == "__main__":

@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From the files of surfaces.sh to a table, a row for each layout, on standard output.
+"""From the files of surfaces.sh to a table, a row for each layout.
 
-Usage: surfaces.py FOLDER
+Usage: surfaces.py FOLDER OUT.csv
 """
-import csv
 import json
 import pathlib
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
+from csv_tables import write_table  # noqa: E402
 
 MODELS = ("paper6", "condensed", "corotational")
 
@@ -31,13 +33,11 @@ def row(folder, name):
 
 
 def main():
-    folder = pathlib.Path(sys.argv[1])
+    folder, out = map(pathlib.Path, sys.argv[1:])
     suffix = "-calibrations.json"
     names = sorted(path.name.removesuffix(suffix) for path in folder.glob("*" + suffix))
     rows = [row(folder, name) for name in names]
-    writer = csv.DictWriter(sys.stdout, rows[0], lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(rows)
+    write_table(out, list(rows[0]), (line.values() for line in rows))
 
 
 if __name__ == "__main__":

@@ -29,4 +29,5 @@ for file in "$here"/*.json; do
   done
   "$fretwork" export "$name.json" --result "$name-full.json" --to "$here/$name.png" --size 480x300 >/dev/null
 done
-python3 "$here/surfaces.py" "$out" | tee "$here/surfaces.csv"
+python3 "$here/surfaces.py" "$out" "$here/surfaces.csv"
+cat "$here/surfaces.csv"

@@ -7,13 +7,13 @@ Usage: run.py OUT [--patterns N]     (with the Python module)
 Rows go to OUT/rows.csv; those that are there already are kept and not computed again.
 """
 import argparse
-import csv
 import pathlib
 import sys
 
 import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
+from csv_tables import GrowingTable  # noqa: E402
 from module import fw  # noqa: E402
 
 WIDTH, HEIGHT = 0.42, 0.26  # m
@@ -21,6 +21,7 @@ EDGE_LENGTH = 26 * 1e-3  # m, to the last bit what the program reads from "26mm"
 # Small: linear tiles (condensed) are the truth. The deflected sheet is bent by a tenth of its length: the full model is.
 FORCES = {"tension": ([1, 0, 0], None), "shear": ([0, 1, 0], None), "bending": ([0, 0, 1], None), "twist": (None, [1, 0, 0])}
 DEFLECTION = 0.1
+DIGITS = 5  # of the numbers in rows.csv
 SMALL_FORCE = 1e-4  # N, or N m
 # How calibrations differ: the model, and what the setting says other than the paper's.
 VARIANTS = {"paper6": ("paper6", {}), "ring10": ("ring10", {}), "equal weights": ("paper6", {"weights": 1.0}),
@@ -105,18 +106,11 @@ def main():
     outline = fw.make_outline([[0, 0], [WIDTH, 0], [WIDTH, HEIGHT], [0, HEIGHT]])
     libraries = make_libraries(options.out, options.patterns)
     patterns = sorted(entry.id for entry in libraries["paper6"].fitted_patterns())
-    table = options.out / "rows.csv"
-    done = {row["pattern"] for row in csv.DictReader(table.open())} if table.exists() else set()
-    with table.open("a", newline="") as file:
-        for pattern in patterns:
-            if pattern in done:
-                continue
-            rows = list(rows_of(libraries, outline, pattern))
-            writer = csv.DictWriter(file, rows[0], lineterminator="\n")
-            if file.tell() == 0:
-                writer.writeheader()
-            writer.writerows({k: f"{v:.5g}" if isinstance(v, float) else v for k, v in row.items()} for row in rows)
-            file.flush()
+    table = GrowingTable(options.out / "rows.csv", DIGITS)
+    done = {row["pattern"] for row in table.rows}
+    for pattern in patterns:
+        if pattern not in done:
+            table.add(list(rows_of(libraries, outline, pattern)))
 
 
 if __name__ == "__main__":

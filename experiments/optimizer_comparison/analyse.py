@@ -5,7 +5,6 @@
 Usage: analyse.py RESULTS.csv KNOWN.csv OUT [--ours NAME] [--annealing NAME]
 """
 import argparse
-import csv
 import html
 import math
 import pathlib
@@ -17,7 +16,8 @@ except ModuleNotFoundError as missing:
     sys.exit(f"analyse.py needs {missing.name}: Debian's packages python3-numpy, python3-scipy and python3-matplotlib")
 
 import figures
-import measures
+import measures  # also finds the folder common
+from csv_tables import write_table
 from measures import SUCCESS, TARGETS
 
 BELOW_KNOWN = 1e-9  # a gap that is not rounding
@@ -41,13 +41,6 @@ def number(value, digits=3):
     if value != 0.0 and (abs(value) < 1e-3 or abs(value) >= 1e6):
         return f"{value:.{digits - 1}e}"
     return f"{value:.{digits}g}" if abs(value) < 1000 else f"{value:.0f}"
-
-
-def write_csv(path, header, rows):
-    with open(path, "w", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(header)
-        writer.writerows(rows)
 
 
 def shared_problems(groups):
@@ -227,7 +220,7 @@ def sections_of(analysis, runs, known, out):
     tables = {"verdicts": analysis.verdicts(), "final": analysis.final_table(), "runtimes": analysis.runtime_table(),
               "budgets": analysis.budget_table(), "tests": analysis.test_table(), "ratios": analysis.ratio_table()}
     for name, (header, rows) in tables.items():
-        write_csv(out / f"{name}.csv", header, rows)
+        write_table(out / f"{name}.csv", header, rows)
     count = len(analysis.problems)
     repetitions = max(len(r) for by_problem in analysis.groups.values() for r in by_problem.values())
     yield ("What was run", f"{len(runs)} runs; {count} calibration problems on which all {len(analysis.groups)} methods have "
@@ -267,7 +260,7 @@ def sections_of(analysis, runs, known, out):
     for name, target in (("synthetic", 1e-3), ("analytic", measures.ANALYTIC_TARGET)):
         header, rows = family_table(of_family(runs, name), target)
         if rows:
-            write_csv(out / f"{name}.csv", header, rows)
+            write_table(out / f"{name}.csv", header, rows)
             yield (f"Problems with a known optimum: {name}", "Success and aRT within the given share of the scale that README.md "
                    "defines. Synthetic problems fit the model to itself, so parameters must be recovered.",
                    html_table(header, rows))

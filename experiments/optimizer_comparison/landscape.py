@@ -4,7 +4,6 @@
 
 Usage: landscape.py FOLDER
 """
-import csv
 import pathlib
 import sys
 
@@ -12,6 +11,7 @@ import numpy as np
 
 import analyse
 import figures
+from csv_tables import each_row, write_table
 from figures import plt
 
 KINDS = {"smoothed": "kinks smoothed by continuation", "sharp": "the last stage alone", "residuals": "Ceres on bare residuals"}
@@ -24,10 +24,9 @@ AT_BOUND = 1e-6
 def read_descents(path):
     """problem -> kind -> (values, points as shares of the box), best first."""
     table = {}
-    with open(path, newline="") as file:
-        for row in csv.DictReader(file):
-            table.setdefault(row["problem"], {}).setdefault(row["kind"], []).append(
-                (float(row["value"]), tuple(float(share) for share in row["shares"].split())))
+    for row in each_row(path):
+        table.setdefault(row["problem"], {}).setdefault(row["kind"], []).append(
+            (float(row["value"]), tuple(float(share) for share in row["shares"].split())))
     return {problem: {kind: (np.array([value for value, _ in sorted(rows)]), np.array([point for _, point in sorted(rows)]))
                       for kind, rows in kinds.items()} for problem, kinds in table.items()}
 
@@ -74,10 +73,9 @@ def draw_ends(descents):
 def draw_sections(path, wanted):
     """E along each variable through the best point of some problems, a row for each."""
     sections = {}
-    with open(path, newline="") as file:
-        for row in csv.DictReader(file):
-            sections.setdefault(row["problem"], {}).setdefault(int(row["variable"]), []).append(
-                [float(row[name]) for name in ("share", "objective", "smoothed_0.1", "smoothed_0.01")])
+    for row in each_row(path):
+        sections.setdefault(row["problem"], {}).setdefault(int(row["variable"]), []).append(
+            [float(row[name]) for name in ("share", "objective", "smoothed_0.1", "smoothed_0.01")])
     figure, grid = plt.subplots(len(wanted), 6, figsize=(11.0, 2.1 * len(wanted)), sharex=True, squeeze=False)
     for row, problem in zip(grid, wanted):
         for variable, axes in enumerate(row):
@@ -120,7 +118,7 @@ def main():
     descents = {problem: kinds for problem, kinds in read_descents(folder / "descents.csv").items()
                 if problem.startswith("calibration/")}
     header, rows = summary(descents)
-    analyse.write_csv(folder / "landscape.csv", header, rows)
+    write_table(folder / "landscape.csv", header, rows)
     wanted = list(descents)[:: max(1, len(descents) // 3)][:3]
     sections = [
         ("Where single descents end", "Descents from uniform random points, sorted by where they end. A plateau is a minimum, "

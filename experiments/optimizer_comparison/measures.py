@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What is measured on a table of runs. Definitions: README.md. Every random number comes from a seeded generator."""
-import csv
 import dataclasses
-import gzip
 import math
 import pathlib
 import sys
@@ -12,9 +10,9 @@ import numpy as np
 from scipy import stats
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
+from csv_tables import each_row  # noqa: E402
 from intervals import exact_interval  # noqa: E402
 
-csv.field_size_limit(2**30)  # traces of long runs are longer than the default allows
 TARGETS = (1e-1, 1e-2, 1e-3)  # shares of the scale above the best known value
 SUCCESS = TARGETS[-1]
 PROFILE_TARGETS = tuple(10.0**-exponent for exponent in np.linspace(0.0, 3.0, 41))
@@ -55,12 +53,7 @@ class Known:
 
 
 def read_known(path):
-    with open(path, newline="") as file:
-        return {row["problem"]: Known(float(row["best_value"]), float(row["scale"])) for row in csv.DictReader(file)}
-
-
-def open_text(path):
-    return gzip.open(path, "rt", newline="") if str(path).endswith(".gz") else open(path, newline="")
+    return {row["problem"]: Known(float(row["best_value"]), float(row["scale"])) for row in each_row(path)}
 
 
 def read_runs(path, known):
@@ -70,16 +63,15 @@ def read_runs(path, known):
         return float(text) if text else math.nan
 
     runs = []
-    with open_text(path) as file:
-        for row in csv.DictReader(file):
-            reference = known[row["problem"]]
-            pairs = [point.split(":") for point in row["trace"].split()]
-            gaps = [(int(cost), reference.gap(float(value))) for cost, value in pairs]
-            if gaps:  # the trace is rounded, the value is not
-                gaps[-1] = (gaps[-1][0], reference.gap(float(row["best_value"])))
-            runs.append(Run(row["problem"], row["optimizer"], number(row["best_value"]), number(row["last_value"]),
-                            number(row["distance"]), int(row["starts"]), int(row["cost"]), int(row["failures"]), row["termination"],
-                            float(row["cpu_seconds"]), tuple(gaps)))
+    for row in each_row(path):
+        reference = known[row["problem"]]
+        pairs = [point.split(":") for point in row["trace"].split()]
+        gaps = [(int(cost), reference.gap(float(value))) for cost, value in pairs]
+        if gaps:  # the trace is rounded, the value is not
+            gaps[-1] = (gaps[-1][0], reference.gap(float(row["best_value"])))
+        runs.append(Run(row["problem"], row["optimizer"], number(row["best_value"]), number(row["last_value"]),
+                        number(row["distance"]), int(row["starts"]), int(row["cost"]), int(row["failures"]), row["termination"],
+                        float(row["cpu_seconds"]), tuple(gaps)))
     return runs
 
 

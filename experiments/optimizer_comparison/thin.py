@@ -12,6 +12,7 @@ import io
 import sys
 
 import measures
+from csv_tables import each_row
 
 ABOVE_TARGETS = tuple(10.0 ** (fifth / 5) for fifth in range(1, 16))
 LEVELS = sorted({*ABOVE_TARGETS, *measures.PROFILE_TARGETS, *measures.TARGETS, measures.ANALYTIC_TARGET}, reverse=True)
@@ -40,14 +41,14 @@ def main():
     source, known_path, target = arguments
     ends_only = "--ends" in sys.argv
     known = measures.read_known(known_path)
-    with measures.open_text(source) as file:
-        rows = csv.DictReader(file)
-        text = io.StringIO()
-        writer = csv.DictWriter(text, rows.fieldnames, lineterminator="\n")
-        writer.writeheader()
-        for row in rows:
-            trace = " ".join(row["trace"].split()[-1:]) if ends_only else thinned(row["trace"], known[row["problem"]].gap)
-            writer.writerow(row | {"trace": trace})
+    text = io.StringIO()
+    writer = None
+    for row in each_row(source):
+        if writer is None:
+            writer = csv.DictWriter(text, row, lineterminator="\n")
+            writer.writeheader()
+        trace = " ".join(row["trace"].split()[-1:]) if ends_only else thinned(row["trace"], known[row["problem"]].gap)
+        writer.writerow(row | {"trace": trace})
     with open(target, "wb") as file, gzip.GzipFile(fileobj=file, mode="wb", mtime=0, filename="") as packed:
         packed.write(text.getvalue().encode())
 

@@ -4,7 +4,6 @@
 
 Usage: run.py PROGRAM OUT     Goes on where it was stopped. Prints a table; rows go to OUT/objectives.csv.
 """
-import csv
 import json
 import pathlib
 import random
@@ -13,6 +12,7 @@ import statistics
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
+from csv_tables import print_table, write_table  # noqa: E402
 from program import Fretwork  # noqa: E402
 
 PAPER_MEAN, PAPER_DEVIATION = 9.7, 9.9
@@ -66,17 +66,16 @@ def main():
     out.mkdir(parents=True, exist_ok=True)
     calibrate(Fretwork(program.resolve(), out))
     database = sqlite3.connect(out / "sample.db")
-    print("| hypothesis | evaluations | patterns | mean E | its 95 % | deviation / mean | its 95 % | verdict |\n|---|---|---|---|---|---|---|---|")
-    with (out / "objectives.csv").open("w", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["optimizer", "budget", "pattern_id", "objective"])
-        for words, method, starts, budget in HYPOTHESES:
-            found = objectives(database, method, starts, budget)
-            writer.writerows([method, budget, name, repr(value)] for name, value in found.items())
-            values = list(found.values())
-            means, ratios = interval(values, statistics.fmean), interval(values, ratio)
-            print(f"| {words} | {budget} | {len(values)} | {statistics.fmean(values):.2f} | {means[0]:.1f} to {means[1]:.1f} | {ratio(values):.2f} | "
-                  f"{ratios[0]:.2f} to {ratios[1]:.2f} | {verdict(means, ratios)} |")
+    rows, lines = [], []
+    for words, method, starts, budget in HYPOTHESES:
+        found = objectives(database, method, starts, budget)
+        rows += [[method, budget, name, value] for name, value in found.items()]
+        values = list(found.values())
+        means, ratios = interval(values, statistics.fmean), interval(values, ratio)
+        lines.append([words, budget, len(values), f"{statistics.fmean(values):.2f}", f"{means[0]:.1f} to {means[1]:.1f}", f"{ratio(values):.2f}",
+                      f"{ratios[0]:.2f} to {ratios[1]:.2f}", verdict(means, ratios)])
+    write_table(out / "objectives.csv", ["optimizer", "budget", "pattern_id", "objective"], rows)
+    print_table(["hypothesis", "evaluations", "patterns", "mean E", "its 95 %", "deviation / mean", "its 95 %", "verdict"], lines)
 
 
 if __name__ == "__main__":

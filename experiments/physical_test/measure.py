@@ -17,6 +17,10 @@ import csv
 import math
 import pathlib
 import struct
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
+from csv_tables import write_table  # noqa: E402
 
 CLASSES = 40  # a scan's points are means over so many stretches
 
@@ -168,10 +172,7 @@ def main():
         points = from_photograph(options.input, options)
     else:
         points = read_table(options.input, ("along_mm", "down_mm"))
-    with options.output.open("w", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["along_mm", "down_mm"])
-        writer.writerows([f"{along:.3f}", f"{down:.3f}"] for along, down in sorted(points))
+    write_table(options.output, ["along_mm", "down_mm"], ([f"{along:.3f}", f"{down:.3f}"] for along, down in sorted(points)))
     print(f"{len(points)} points, {max(p[0] for p in points):.0f} mm along, down to {max(p[1] for p in points):.1f} mm: {options.output}")
 
 

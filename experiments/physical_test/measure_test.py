@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A cantilever's points come back from every kind of measurement as they were."""
-import csv
 import math
 import pathlib
 import struct
@@ -9,6 +8,9 @@ import subprocess
 import sys
 import tempfile
 import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
+from csv_tables import read_rows  # noqa: E402
 
 PROGRAM = pathlib.Path(__file__).resolve().parent / "measure.py"
 # Millimetres: along the cantilever, below the clamp.
@@ -36,8 +38,7 @@ class Measure(unittest.TestCase):
 
     def assert_points(self, done):
         self.assertEqual(done.returncode, 0, done.stderr)
-        with self.out.open() as file:
-            found = [(float(row["along_mm"]), float(row["down_mm"])) for row in csv.DictReader(file)]
+        found = [(float(row["along_mm"]), float(row["down_mm"])) for row in read_rows(self.out)]
         self.assertEqual(len(found), len(POINTS))
         for (along, down), (expected_along, expected_down) in zip(found, POINTS):
             self.assertAlmostEqual(along, expected_along, delta=2e-3)  # files have a thousandth of a millimetre

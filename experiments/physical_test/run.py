@@ -7,7 +7,6 @@ Writes OUT/profiles.csv (specimen, model, along, down: millimetres), OUT/figure.
 writes them, go into the figure and the table.
 """
 import argparse
-import csv
 import json
 import math
 import pathlib
@@ -16,6 +15,7 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
 import figure  # noqa: E402
+from csv_tables import read_rows, write_table  # noqa: E402
 from program import Fretwork  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -92,8 +92,7 @@ def read_measured(options):
         name, _, path = choice.partition("=")
         if name not in SPECIMENS or not path:
             raise SystemExit(f"--measured {choice}: expected one of {', '.join(SPECIMENS)}, then = and a file")
-        with open(path) as file:
-            measured[name] = [(float(row["along_mm"]) / 1e3, float(row["down_mm"]) / 1e3) for row in csv.DictReader(file)]
+        measured[name] = [(float(row["along_mm"]) / 1e3, float(row["down_mm"]) / 1e3) for row in read_rows(path)]
     return measured
 
 
@@ -134,12 +133,9 @@ def main():
         profiles = {model: middle_line(result) for model, result in results_of(fretwork, name, pattern).items()}
         print_table(name, profiles, measured.get(name))
         all_profiles[name] = profiles
-    with (options.out / "profiles.csv").open("w", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["specimen", "model", "along_mm", "down_mm"])
-        for name, profiles in all_profiles.items():
-            for model, profile in profiles.items():
-                writer.writerows([name, model, f"{1e3 * a:.3f}", f"{1e3 * d:.3f}"] for a, d in profile)
+    write_table(options.out / "profiles.csv", ["specimen", "model", "along_mm", "down_mm"],
+                ([name, model, f"{1e3 * a:.3f}", f"{1e3 * d:.3f}"] for name, profiles in all_profiles.items()
+                 for model, profile in profiles.items() for a, d in profile))
     (options.out / "figure.svg").write_text(figure.profiles(all_profiles, measured))
 
 

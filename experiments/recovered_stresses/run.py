@@ -6,7 +6,6 @@ Usage: run.py PROGRAM RECOVERIES OUT [--paintings 2]
 Surfaces of some kinds of ../error_warnings/cases.py at all of their loads, painted by chance. Rows go to OUT/rows.csv.
 """
 import argparse
-import csv
 import json
 import pathlib
 import random
@@ -15,6 +14,7 @@ import sys
 for name in ("common", "error_warnings"):
     sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / name))
 import cases  # noqa: E402
+from csv_tables import GrowingTable  # noqa: E402
 from program import Fretwork  # noqa: E402
 
 KINDS = ("cantilever", "rim-moment", "corner-load", "lifted-corner", "torsion-strip", "pinch", "membrane", "cross-pinned", "sway",
@@ -23,6 +23,7 @@ WAYS = ("linear", "large_beams", "held_tiles", "loaded_tiles", "sprung_softly", 
 FIELDS = ["kind", "painting", "amount", "tiles", "displacement_largest", "tile_rotation", "solve_ms"]
 for name in WAYS:
     FIELDS += [f"{name}_largest", f"{name}_rms"] + ([] if name.endswith("_full") else [f"{name}_ms"])
+DIGITS = 5
 
 
 def prepare(fretwork, patterns, case):
@@ -40,7 +41,7 @@ def row_of(case, told):
     row |= {key: value for key, value in told.items() if key in FIELDS}
     for way in WAYS:
         row |= {f"{way}_{key}": value for key, value in told.get(way, {}).items() if key != "failed"}
-    return {key: f"{value:.5g}" if isinstance(value, float) else value for key, value in row.items()}
+    return row
 
 
 def main():
@@ -57,17 +58,14 @@ def main():
     recoveries = Fretwork(options.recoveries.resolve(), folder)
     fretwork("enumerate", "--layout", "paper7", "--list", "patterns.txt")
     patterns = (folder / "patterns.txt").read_text().split()
-    with (options.out / "rows.csv").open("w", newline="") as file:
-        writer = csv.DictWriter(file, FIELDS, restval="", lineterminator="\n")
-        writer.writeheader()
-        for case in cases.cases(range(1, options.paintings + 1)):
-            if case["kind"] not in options.kinds.split(","):
-                continue
-            prepare(fretwork, patterns, case)
-            told = json.loads(recoveries("project.json", "case.json"))
-            if told["converged"]:
-                writer.writerow(row_of(case, told))
-                file.flush()
+    table = GrowingTable.anew(options.out / "rows.csv", DIGITS, FIELDS)
+    for case in cases.cases(range(1, options.paintings + 1)):
+        if case["kind"] not in options.kinds.split(","):
+            continue
+        prepare(fretwork, patterns, case)
+        told = json.loads(recoveries("project.json", "case.json"))
+        if told["converged"]:
+            table.add([row_of(case, told)])
 
 
 if __name__ == "__main__":

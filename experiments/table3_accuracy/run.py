@@ -8,13 +8,12 @@ Usage: run.py PROGRAM OUT [--relaxation]   (--relaxation: the full model also by
 Rows go to OUT/table3.csv. The library of 24 patterns, OUT/table3.db, is kept if it is there.
 """
 import argparse
-import csv
 import json
 import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
-from csv_tables import write_rows  # noqa: E402
+from csv_tables import read_rows, write_rows  # noqa: E402
 from program import Fretwork  # noqa: E402
 
 CASES = {"A": "bridge", "B": "example_b", "C": "example_c"}
@@ -45,8 +44,7 @@ def simulate(fretwork, name, case, model):
 
 
 def published_deflection(example):
-    with (HERE / "published.csv").open() as file:
-        return next(float(row["max_displacement_m"]) for row in csv.DictReader(file) if row["example"] == example)
+    return next(float(row["max_displacement_m"]) for row in read_rows(HERE / "published.csv") if row["example"] == example)
 
 
 def scaled_case(fretwork, example, factor):

@@ -15,6 +15,7 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "common"))
+from csv_tables import read_rows  # noqa: E402
 from program import Fretwork  # noqa: E402
 
 TRANSLATIONS = ("ux", "uy", "uz")
@@ -165,8 +166,7 @@ class Erected:
         if done.returncode not in (0, 1):
             raise SystemExit(f"public_solver.py: {name}: {done.stderr.strip()}")
         self.stages = list(csv.DictReader(done.stdout.splitlines()))
-        with table.open(newline="") as file:
-            self.displacements = [[float(row[key]) for key in row] for row in csv.DictReader(file)]
+        self.displacements = [[float(value) for value in row.values()] for row in read_rows(table)]
 
     @property
     def ending(self):
@@ -208,8 +208,7 @@ def elastica(load):
 
 
 def published(job):
-    with (HERE / "public_solver.csv").open(newline="") as file:
-        return [row for row in csv.DictReader(file) if row["job"] == job]
+    return [row for row in read_rows(HERE / "public_solver.csv") if row["job"] == job]
 
 
 def cantilever_table(fretwork):
