@@ -8,7 +8,8 @@ import pathlib
 
 import numpy as np
 
-import measures
+import measures  # also finds the folder common
+from csv_tables import print_table
 
 HERE = pathlib.Path(__file__).resolve().parent
 DOCUMENTED = HERE / "documented"
@@ -22,19 +23,8 @@ METHODS = (OURS, "gauss-newton-multistart", "slsqp", "mlsl", "bobyqa", "cma-es",
 def runs_of(files):
     """method -> problem -> runs, on calibrations, with the starts that the comparison gives."""
     results, known = files
-    groups = {}
-    for run in measures.read_runs(DOCUMENTED / results, measures.read_known(HERE / known)):
-        if run.problem.startswith("calibration/"):
-            groups.setdefault((run.optimizer, run.starts), {}).setdefault(run.problem, []).append(run)
-    return groups
-
-
-def share(by_problem):
-    if not by_problem:
-        return ""
-    hits = [run.gap <= measures.SUCCESS for runs in by_problem.values() for run in runs]
-    low, high = measures.success_interval(by_problem, measures.SUCCESS)
-    return f"{100 * np.mean(hits):.1f} ({100 * low:.1f} to {100 * high:.1f})"
+    runs = measures.read_runs(DOCUMENTED / results, measures.read_known(HERE / known))
+    return measures.group_with_starts(run for run in runs if run.problem.startswith("calibration/"))
 
 
 def means(by_problem):
@@ -46,14 +36,15 @@ def means(by_problem):
 def main():
     sets = {name: runs_of(files) for name, files in SETS.items()}
     sample = sets["60 patterns"]
-    print("| method (starts) | " + " | ".join(f"{name}, %" for name in SETS) + " | factorizations | CPU, ms | factorizations, times the default's | CPU, times |")
-    print("|---" * (len(SETS) + 5) + "|")
     starts = {name: next(number for method, number in sample if method == name) for name in METHODS}
     ours = means(sample[OURS, starts[OURS]])
+    lines = []
     for name in METHODS:
         cost, cpu = means(sample[name, starts[name]])
-        cells = [share(groups.get((name, starts[name]))) for groups in sets.values()]
-        print(f"| `{name}` ({starts[name]}) | " + " | ".join(cells) + f" | {cost:,.0f} | {cpu:.3g} | {cost / ours[0]:.3g} | {cpu / ours[1]:.3g} |")
+        method = name, starts[name]
+        shares = [measures.success_text(groups[method]) if method in groups else "" for groups in sets.values()]
+        lines.append([f"`{name}` ({starts[name]})", *shares, f"{cost:,.0f}", f"{cpu:.3g}", f"{cost / ours[0]:.3g}", f"{cpu / ours[1]:.3g}"])
+    print_table(["method (starts)", *(f"{name}, %" for name in SETS), "factorizations", "CPU, ms", "factorizations, times the default's", "CPU, times"], lines)
 
 
 if __name__ == "__main__":

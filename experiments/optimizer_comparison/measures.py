@@ -75,12 +75,17 @@ def read_runs(path, known):
     return runs
 
 
-def group(runs):
-    """optimizer -> problem -> runs, in the order of the table."""
+def group(runs, method=lambda run: run.optimizer):
+    """method -> problem -> runs, in the order of the table."""
     groups = {}
     for run in runs:
-        groups.setdefault(run.optimizer, {}).setdefault(run.problem, []).append(run)
+        groups.setdefault(method(run), {}).setdefault(run.problem, []).append(run)
     return groups
+
+
+def group_with_starts(runs):
+    """(optimizer, starts) -> problem -> runs."""
+    return group(runs, lambda run: (run.optimizer, run.starts))
 
 
 def spent(run, target):
@@ -136,6 +141,13 @@ def success_interval(by_problem, target):
     if all(hits) or not any(hits):
         return exact_interval(len(by_problem) if all(hits) else 0, len(by_problem))
     return bootstrap_success(by_problem, target)
+
+
+def success_text(by_problem):
+    """The success rate in percent with its interval, as tables show it."""
+    rate = success_rate([run for runs in by_problem.values() for run in runs], SUCCESS)
+    low, high = success_interval(by_problem, SUCCESS)
+    return f"{100 * rate:.1f} ({100 * low:.1f} to {100 * high:.1f})"
 
 
 def bootstrap_ratio(theirs, ours, quantity, draws=1000, seed=1):

@@ -8,22 +8,19 @@ import sys
 
 import numpy as np
 
-import measures
+import measures  # also finds the folder common
+from csv_tables import print_table
 
 
 def rows(runs):
-    groups = {}
-    for run in runs:
-        groups.setdefault((run.optimizer, run.starts), []).append(run)
-    for (name, starts), of_one in sorted(groups.items(), key=lambda group: np.mean([run.cpu for run in group[1]])):
-        by_problem = {}
-        for run in of_one:
-            by_problem.setdefault(run.problem, []).append(run)
+    def seconds(row):
+        return np.mean([run.cpu for runs in row[1].values() for run in runs])
+
+    for (name, starts), by_problem in sorted(measures.group_with_starts(runs).items(), key=seconds):
+        of_one = [run for runs in by_problem.values() for run in runs]
         gaps = np.array([run.gap for run in of_one])
-        low, high = measures.success_interval(by_problem, measures.SUCCESS)
-        yield (f"`{name}` ({starts})", f"{len(by_problem):,}", f"{len(of_one):,}",
-               f"{100 * np.mean(gaps <= 1e-3):.1f} ({100 * low:.1f} to {100 * high:.1f})", f"{100 * np.mean(gaps <= 1e-2):.1f}",
-               f"{np.sum(gaps > 1e-3):,}", f"{100 * gaps.max():.2g}", f"{np.mean([run.cost for run in of_one]):,.0f}",
+        yield (f"`{name}` ({starts})", f"{len(by_problem):,}", f"{len(of_one):,}", measures.success_text(by_problem),
+               f"{100 * np.mean(gaps <= 1e-2):.1f}", f"{np.sum(gaps > measures.SUCCESS):,}", f"{100 * gaps.max():.2g}", f"{np.mean([run.cost for run in of_one]):,.0f}",
                f"{1e3 * np.mean([run.cpu for run in of_one]):.3g}",
                f"{1e6 * sum(run.cpu for run in of_one) / sum(run.cost for run in of_one):.3g}")
 
@@ -33,11 +30,8 @@ def main():
         sys.exit(__doc__)
     known = measures.read_known(sys.argv[1])
     runs = [run for path in sys.argv[2:] for run in measures.read_runs(path, known)]
-    print("| method (starts) | problems | runs | within 0.1 %, % (95 %) | within 1 %, % | misses | worst gap, % | factorizations, mean | "
-          "CPU, ms | us a factorization |")
-    print("|---" * 10 + "|")
-    for row in rows(runs):
-        print("| " + " | ".join(row) + " |")
+    print_table(["method (starts)", "problems", "runs", "within 0.1 %, % (95 %)", "within 1 %, %", "misses", "worst gap, %", "factorizations, mean",
+                 "CPU, ms", "us a factorization"], rows(runs))
 
 
 if __name__ == "__main__":
