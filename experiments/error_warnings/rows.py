@@ -18,7 +18,8 @@ import cases  # noqa: E402
 import run as large_deflections  # noqa: E402
 import surfaces  # noqa: E402
 from csv_tables import GrowingTable  # noqa: E402
-from program import Failed, Fretwork  # noqa: E402
+from program import Failed  # noqa: E402
+from surface import Surface, errors  # noqa: E402
 
 TURNING = ("corotational", "mixed:0.05", "mixed:0.1")
 LINEAR = ("condensed", "paper6")
@@ -28,20 +29,15 @@ FIELDS = ["kind", "painting", "amount", "tiles", "deflection", "model", "full", 
           "full_seconds"]
 
 
-class Surface(Fretwork):
-    """The program on one surface under one load case, in one folder."""
-
+class TimedSurface(Surface):
     def simulate(self, model, out, *options):
         """What the program tells, and how long the command took. A path that does not reach its load is an answer, too."""
         started = time.perf_counter()
-        told = json.loads(self("simulate", "project.json", "--case", "./case.json", "--model", model, "--json", "--out", out, *options,
-                               accepted=(0, 1)))
+        told = super().simulate(model, out, *options, accepted=(0, 1))
         return told | {"command_seconds": time.perf_counter() - started}
 
     def errors(self, full, reduced):
-        told = json.loads(self("compare", full, reduced, "--json"))
-        return {"mean": told["mean_translation_error_m"] / told["max_displacement_m"],
-                "largest": told["max_translation_error_m"] / told["max_displacement_m"], "stress": self.stress_error(full, reduced)}
+        return errors(self.compare(full, reduced)) | {"stress": self.stress_error(full, reduced)}
 
     def stress_error(self, full, reduced):
         """Of the largest von Mises stress, as a share of it; none where the beams are not known."""
@@ -53,20 +49,14 @@ class Surface(Fretwork):
         return abs(found - truth) / truth
 
 
-def tile(fretwork, case):
-    (fretwork.folder / "outline.json").write_text(json.dumps(case["outline"]))
-    (fretwork.folder / "project.json").unlink(missing_ok=True)
-    return json.loads(fretwork("tile", "outline.json", "--library", "../library.db", "--patterns", f"random:{case['painting']}",
-                               "--edge-length", "26mm", "--out", "project.json", "--json"))["tiles"]
-
-
 def own_kinds(fretwork, options):
     """Of each surface its case, and what tiles and loads it: gives the number of tiles, and the models that it can be solved with."""
     for case in cases.cases(range(1, options.paintings + 1)):
         def prepare(case=case):
-            (fretwork.folder / "case.json").write_text(json.dumps(case["load_case"]))
-            (fretwork.folder / "stages.json").write_text(json.dumps(cases.stages(case["load_case"])))
-            return tile(fretwork, case), TURNING + LINEAR + ((STAGES,) if case["painting"] <= options.staged else ())
+            fretwork.write("case.json", case["load_case"])
+            fretwork.write("stages.json", cases.stages(case["load_case"]))
+            tiled = fretwork.tile(case["outline"], case["painting"], "--library", "../library.db", "--edge-length", "26mm")
+            return tiled["tiles"], TURNING + LINEAR + ((STAGES,) if case["painting"] <= options.staged else ())
         if not options.kinds or case["kind"] in options.kinds.split(","):
             yield case, prepare
 
@@ -74,12 +64,11 @@ def own_kinds(fretwork, options):
 def random_surfaces(fretwork, options):
     """The same of the random surfaces, whose patterns are not calibrated."""
     patterns = (options.out / "patterns.txt").read_text().split()
-    loading = large_deflections.Surface(fretwork.program, fretwork.folder)
+    loading = large_deflections.ModelledSurface(fretwork.program, fretwork.folder)
     for surface in surfaces.surfaces(options.random, options.seed):
         def prepare(surface=surface):
-            (fretwork.folder / "project.json").unlink(missing_ok=True)
             try:
-                return large_deflections.make_surface(loading, surface, patterns, fretwork.folder)["tiles"], TURNING + LINEAR[:1]
+                return large_deflections.make_surface(loading, surface, patterns)["tiles"], TURNING + LINEAR[:1]
             except Failed:  # no load bends it as far
                 return 0, ()
         yield {"kind": f"random {surface['kind']}", "painting": surface["number"], "amount": round(surface["target"], 5)}, prepare
@@ -124,7 +113,7 @@ def main():
     parser.add_argument("--seed", type=int, default=2, help="of the random surfaces")
     options = parser.parse_args()
     (options.out / "surface").mkdir(parents=True, exist_ok=True)
-    fretwork = Surface(options.program.resolve(), options.out / "surface")
+    fretwork = TimedSurface(options.program.resolve(), options.out / "surface")
     table = GrowingTable(options.out / "rows.csv", large_deflections.DIGITS, FIELDS)
     for rows in new_rows(fretwork, options, {(row["kind"], row["painting"], row["amount"]) for row in table.rows}):
         table.add(rows)

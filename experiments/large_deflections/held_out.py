@@ -12,6 +12,7 @@ import run
 import surfaces
 from csv_tables import GrowingTable, print_table, read_rows
 from program import Failed
+from surface import errors
 
 AIMS = {"mean": 0.015, "largest": 0.035}
 FIELDS = ["seed", "number", "kind", "shape", "tiles", "deflection", "mean", "largest", "tile_rotation", "estimate_mean",
@@ -19,12 +20,11 @@ FIELDS = ["seed", "number", "kind", "shape", "tiles", "deflection", "mean", "lar
 
 
 def row_of(study, surface):
-    folder = study.folder
-    tiles = run.make_surface(study.fretwork, surface, study.patterns, folder)["tiles"]
+    tiles = run.make_surface(study.fretwork, surface, study.patterns)["tiles"]
     full = study.fretwork.simulate("full")
     told = study.fretwork.simulate("corotational")
     estimate = told["model_error_estimate"] or {}
-    found = run.errors(study.fretwork.compare("full", "corotational"))
+    found = errors(study.fretwork.compare("full", "corotational"))
     return {"tiles": tiles, "deflection": full["largest_displacement"] / run.extent(surface["outline"]["boundary"])[0],
             "mean": found["mean"], "largest": found["largest"], "tile_rotation": told["model_doubt"]["tile_rotation"],
             "estimate_mean": estimate.get("mean"), "estimate_largest": estimate.get("largest"),

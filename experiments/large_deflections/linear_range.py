@@ -11,6 +11,7 @@ import json
 
 import run
 from csv_tables import GrowingTable
+from surface import errors
 
 SHARES = (0.1, 0.3, 1.0)
 FIELDS = ["number", "kind", "share", "estimate", "loses_stability", "is_exceeded", "error", "full_is_unstable", "note"]
@@ -30,18 +31,18 @@ def scaled(case, share):
     return case
 
 
-def rows_of(fretwork, surface, patterns, folder):
-    run.make_surface(fretwork, surface, patterns, folder)
-    whole = json.loads((folder / "case.json").read_text())
+def rows_of(fretwork, surface, patterns):
+    run.make_surface(fretwork, surface, patterns)
+    whole = json.loads((fretwork.folder / "case.json").read_text())
     for share in SHARES:
-        run.write(folder / "case.json", scaled(json.loads(json.dumps(whole)), share))
+        fretwork.write("case.json", scaled(json.loads(json.dumps(whole)), share))
         row = {"number": surface["number"], "kind": surface["kind"], "share": share}
         try:
             told = fretwork.simulate("condensed")["linear_range"]
             row.update(estimate=told["error_estimate"], loses_stability=told["loses_stability"], is_exceeded=told["is_exceeded"])
             fretwork.simulate("full")
             compared = fretwork.compare("full", "condensed")
-            row.update(error=run.errors(compared)["largest"], full_is_unstable=compared["full_is_unstable"])
+            row.update(error=errors(compared)["largest"], full_is_unstable=compared["full_is_unstable"])
         except run.Failed as failure:
             row["note"] = failure.told
         yield row
@@ -69,7 +70,7 @@ def main():
     table = GrowingTable.anew(study.out / "linear_range.csv", DIGITS, FIELDS)
     for surface in study.surfaces:
         try:
-            found = list(rows_of(study.fretwork, surface, study.patterns, study.folder))
+            found = list(rows_of(study.fretwork, surface, study.patterns))
         except run.Failed as failure:
             found = [{"number": surface["number"], "kind": surface["kind"], "note": failure.told}]
         table.add(found)

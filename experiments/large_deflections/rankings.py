@@ -41,7 +41,7 @@ def main():
     for surface in study.surfaces:
         if surface["kind"] not in KINDS:
             continue
-        run.make_surface(study.fretwork, surface, study.patterns, study.folder)
+        run.make_surface(study.fretwork, surface, study.patterns)
         row = {"number": surface["number"], "kind": surface["kind"], **errors_of(study.options.rankings, study.folder)}
         table.add([row])
         rows.append(row)

@@ -6,15 +6,14 @@ Usage: run.py PROGRAM PATTERNS OUT [--count N] [--seed N]   (PATTERNS: ids, one 
 Rows go to OUT/rows.csv; those that are there already are kept and not computed again.
 """
 import argparse
-import json
 import pathlib
-import random
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
 import surfaces  # noqa: E402
 from csv_tables import GrowingTable  # noqa: E402
-from program import Failed, Fretwork  # noqa: E402
+from program import Failed  # noqa: E402
+from surface import Surface, errors, palette  # noqa: E402
 
 MODELS = ("condensed", "corotational", "mixed:0.05", "mixed:0.1", "mixed:0.3")
 SEARCH_STEPS = 6
@@ -28,36 +27,31 @@ DIFFERENCES = {"by_5": ("mixed:0.05", "corotational"), "by_10": ("mixed:0.1", "c
 FIELDS += ["estimate_mean", "estimate_largest", "estimate_l2", *DIFFERENCES, "buckled", "note"]
 
 
-class Surface(Fretwork):
-    """The program on one surface, in one folder."""
+class ModelledSurface(Surface):
+    """Its results are named after their models."""
 
     def simulate(self, model, *options):
-        return json.loads(self("simulate", "project.json", "--case", "./case.json", "--model", model, "--json",
-                               "--out", result_file(model, options), *options))
+        return super().simulate(model, result_file(model, options), *options)
 
     def compare(self, better, model):
-        return json.loads(self("compare", result_file(better), result_file(model), "--json"))
+        return super().compare(result_file(better), result_file(model))
 
 
 def result_file(model, options=()):
     return model.replace(":", "-") + ("-linear" if "--linear" in options else "") + ".json"
 
 
-def write(path, content):
-    path.write_text(json.dumps(content))
-
-
 def extent(boundary):
     return max(p[0] for p in boundary), max(p[1] for p in boundary)
 
 
-def find_load(fretwork, surface, folder):
+def find_load(fretwork, surface):
     """Scale the load until the corotational model is deflected as wanted, to a fifth."""
     width, height = extent(surface["outline"]["boundary"])
     wanted = surface["target"] * width
 
     def deflection(amount, model):
-        write(folder / "case.json", surfaces.load_case(surface["kind"], amount, width, height))
+        fretwork.write("case.json", surfaces.load_case(surface["kind"], amount, width, height))
         return fretwork.simulate(model)["largest_displacement"]
 
     if surface["kind"] == "prescribed":
@@ -76,24 +70,15 @@ def find_load(fretwork, surface, folder):
     return deflection(amount, "corotational")
 
 
-def errors(comparison):
-    scale = comparison["max_displacement_m"]
-    return {"mean": comparison["mean_translation_error_m"] / scale,
-            "largest": comparison["max_translation_error_m"] / scale, "l2": comparison["relative_l2_error"]}
-
-
-def make_surface(fretwork, surface, patterns, folder):
+def make_surface(fretwork, surface, patterns):
     """Tile, paint and load it. Returns what `tile` tells."""
-    rng = random.Random(surface["painting"])
-    write(folder / "outline.json", surface["outline"])
-    tiled = json.loads(fretwork("tile", "outline.json", "--patterns", f"random:{surface['painting'] % 10000}", "--palette",
-                                ",".join(rng.sample(patterns, 8)), "--setting", "paper", "--out", "project.json", "--json"))
-    find_load(fretwork, surface, folder)
+    tiled = fretwork.tile(surface["outline"], surface["painting"] % 10000, "--palette", palette(patterns, surface["painting"]), "--setting", "paper")
+    find_load(fretwork, surface)
     return tiled
 
 
-def row_of(fretwork, surface, patterns, folder):
-    tiled = make_surface(fretwork, surface, patterns, folder)
+def row_of(fretwork, surface, patterns):
+    tiled = make_surface(fretwork, surface, patterns)
     full = fretwork.simulate("full")
     span = extent(surface["outline"]["boundary"])[0]
     row = {"number": surface["number"], "kind": surface["kind"], "shape": surface["shape"], "tiles": tiled["tiles"], "span": span,
@@ -101,7 +86,9 @@ def row_of(fretwork, surface, patterns, folder):
            "full_linear_s": fretwork.simulate("full", "--linear")["seconds"]}
     for model in MODELS:
         row[f"{model}_s"] = fretwork.simulate(model)["seconds"]
-        row.update({f"{model}_{what}": value for what, value in errors(fretwork.compare("full", model)).items()})
+        compared = fretwork.compare("full", model)
+        found = errors(compared) | {"l2": compared["relative_l2_error"]}
+        row.update({f"{model}_{what}": value for what, value in found.items()})
     for name, pair in DIFFERENCES.items():
         row[name] = errors(fretwork.compare(*pair))["mean"]
     estimate = fretwork.simulate("corotational", "--estimate-model-error")
@@ -126,7 +113,7 @@ class Study:
         self.out, self.folder = options.out, options.out / "surface"
         self.folder.mkdir(parents=True, exist_ok=True)
         self.patterns = options.patterns.read_text().split()
-        self.fretwork = Surface(options.program.resolve(), self.folder)
+        self.fretwork = ModelledSurface(options.program.resolve(), self.folder)
         self.surfaces = surfaces.surfaces(options.count, options.seed)
 
 
@@ -138,7 +125,7 @@ def main():
         if surface["number"] in done:
             continue
         try:
-            row = row_of(study.fretwork, surface, study.patterns, study.folder)
+            row = row_of(study.fretwork, surface, study.patterns)
         except Failed as failure:
             row = {"number": surface["number"], "kind": surface["kind"], "shape": surface["shape"], "note": failure.told}
         table.add([row])

@@ -8,7 +8,6 @@ Surfaces of some kinds of ../error_warnings/cases.py at all of their loads, pain
 import argparse
 import json
 import pathlib
-import random
 import sys
 
 for name in ("common", "error_warnings"):
@@ -16,6 +15,7 @@ for name in ("common", "error_warnings"):
 import cases  # noqa: E402
 from csv_tables import GrowingTable  # noqa: E402
 from program import Fretwork  # noqa: E402
+from surface import Surface, palette  # noqa: E402
 
 KINDS = ("cantilever", "rim-moment", "corner-load", "lifted-corner", "torsion-strip", "pinch", "membrane", "cross-pinned", "sway",
          "tripod-ring", "arch", "tension")
@@ -24,16 +24,6 @@ FIELDS = ["kind", "painting", "amount", "tiles", "displacement_largest", "tile_r
 for name in WAYS:
     FIELDS += [f"{name}_largest", f"{name}_rms"] + ([] if name.endswith("_full") else [f"{name}_ms"])
 DIGITS = 5
-
-
-def prepare(fretwork, patterns, case):
-    folder = fretwork.folder
-    palette = ",".join(random.Random(case["painting"]).sample(patterns, 8))
-    (folder / "outline.json").write_text(json.dumps(case["outline"]))
-    (folder / "case.json").write_text(json.dumps(case["load_case"]))
-    (folder / "project.json").unlink(missing_ok=True)
-    fretwork("tile", "outline.json", "--patterns", f"random:{case['painting']}", "--palette", palette, "--setting", "paper",
-             "--edge-length", "26mm", "--out", "project.json")
 
 
 def row_of(case, told):
@@ -54,15 +44,16 @@ def main():
     options = parser.parse_args()
     folder = options.out / "surface"
     folder.mkdir(parents=True, exist_ok=True)
-    fretwork = Fretwork(options.program.resolve(), folder)
+    surface = Surface(options.program.resolve(), folder)
     recoveries = Fretwork(options.recoveries.resolve(), folder)
-    fretwork("enumerate", "--layout", "paper7", "--list", "patterns.txt")
+    surface("enumerate", "--layout", "paper7", "--list", "patterns.txt")
     patterns = (folder / "patterns.txt").read_text().split()
     table = GrowingTable.anew(options.out / "rows.csv", DIGITS, FIELDS)
     for case in cases.cases(range(1, options.paintings + 1)):
         if case["kind"] not in options.kinds.split(","):
             continue
-        prepare(fretwork, patterns, case)
+        surface.write("case.json", case["load_case"])
+        surface.tile(case["outline"], case["painting"], "--palette", palette(patterns, case["painting"]), "--setting", "paper", "--edge-length", "26mm")
         told = json.loads(recoveries("project.json", "case.json"))
         if told["converged"]:
             table.add([row_of(case, told)])
