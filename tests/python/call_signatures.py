@@ -33,37 +33,48 @@ def stub_text():
     return stubs.Stubs(fw).text()
 
 
+def declared(nodes, owner=""):
+    """What a stub declares, as (name, node): the members of a class follow it, "Session.paint"."""
+    for node in nodes:
+        if isinstance(node, (ast.FunctionDef, ast.ClassDef)):
+            yield owner + node.name, node
+        elif isinstance(node, ast.AnnAssign):
+            yield owner + node.target.id, node
+        elif isinstance(node, ast.Assign):
+            yield owner + node.targets[0].id, node
+        if isinstance(node, ast.ClassDef):
+            yield from declared(node.body, f"{owner}{node.name}.")
+
+
 def calls():
     """All calls in the order of the stubs; a function with overloads is several."""
-    return list(_of_module(ast.parse(stub_text()).body))
+    made = (_call(name, node) for name, node in declared(ast.parse(stub_text()).body))
+    return [call for call in made if call is not None]
 
 
-def _of_module(body):
-    for node in body:
-        if isinstance(node, ast.FunctionDef):
-            yield _call(node.name, "function", node)
-        elif isinstance(node, ast.ClassDef) and hasattr(fw, node.name):
-            yield from _of_class(node.name, node)
+def _call(name, node):
+    """None for what cannot be called or set: properties, values of enums, what the stub alone has."""
+    owner, _, member = name.rpartition(".")
+    if owner and not _is_made_by_calls(owner):
+        return None
+    if isinstance(node, ast.AnnAssign):
+        is_field = owner and isinstance(node.annotation, ast.Subscript)
+        return Call(name, "field", [ast.arg("value", node.annotation.slice.elts[1])], [], 1) if is_field else None
+    if not isinstance(node, ast.FunctionDef) or any(ast.unparse(mark) == "property" for mark in node.decorator_list):
+        return None
+    if member == "__init__":
+        return _of_function(owner, "constructor", node)
+    return _of_function(name, "method" if owner else "function", node)
 
 
-def _of_class(name, owner):
+def _is_made_by_calls(name):
     kind = fw
     for part in name.split("."):
-        kind = getattr(kind, part)
-    if issubclass(kind, (enum.Enum, Exception)):
-        return
-    for node in owner.body:
-        if isinstance(node, ast.ClassDef):
-            yield from _of_class(f"{name}.{node.name}", node)
-        elif isinstance(node, ast.AnnAssign) and isinstance(node.annotation, ast.Subscript):
-            yield Call(f"{name}.{node.target.id}", "field", [ast.arg("value", node.annotation.slice.elts[1])], [], 1)
-        elif isinstance(node, ast.FunctionDef) and node.name == "__init__":
-            yield _call(name, "constructor", node)
-        elif isinstance(node, ast.FunctionDef) and not any(ast.unparse(mark) == "property" for mark in node.decorator_list):
-            yield _call(f"{name}.{node.name}", "method", node)
+        kind = getattr(kind, part, None)
+    return kind is not None and not issubclass(kind, (enum.Enum, Exception))
 
 
-def _call(name, kind, node):
+def _of_function(name, kind, node):
     given = node.args.args
     needed = len(given) - len(node.args.defaults)
     has_self = kind != "function" and bool(given) and given[0].arg == "self"

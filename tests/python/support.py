@@ -2,6 +2,7 @@
 """What the tests of the package share."""
 
 import functools
+import inspect
 import os
 import pathlib
 
@@ -10,6 +11,16 @@ import fretwork as fw
 SOURCE = pathlib.Path(os.environ["FRETWORK_SOURCE_DIR"])
 PATTERN = "0-1+1-6"
 OTHER = "0-5+5-6"
+
+
+def public_parts(also=()):
+    """What the package shows, as (name, part); members follow their class, "Session.paint". `also`: of those with an underscore, these."""
+    for name, part in sorted(vars(fw).items()):
+        if name.startswith("_") or inspect.ismodule(part):
+            continue
+        yield name, part
+        if inspect.isclass(part):
+            yield from ((f"{name}.{key}", member) for key, member in vars(part).items() if not key.startswith("_") or key in also)
 
 
 @functools.cache

@@ -11,14 +11,7 @@ import support
 
 def documented():
     """All docstrings with examples, under their names."""
-    parts = {"fretwork": fretwork}
-    for name, part in vars(fretwork).items():
-        if name.startswith("_") or inspect.ismodule(part):
-            continue
-        parts[name] = part
-        if inspect.isclass(part):
-            parts |= {f"{name}.{key}": value for key, value in vars(part).items()
-                      if key == "__init__" or not key.startswith("_")}
+    parts = {"fretwork": fretwork} | dict(support.public_parts(also=("__init__",)))
     return {name: inspect.getdoc(part) for name, part in parts.items() if ">>>" in (getattr(part, "__doc__", "") or "")}
 
 
@@ -41,8 +34,8 @@ class Docs(unittest.TestCase):
             exec(compile(block, "README.md", "exec"), {})
 
     def test_every_public_function_says_something(self):
-        silent = [name for name, part in vars(fretwork).items()
-                  if not name.startswith("_") and callable(part) and not (inspect.getdoc(part) or "").strip()]
+        silent = [name for name, part in support.public_parts()
+                  if "." not in name and callable(part) and not (inspect.getdoc(part) or "").strip()]
         self.assertEqual(silent, [])
 
 

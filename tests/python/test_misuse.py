@@ -45,16 +45,11 @@ slow = {"enumerate_patterns", "for_each_pattern", "count_patterns", "take_census
 
 
 def targets():
-    for name, part in sorted(vars(fw).items()):
-        if name.startswith("_") or name in slow or inspect.ismodule(part) or not callable(part):
-            continue
-        if inspect.isclass(part) and issubclass(part, (enum.Enum, Exception)):
-            continue
-        yield name, part
-        if inspect.isclass(part):
-            for key, member in vars(part).items():
-                if callable(member) and key not in slow and (not key.startswith("_") or key in ("__contains__", "__eq__", "__reduce__")):
-                    yield f"{name}.{key}", member
+    for name, part in support.public_parts(also=("__contains__", "__eq__", "__reduce__")):
+        owner = getattr(fw, name.partition(".")[0])
+        is_fixed = inspect.isclass(owner) and issubclass(owner, (enum.Enum, Exception))
+        if callable(part) and not is_fixed and slow.isdisjoint(name.split(".")):
+            yield name, part
 
 
 class Enough(Exception):

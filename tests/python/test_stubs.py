@@ -10,39 +10,19 @@ import sys
 import unittest
 
 import fretwork
+
+import call_signatures
 import support
 
 PACKAGE = pathlib.Path(fretwork.__file__).parent
 
 
-def names_in(nodes, prefix=""):
-    """The names that a stub declares, members with those of their classes in front."""
-    for node in nodes:
-        if isinstance(node, (ast.FunctionDef, ast.ClassDef)):
-            yield prefix + node.name
-        if isinstance(node, ast.ClassDef):
-            yield from names_in(node.body, prefix + node.name + ".")
-        if isinstance(node, ast.AnnAssign):
-            yield prefix + node.target.id
-        if isinstance(node, ast.Assign):
-            yield prefix + node.targets[0].id
-
-
 class Stubs(unittest.TestCase):
     def setUp(self):
-        self.stub = set(names_in(ast.parse((PACKAGE / "__init__.pyi").read_text()).body))
+        self.stub = {name for name, _ in call_signatures.declared(ast.parse((PACKAGE / "__init__.pyi").read_text()).body)}
 
     def test_declare_all_that_there_is(self):
-        missing = []
-        for name, part in vars(fretwork).items():
-            if name.startswith("_") or isinstance(part, type(ast)):
-                continue
-            if name not in self.stub:
-                missing.append(name)
-            if isinstance(part, type):
-                missing += [f"{name}.{key}" for key in vars(part)
-                            if not key.startswith("_") and f"{name}.{key}" not in self.stub]
-        self.assertEqual(missing, [])
+        self.assertEqual([name for name, _ in support.public_parts() if name not in self.stub], [])
 
     def test_the_package_says_that_it_is_typed(self):
         self.assertTrue((PACKAGE / "py.typed").exists())
