@@ -75,6 +75,18 @@ TEST(PropertyChart, PlacesPointsByTheLogarithmsOfTheirProperties) {
     EXPECT_LT(points[0].x, points[1].x);
 }
 
+TEST(PropertyChart, IsLegibleOnAPage) {
+    pugi::xml_document document;
+    ASSERT_TRUE(document.load_string(chart(sample()).c_str()));
+    const auto root = document.child("svg");
+    const double millimetres_a_pixel =
+        root.attribute("data-print-width").as_double() / root.attribute("width").as_double();
+    ASSERT_LE(root.attribute("data-print-width").as_double(), 177.0);
+    for (const auto& text : root.children("text"))
+        EXPECT_GE(text.attribute("font-size").as_double() * millimetres_a_pixel, 6.0 * 25.4 / 72.0)
+            << text.child_value();
+}
+
 TEST(PropertyChart, RefusesPatternsWithoutPositiveProperties) {
     EXPECT_THAT(complaint_of([] { (void)chart({}); }), HasSubstr("no pattern"));
     auto patterns = sample();

@@ -44,7 +44,7 @@ TEST(ScenarioSheet, SaysHowFarThePatternMoves) {
     for (const reduction::Scenario& scenario : setting.scenarios) {
         const auto solution = mechanics::solve_linear(mechanics::assemble(scenario_frame(tile, scenario)));
         const double largest = solution.displacements.leftCols<3>().rowwise().norm().maxCoeff();
-        EXPECT_THAT(svg.words(), HasSubstr("moves by " + detail::millimetres(largest) + ", reduced "));
+        EXPECT_THAT(svg.words(), HasSubstr("moves by " + detail::millimetres(largest) + "\nreduced: "));
     }
 }
 
@@ -52,6 +52,13 @@ TEST(ScenarioSheet, DrawsAPatternWithoutACalibrationAlone) {
     const ReducedPattern alone{sample().pattern};
     const test::Svg svg(scenario_sheet_svg(layout(), alone, reduction::paper_setting()));
     EXPECT_THAT(svg.words(), Not(HasSubstr("reduced")));
+}
+
+TEST(ScenarioSheet, IsLegibleInAColumnAndHasAKey) {
+    const test::Svg svg(scenario_sheet_svg(layout(), sample(), reduction::paper_setting()));
+    EXPECT_EQ(svg.root().attribute("data-print-width").as_double(), 84.0);
+    EXPECT_GE(svg.smallest_text_in_print(), test::kLegible);
+    EXPECT_THAT(svg.words(), HasSubstr("full model\nreduced model\nheld\nheld in part\nforce\nmoment\n"));
 }
 
 }  // namespace THIS_TEST

@@ -3,7 +3,9 @@
 #include "svg_reading.hpp"
 
 #include <fretwork/exports/colours.hpp>
+#include <fretwork/exports/drawings/detail/furniture.hpp>
 #include <fretwork/exports/drawings/detail/panels.hpp>
+#include <fretwork/exports/drawings/detail/pattern_legend.hpp>
 #include <fretwork/exports/drawings/surface_drawing.hpp>
 
 #include <algorithm>
@@ -235,6 +237,7 @@ TEST_F(SurfaceDrawing, EachTileHasOneShapeAndOnePathOfBeamsInLayersOfInkscape) {
 TEST_F(SurfaceDrawing, TheFigureHoldsAllPanels) {
     const auto drawn = layers();
     const Svg svg(figure_svg(surface_, conditions_, drawn));
+    EXPECT_EQ(svg.width_mm(), 84.0) << "a column";
     EXPECT_EQ(children(svg.root(), "svg"), 3U);
     // One title of the document, and one of each tile in both panels that show them.
     EXPECT_EQ(svg.count("title"), 1U + 2 * surface_.tessellation.tiles.size());
@@ -250,6 +253,83 @@ TEST_F(SurfaceDrawing, TheFigureShowsTheBeamsOfTheReducedModelThatItIsGiven) {
     EXPECT_EQ(children(svg.root(), "svg"), 4U);
     EXPECT_EQ(lines_of_layer(svg.layer("reduced-beams-of-the-reduced-model")), options.reduced.lines.size());
     EXPECT_EQ(children(svg.layer("reduced-tiles"), "polygon"), surface_.tessellation.tiles.size());
+}
+
+/// A surface with so many patterns.
+simulation::Surface painted_with(std::size_t count) {
+    const auto layout = pattern::find_node_layout("paper7");
+    std::vector<std::string> ids;
+    for (std::size_t i = 0; i < count; ++i) {
+        std::string id = "0-1+1-6";  // with each combination of four more edges
+        for (std::size_t bit = 0; bit < 4; ++bit)
+            if ((i >> bit & 1U) != 0) id += std::array{"+2-5", "+3-5", "+4-5", "+5-6"}[bit];
+        ids.push_back(pattern::pattern_id(layout, pattern::parse_pattern_id(layout, id)));
+    }
+    simulation::Project project;
+    project.tessellation = honeycomb(6, 4, ids);
+    return simulation::make_surface(project, nullptr);
+}
+
+TEST_F(SurfaceDrawing, EveryTextIsLegibleInAColumn) {
+    for (const std::size_t patterns : {std::size_t{3}, std::size_t{16}}) {
+        const simulation::Surface surface = painted_with(patterns);
+        const simulation::Conditions conditions = sample_conditions(surface);
+        const std::vector<DeformedLayer> bends = {
+            {"full", "#8a8f94", result_lines(surface, bent(surface, Rows::EveryNode))},
+            {"paper6", "#2166ac", result_lines(surface, bent(surface, Rows::InterfaceNodes, 0.9))}};
+        DeformedViewOptions options{.rest = rim_lines(surface), .reduced = surface_lines(surface)};
+        const std::span<const DeformedLayer> one(bends.data(), 1);
+        for (const std::string& text :
+             {surface_svg(surface), surface_svg(surface, &conditions), deformed_svg(bends, options),
+              displacement_svg(bends[0], options), figure_svg(surface, conditions, bends, options),
+              figure_svg(surface, conditions, one)}) {
+            const Svg svg(text);
+            EXPECT_EQ(svg.root().attribute("data-print-width").as_double(), 84.0);
+            EXPECT_GE(svg.smallest_text_in_print(), kLegible);
+        }
+    }
+}
+
+TEST_F(SurfaceDrawing, ManyPatternsHaveLettersAndAListOfTheirIds) {
+    const simulation::Surface surface = painted_with(16);
+    const Svg svg(surface_svg(surface));
+    EXPECT_THAT(svg.words(), HasSubstr("A\nB\nC\n")) << "beside the fans";
+    for (std::size_t i = 0; i < 16; ++i)
+        EXPECT_THAT(svg.words(), HasSubstr(std::string(1, static_cast<char>('A' + i)) + "\n" +
+                                           surface.tessellation.patterns[i].id + "\n"));
+}
+
+TEST_F(SurfaceDrawing, LoadsOnOneNodeAreAddedUp) {
+    conditions_.loads = {{mechanics::NodeIndex(0), {0.0, 1.0, 0.0}},
+                         {mechanics::NodeIndex(1), {0.0, 2.0, 0.0}},
+                         {mechanics::NodeIndex(0), {0.0, 2.0, 0.0}}};
+    const Svg svg(surface_svg(surface_, &conditions_));
+    EXPECT_EQ(children(svg.layer("loads"), "polygon"), 2U);
+    EXPECT_THAT(svg.words(), HasSubstr("forces, the largest 3 N"));
+}
+
+/// The horizontal extent of each text, from where it starts to about where it ends.
+TEST_F(SurfaceDrawing, NoTextOfALegendReachesOutOfTheDrawing) {
+    const simulation::Surface surface = painted_with(16);
+    simulation::Conditions conditions = sample_conditions(surface);
+    for (mechanics::NodalLoad& load : conditions.loads) load.moment = {0.0, 0.002, 0.0};
+    for (const std::string& text : {surface_svg(surface, &conditions), setup_svg(surface, conditions)}) {
+        const Svg svg(text);
+        for (const char* layer : {"legend-of-patterns", "legend-of-conditions"})
+            for (const auto& words : svg.layer(layer).children("text"))
+                EXPECT_LE(
+                    words.attribute("x").as_double() +
+                        detail::text_width(words.child_value(), words.attribute("font-size").as_double()),
+                    svg.width_mm())
+                    << words.child_value();
+    }
+}
+
+TEST(PatternLegend, LettersGoOnBehindZ) {
+    EXPECT_EQ(detail::key_letters(0), "A");
+    EXPECT_EQ(detail::key_letters(25), "Z");
+    EXPECT_EQ(detail::key_letters(26), "AA");
+    EXPECT_EQ(detail::key_letters(52), "BA");
 }
 
 TEST_F(SurfaceDrawing, OfManyLoadsTheSetupShowsSomeThatAreFarApart) {

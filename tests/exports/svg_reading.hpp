@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <limits>
+#include <sstream>
 #include <string>
 
 namespace fretwork::exports::test {
@@ -44,9 +46,35 @@ class Svg {
         return all;
     }
 
+    /// The height of the smallest text in points when the drawing is printed as wide as it says, at most as
+    /// wide as a page (177 mm); 0 if it does not say.
+    [[nodiscard]] double smallest_text_in_print() const {
+        const double print = root().attribute("data-print-width").as_double();
+        EXPECT_LE(print, 177.0);
+        double smallest = std::numeric_limits<double>::infinity();
+        for (const auto& found : document_.select_nodes(".//*[local-name()='text']")) {
+            double height = found.node().attribute("font-size").as_double();
+            for (auto above = found.node().parent(); above != root(); above = above.parent())
+                height *= scale_of(above);
+            smallest = std::min(smallest, height);
+        }
+        return smallest * print / width_mm() * 72.0 / 25.4;
+    }
+
   private:
+    /// How much larger a panel is drawn than its numbers say.
+    static double scale_of(const pugi::xml_node& node) {
+        if (!node.attribute("viewBox")) return 1.0;
+        double width = 0.0;
+        std::istringstream(node.attribute("viewBox").value()) >> width >> width >> width;
+        return node.attribute("width").as_double() / width;
+    }
+
     pugi::xml_document document_;
 };
+
+/// The smallest text of a journal.
+inline constexpr double kLegible = 6.0;
 
 /// The id of the layer that has this label.
 inline std::string identifier_of(std::string label) {

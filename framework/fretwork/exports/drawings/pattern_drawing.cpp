@@ -2,6 +2,7 @@
 #include <fretwork/exports/colours.hpp>
 #include <fretwork/exports/drawings/detail/fan_drawing.hpp>
 #include <fretwork/exports/drawings/detail/furniture.hpp>
+#include <fretwork/exports/drawings/detail/print.hpp>
 #include <fretwork/exports/drawings/pattern_drawing.hpp>
 #include <fretwork/geometry/plane.hpp>
 
@@ -30,8 +31,9 @@ Point2 at(const pattern::LayoutNode& node, const std::array<Point2, 3>& triangle
     return place;
 }
 
-/// The base triangle with all nodes of the layout, numbered, and all candidate edges.
-void draw_base_triangle(SvgCanvas& canvas, const NodeLayout& layout, const std::array<Point2, 3>& triangle) {
+/// The base triangle with all nodes of the layout, numbered in text of this height, and all candidate edges.
+void draw_base_triangle(SvgCanvas& canvas, const NodeLayout& layout, const std::array<Point2, 3>& triangle,
+                        double text) {
     const double size = geometry::distance(triangle[1], triangle[2]);
     canvas.polygon(triangle, {"#f4f6f8", detail::kRimColour, 0.008 * size, 1.0});
     std::vector<std::array<Point2, 2>> edges;
@@ -46,16 +48,32 @@ void draw_base_triangle(SvgCanvas& canvas, const NodeLayout& layout, const std::
         const Point2 place = at(node, triangle);
         canvas.circle(place, 0.03 * size,
                       {is_interface ? kInterfaceColour : "#ffffff", detail::kBeamColour, 0.008 * size, 1.0});
-        canvas.text({place.x + 0.05 * size, place.y + 0.035 * size}, std::to_string(i), 0.07 * size);
+        canvas.text({place.x + 0.05 * size, place.y + 0.035 * size}, std::to_string(i),
+                    std::max(0.07 * size, text));
     }
 }
 
 /// The base triangle with all candidate edges, around the origin and as large as a fan.
-void draw_layout(SvgCanvas& canvas, const NodeLayout& layout, double side) {
+void draw_layout(SvgCanvas& canvas, const NodeLayout& layout, double side, double text) {
     const std::array<Point2, 3> triangle = {Point2{0.0, 0.8 * side}, Point2{-0.92 * side, -0.8 * side},
                                             Point2{0.92 * side, -0.8 * side}};
-    draw_base_triangle(canvas, layout, triangle);
-    canvas.text({0.0, -1.13 * side}, layout.name(), 0.13 * side, Anchor::Middle);
+    draw_base_triangle(canvas, layout, triangle, text);
+    canvas.text({0.0, -side - text}, layout.name(), text, Anchor::Middle);
+}
+
+/// The ids of patterns, in lines that fit below their fans.
+std::vector<std::vector<std::string>> id_lines(const NodeLayout& layout, std::span<const Pattern> patterns,
+                                               double text, double width) {
+    std::vector<std::vector<std::string>> ids;
+    for (const Pattern& pattern : patterns)
+        ids.push_back(detail::lines_within(pattern_id(layout, pattern), text, width));
+    return ids;
+}
+
+double most_lines(std::span<const std::vector<std::string>> texts) {
+    std::size_t most = 1;
+    for (const auto& lines : texts) most = std::max(most, lines.size());
+    return static_cast<double>(most);
 }
 
 }  // namespace
@@ -66,22 +84,28 @@ std::string pattern_sheet_svg(const NodeLayout& layout, std::span<const Pattern>
     const int cells = count + 1;  // the first is the layout's
     const int columns = static_cast<int>(std::ceil(std::sqrt(1.4 * cells)));
     const int rows = (cells + columns - 1) / columns;
-    const double step_x = 2.15 * options.tile_side;
-    const double step_y = 2.35 * options.tile_side;
-    SvgCanvas canvas({-0.5 * step_x, -(rows - 0.35) * step_y, (columns - 0.5) * step_x, 0.5 * step_y}, 1.0);
-    draw_layout(canvas, layout, options.tile_side);
+    const double side = options.tile_side;
+    const double step_x = 2.15 * side;
+    const detail::SheetPrint print = detail::sheet_print(columns, step_x);
+    const double text = std::max(0.13 * side, print.text);
+    const auto ids = id_lines(layout, patterns, text, 0.97 * step_x);
+    const double step_y = 2.05 * side + (0.6 + detail::kLineStep * most_lines(ids)) * text;
+    SvgCanvas canvas({-0.5 * step_x, side - rows * step_y - (count > 0 ? 1.5 * text : 0.0),
+                      (columns - 0.5) * step_x, 1.12 * side},
+                     1.0);
+    canvas.print_as_wide_as(print.width);
+    draw_layout(canvas, layout, side, text);
     for (int i = 0; i < count; ++i) {
         const int cell = i + 1;
         const int row = cell / columns;
         const Point2 center{(cell % columns) * step_x, -row * step_y};
         const Pattern& pattern = patterns[i];
         detail::draw_fan(canvas, layout, pattern, {center, pattern_colour(pattern.edge_count())}, options);
-        const std::string id = pattern_id(layout, pattern);
-        // A long id is set smaller, so that it stays under its own fan.
-        const double height =
-            std::min(0.13 * options.tile_side, 3.2 * options.tile_side / static_cast<double>(id.size() + 1));
-        canvas.text({center.x, center.y - 1.13 * options.tile_side}, id, height, Anchor::Middle);
+        detail::write_lines(canvas, {center.x, center.y - side - text}, ids[i], text);
     }
+    if (count > 0)
+        canvas.text({canvas.box().xmin + 0.5 * text, canvas.box().ymin + 0.6 * text},
+                    "one colour for each number of edges", text);
     return canvas.document(std::to_string(count) + " patterns of layout " + layout.name());
 }
 

@@ -2,6 +2,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/exports/colours.hpp>
 #include <fretwork/exports/drawings/detail/chart_svg.hpp>
+#include <fretwork/exports/drawings/detail/print.hpp>
 #include <fretwork/exports/drawings/property_chart.hpp>
 #include <fretwork/exports/tables/library_meshes.hpp>
 
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace fretwork::exports {
@@ -26,16 +28,19 @@ using detail::wrapped;
 using geometry::Point2;
 
 // All in pixels.
-constexpr double kPanelSize = 640.0;
-constexpr double kTop = 96.0;
-constexpr double kLeft = 96.0;
-constexpr double kPanelGap = 104.0;
-constexpr double kBarLeft = kLeft + 2.0 * kPanelSize + kPanelGap + 28.0;
-constexpr double kDrawingTop = kTop + kPanelSize + 96.0;
-constexpr double kDrawingStep = 184.0;
-constexpr double kDrawingRadius = 70.0;
 constexpr double kWidth = 1620.0;
-constexpr double kHeight = kDrawingTop + 2.0 * kDrawingRadius + 106.0;
+/// The chart is printed as wide as a page.
+constexpr double kTextSize = detail::legible_height(kWidth, detail::kPageWidth);
+constexpr double kLine = 1.2 * kTextSize;
+constexpr double kPanelSize = 590.0;
+constexpr double kTop = 132.0;
+constexpr double kLeft = 124.0;
+constexpr double kPanelGap = 140.0;
+constexpr double kBarLeft = kLeft + 2.0 * kPanelSize + kPanelGap + 28.0;
+constexpr double kDrawingTop = kTop + kPanelSize + 104.0;
+constexpr double kDrawingStep = 187.0;
+constexpr double kDrawingRadius = 70.0;
+constexpr std::size_t kDrawingText = 15;  // characters in a line below a drawing
 
 double value_of(const PatternProperties& entry, const std::string& name) {
     const auto found = entry.values.find(name);
@@ -46,7 +51,9 @@ double value_of(const PatternProperties& entry, const std::string& name) {
 /// The property of which a pattern is the extreme.
 struct Extreme {
     std::string reason;
-    std::size_t index;  ///< of the pattern
+    std::size_t index;                ///< of the pattern
+    std::vector<std::string> rows{};  ///< below its drawing: the reason, then the id
+    std::size_t reason_rows = 0;      ///< how many of them are the reason
 };
 
 /// The patterns that stand at the ends of something; one that is at several ends is named once.
@@ -96,12 +103,23 @@ double poisson_share(double ratio) {
 class Chart {
   public:
     Chart(const ChartSubject& subject, std::span<const PatternProperties> patterns)
-        : subject_(subject), patterns_(patterns), extremes_(find_extremes(patterns)) {}
+        : subject_(subject), patterns_(patterns), extremes_(find_extremes(patterns)) {
+        for (Extreme& it : extremes_) {
+            it.rows = wrapped(it.reason, kDrawingText);
+            it.reason_rows = it.rows.size();
+            for (std::string& part :
+                 wrapped(pattern_id(subject.layout, patterns[it.index].pattern), kDrawingText))
+                it.rows.push_back(std::move(part));
+            most_rows_ = std::max(most_rows_, it.rows.size());
+        }
+    }
 
     std::string document() {
         body_ += text({kLeft, 40.0}, std::to_string(patterns_.size()) + " patterns as endless plates",
                       {24.0, "start", " font-weight=\"bold\""});
-        body_ += text({kLeft, 66.0}, setting_line(), {15.0, "start"});
+        body_ += text({kLeft, 70.0}, setting_line(), {kTextSize, "start"});
+        body_ += text({kLeft, 70.0 + kLine}, "Rest the pointer on a point for its pattern.",
+                      {kTextSize, "start", " fill=\"#6b7280\""});
         draw_panel(kLeft, axis("mass_per_area", "mass per area, kg/m²"),
                    axis("membrane_stiffness", "in-plane stiffness, N/m"),
                    {"mass_per_area", "membrane_stiffness"});
@@ -110,10 +128,13 @@ class Chart {
                    {"membrane_stiffness", "bending_stiffness"});
         draw_colour_bar();
         for (std::size_t i = 0; i < extremes_.size(); ++i) draw_pattern(i);
+        const double height =
+            kDrawingTop + 2.0 * kDrawingRadius + 12.0 + kLine * static_cast<double>(most_rows_);
         return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
                "width=\"" +
-               px(kWidth) + "\" height=\"" + px(kHeight) + "\" viewBox=\"0 0 " + px(kWidth) + " " +
-               px(kHeight) + "\" font-family=\"DejaVu Sans, sans-serif\" fill=\"" + kInk +
+               px(kWidth) + "\" height=\"" + px(height) + "\" viewBox=\"0 0 " + px(kWidth) + " " +
+               px(height) + "\" data-print-width=\"" + px(1e3 * detail::kPageWidth) +
+               "mm\" font-family=\"DejaVu Sans, sans-serif\" fill=\"" + kInk +
                "\">\n<title>Property chart of patterns</title>\n<rect width=\"100%\" height=\"100%\" "
                "fill=\"#ffffff\"/>\n" +
                body_ + "</svg>\n";
@@ -131,8 +152,7 @@ class Chart {
         return "layout " + subject_.layout->name() + ", tile side " + number(1e3 * s.tile_side) +
                " mm, bar area " + number(1e6 * s.section.area) +
                " mm², E = " + number(1e-9 * s.material.young_modulus) + " GPa, density " +
-               number(s.material.density) +
-               " kg/m³; small displacements. Rest the pointer on a point for its pattern.";
+               number(s.material.density) + " kg/m³; small displacements";
     }
 
     [[nodiscard]] LogAxis axis(const char* name, const char* label) const {
@@ -145,20 +165,21 @@ class Chart {
         const double bottom = kTop + kPanelSize;
         for (const double tick : across.ticks()) {
             const double x = left + kPanelSize * across.share(tick);
-            body_ += line({x, kTop}, {x, bottom}, kGrid) + text({x, bottom + 22.0}, tick_text(tick));
+            body_ +=
+                line({x, kTop}, {x, bottom}, kGrid) + text({x, bottom + 26.0}, tick_text(tick), {kTextSize});
         }
         for (const double tick : up.ticks()) {
             const double y = bottom - kPanelSize * up.share(tick);
             body_ += line({left, y}, {left + kPanelSize, y}, kGrid) +
-                     text({left - 8.0, y + 5.0}, tick_text(tick), {15.0, "end"});
+                     text({left - 8.0, y + 7.0}, tick_text(tick), {kTextSize, "end"});
         }
         body_ += "<rect x=\"" + px(left) + "\" y=\"" + px(kTop) + "\" width=\"" + px(kPanelSize) +
                  "\" height=\"" + px(kPanelSize) + "\" fill=\"none\" stroke=\"" + kInk + "\"/>\n";
-        body_ += text({left + kPanelSize / 2.0, bottom + 50.0}, across.label, {17.0});
-        const double x = left - 66.0;
+        body_ += text({left + kPanelSize / 2.0, bottom + 56.0}, across.label, {1.1 * kTextSize});
+        const double x = left - 100.0;
         const double y = kTop + kPanelSize / 2.0;
         const std::string turned = " transform=\"rotate(-90 " + px(x) + " " + px(y) + ")\"";
-        body_ += text({x, y}, up.label, {17.0, "middle", turned});
+        body_ += text({x, y}, up.label, {1.1 * kTextSize, "middle", turned});
         const auto place = [&](const PatternProperties& entry) {
             return Point2{left + kPanelSize * across.share(value_of(entry, names.across)),
                           bottom - kPanelSize * up.share(value_of(entry, names.up))};
@@ -184,7 +205,7 @@ class Chart {
         body_ += "<circle cx=\"" + px(at.x) + "\" cy=\"" + px(at.y) +
                  "\" r=\"6\" fill=\"none\" stroke=\"#d7301f\" stroke-width=\"1.8\"/>\n";
         body_ += text({at.x + 9.0, at.y - 7.0}, name,
-                      {17.0, "start",
+                      {1.1 * kTextSize, "start",
                        " font-weight=\"bold\" fill=\"#b30000\" stroke=\"#ffffff\" stroke-width=\"3\" "
                        "paint-order=\"stroke\""});
     }
@@ -201,9 +222,9 @@ class Chart {
         for (const double ratio : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
             const double y = kTop + kPanelSize * (1.0 - poisson_share(ratio));
             body_ += line({kBarLeft + kBarWidth, y}, {kBarLeft + kBarWidth + 5.0, y}, kInk) +
-                     text({kBarLeft + kBarWidth + 10.0, y + 5.0}, number(ratio), {15.0, "start"});
+                     text({kBarLeft + kBarWidth + 10.0, y + 7.0}, number(ratio), {kTextSize, "start"});
         }
-        body_ += text({kBarLeft - 8.0, kTop - 14.0}, "in-plane Poisson's ratio");
+        body_ += text({kWidth - 6.0, kTop - 14.0}, "in-plane Poisson's ratio", {kTextSize, "end"});
     }
 
     /// One of the extreme patterns in its tile, with its letter, why it is here, and its id.
@@ -226,15 +247,12 @@ class Chart {
         body_ += "<path d=\"" + rim(x, y) + "\" fill=\"#f4f6f8\" stroke=\"#b8c0c8\"/>\n<path d=\"" + path +
                  "\" fill=\"none\" stroke=\"#22303c\" stroke-width=\"2.4\" stroke-linecap=\"round\"/>\n";
         body_ += text({x - kDrawingRadius, kDrawingTop + 14.0}, letter(extreme),
-                      {19.0, "start", " font-weight=\"bold\" fill=\"#b30000\""});
-        double row = kDrawingTop + 2.0 * kDrawingRadius + 20.0;
-        for (const std::string& part : wrapped(it.reason, 22)) {
-            body_ += text({x, row}, part, {13.0});
-            row += 16.0;
-        }
-        for (const std::string& part : wrapped(pattern_id(subject_.layout, entry.pattern), 26)) {
-            body_ += text({x, row}, part, {11.0, "middle", " fill=\"#6b7280\""});
-            row += 14.0;
+                      {1.2 * kTextSize, "start", " font-weight=\"bold\" fill=\"#b30000\""});
+        double row = kDrawingTop + 2.0 * kDrawingRadius + kLine;
+        for (std::size_t i = 0; i < it.rows.size(); ++i) {
+            const char* fill = i < it.reason_rows ? "" : " fill=\"#6b7280\"";
+            body_ += text({x, row}, it.rows[i], {kTextSize, "middle", fill});
+            row += kLine;
         }
     }
 
@@ -251,6 +269,7 @@ class Chart {
     const ChartSubject& subject_;
     std::span<const PatternProperties> patterns_;
     std::vector<Extreme> extremes_;
+    std::size_t most_rows_ = 0;
     std::string body_;
 };
 

@@ -2,6 +2,7 @@
 #include <fretwork/exports/colours.hpp>
 #include <fretwork/exports/drawings/detail/fan_drawing.hpp>
 #include <fretwork/exports/drawings/detail/furniture.hpp>
+#include <fretwork/exports/drawings/detail/print.hpp>
 #include <fretwork/exports/drawings/pattern_drawing.hpp>
 #include <fretwork/exports/tables/line_set.hpp>
 
@@ -38,18 +39,30 @@ void draw_reduced(SvgCanvas& canvas, const ReducedTile& tile, const Setting& set
         canvas.circle(nodes[i], 0.8 * width, {kInterfaceColour, "#ffffff", 0.2 * width, 1.0});
 }
 
-std::string facts(const std::optional<Calibration>& calibration,
-                  std::span<const reduction::TileModel> models) {
-    if (!calibration) return "not calibrated";
+/// What is known of a reduced model, in lines.
+std::vector<std::string> facts(const std::optional<Calibration>& calibration,
+                               std::span<const reduction::TileModel> models) {
+    if (!calibration) return {"not calibrated"};
     const reduction::TileModel& model = reduction::find_tile_model(calibration->model, models);
-    std::string text;
+    std::vector<std::string> lines;
     for (const reduction::TileParameter& parameter : model.parameters) {
         if (parameter.unit != "rad") continue;
         const double value =
             reduction::parameter_values(*calibration, model)[parameter_index(model, parameter.name)];
-        text += parameter.name + " = " + detail::short_number(value * 180.0 / std::acos(-1.0)) + "\xc2\xb0, ";
+        lines.push_back(parameter.name + " = " + detail::short_number(value * 180.0 / std::acos(-1.0)) +
+                        "\xc2\xb0");
     }
-    return text + "E = " + detail::short_number(calibration->objective);
+    lines.push_back("E = " + detail::short_number(calibration->objective));
+    return lines;
+}
+
+/// Pairs of drawings are in few columns: two in a journal's column, up to four on a page.
+int columns_of(int pairs) {
+    constexpr int kMostInColumn = 8;
+    constexpr int kMostOnPage = 24;
+    if (pairs <= kMostInColumn) return std::clamp(pairs, 1, 2);
+    if (pairs <= kMostOnPage) return 4;
+    return static_cast<int>(std::ceil(std::sqrt(0.7 * pairs)));
 }
 
 }  // namespace
@@ -60,11 +73,22 @@ std::string reduced_sheet_svg(const pattern::NodeLayout& layout, std::span<const
     const PatternDrawingOptions options{side, std::sqrt(setting.section.area), setting.sides};
     const auto count = static_cast<int>(patterns.size());
     const int interface_nodes = setting.sides * static_cast<int>(layout.interface_nodes().size());
-    const int columns = std::max(1, static_cast<int>(std::ceil(std::sqrt(0.7 * count))));
+    const int columns = columns_of(count);
     const int rows = std::max(1, (count + columns - 1) / columns);
-    const double step_x = 4.5 * side;
-    const double step_y = 2.5 * side;
-    SvgCanvas canvas({-1.2 * side, -(rows - 0.4) * step_y, columns * step_x - 1.1 * side, 1.1 * side}, 1.0);
+    const double step_x = 4.4 * side;
+    const detail::SheetPrint print = detail::sheet_print(2 * columns, 0.5 * step_x);
+    const double text = std::max(0.13 * side, print.text);
+    std::vector<std::vector<std::string>> ids;
+    std::vector<std::vector<std::string>> known;
+    std::size_t most_lines = 1;
+    for (const ReducedPattern& entry : patterns) {
+        ids.push_back(detail::lines_within(pattern_id(layout, entry.pattern), text, 2.1 * side));
+        known.push_back(facts(entry.calibration, models));
+        most_lines = std::max({most_lines, ids.back().size(), known.back().size()});
+    }
+    const double step_y = 2.05 * side + (0.6 + detail::kLineStep * static_cast<double>(most_lines)) * text;
+    SvgCanvas canvas({-1.15 * side, side - rows * step_y, columns * step_x - 1.15 * side, side}, 1.0);
+    canvas.print_as_wide_as(print.width);
     for (int i = 0; i < count; ++i) {
         const ReducedPattern& entry = patterns[i];
         const int row = i / columns;
@@ -76,11 +100,8 @@ std::string reduced_sheet_svg(const pattern::NodeLayout& layout, std::span<const
                          {model_lines(layout, entry.pattern, *entry.calibration, setting, models),
                           interface_nodes, right},
                          setting);
-        const std::string id = pattern_id(layout, entry.pattern);
-        const double height = std::min(0.13 * side, 3.2 * side / static_cast<double>(id.size() + 1));
-        canvas.text({left.x, left.y - 1.12 * side}, id, height, Anchor::Middle);
-        canvas.text({right.x, right.y - 1.12 * side}, facts(entry.calibration, models), 0.13 * side,
-                    Anchor::Middle);
+        detail::write_lines(canvas, {left.x, left.y - side - text}, ids[i], text);
+        detail::write_lines(canvas, {right.x, right.y - side - text}, known[i], text);
     }
     return canvas.document(std::to_string(count) + " patterns and their reduced models");
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/exports/drawings/detail/furniture.hpp>
+#include <fretwork/exports/drawings/detail/print.hpp>
 #include <fretwork/exports/drawings/detail/surface_parts.hpp>
 #include <fretwork/exports/drawings/pattern_drawing.hpp>
 #include <fretwork/geometry/plane.hpp>
@@ -28,11 +29,16 @@ constexpr const char* kFullColour = "#8a8f94";
 constexpr int kDrawnDivisions = 6;  ///< of a beam: it is drawn as bent as it is
 
 // Lengths as multiples of the tile's side.
+constexpr int kColumns = 3;
 constexpr double kCellWidth = 3.6;
-constexpr double kCellHeight = 3.1;
-constexpr double kReach = 0.75;  ///< of the largest arrow
+constexpr double kPictureHeight = 2.5;  ///< of a cell without its text
+constexpr double kReach = 0.7;          ///< of the largest arrow
 constexpr double kBall = 0.09;
-constexpr double kText = 0.14;
+
+/// The sheet is as wide as a journal's column.
+constexpr double kText = detail::legible_height(kColumns * kCellWidth, detail::kColumnWidth);
+constexpr int kTextLines = 4;
+constexpr double kCellHeight = kPictureHeight + (kTextLines * detail::kLineStep + 0.6) * kText;
 
 /// One tile in the setting's polygon, painted with the pattern.
 Surface tile_surface(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
@@ -108,6 +114,75 @@ Cell make_cell(const pattern::NodeLayout& layout, const Modelled& modelled, cons
     return cell;
 }
 
+/// As short as a cell is narrow.
+std::string short_meaning(const detail::SupportMark& mark) {
+    if (mark.meaning == "all components held") return "held";
+    return mark.meaning == "displacements held" ? "pinned" : "held in part";
+}
+
+/// The key of the sheet: colours of models, supports and loads. Each row is a symbol and what it means.
+class SheetKey {
+  public:
+    /// Collects the kinds of supports and loads that the cells show.
+    SheetKey(const Surface& surface, std::span<const Cell> cells) {
+        const Projection projection{ViewOptions{}};
+        for (const Cell& cell : cells) {
+            for (const detail::SupportMark& mark :
+                 detail::support_marks(surface, cell.conditions, projection)) {
+                if (std::ranges::find(supports_, mark.meaning, &detail::SupportMark::meaning) ==
+                    supports_.end())
+                    supports_.push_back(mark);
+            }
+            for (const detail::LoadMark& mark :
+                 detail::load_marks(surface, cell.conditions, projection, 1.0)) {
+                if (std::ranges::find(loads_, mark.kind, &detail::LoadMark::kind) == loads_.end())
+                    loads_.push_back(mark);
+            }
+            has_reduced_ = has_reduced_ || cell.reduced;
+        }
+    }
+
+    void draw(SvgCanvas& canvas, const Point2& top_left, double text, double bar) const {
+        canvas.layer("key");
+        Point2 place{top_left.x, top_left.y - text};
+        const auto next = [&](const std::string& words) {
+            canvas.text({place.x + 2.6 * text, place.y}, words, text);
+            place.y -= 1.6 * text;
+        };
+        const auto sample = [&](const char* colour, double width) {
+            const double y = place.y + 0.35 * text;
+            const std::array<std::array<Point2, 2>, 1> line = {
+                {{Point2{place.x, y}, Point2{place.x + 2.0 * text, y}}}};
+            canvas.segments(line, {"none", colour, width, 1.0});
+        };
+        sample(kFullColour, bar);
+        next("full model");
+        if (has_reduced_) {
+            sample(detail::kReducedColour, 0.5 * bar);
+            next("reduced model");
+        }
+        for (detail::SupportMark mark : supports_) {
+            mark.place = {place.x + text, place.y + 0.35 * text};
+            draw_support(canvas, mark, 0.5 * text);
+            next(short_meaning(mark));
+        }
+        for (const detail::LoadMark& mark : loads_) {
+            const double y = place.y + 0.35 * text;
+            draw_load(canvas, {mark.kind,
+                               detail::LoadMark::Shape::Arrow,
+                               {place.x, y},
+                               {place.x + 2.2 * text, y},
+                               2.2 * text});
+            next(mark.kind == detail::LoadMark::Kind::Force ? "force" : "moment");
+        }
+    }
+
+  private:
+    std::vector<detail::SupportMark> supports_;
+    std::vector<detail::LoadMark> loads_;
+    bool has_reduced_ = false;
+};
+
 /// Draws cells into a sheet, each with the middle of its tile at a place.
 class CellPen {
   public:
@@ -134,7 +209,7 @@ class CellPen {
             mark.to = mark.to + middle;
             draw_load(canvas_, mark);
         }
-        write_caption(cell, {middle.x, middle.y - (0.5 * kCellHeight - 2.5 * kText) * side_});
+        write_caption(cell, {middle.x, middle.y - (0.5 * kPictureHeight + kText) * side_});
     }
 
   private:
@@ -146,12 +221,12 @@ class CellPen {
     void write_caption(const Cell& cell, const Point2& place) {
         const double text = kText * side_;
         const double magnitude = cell.full.share * cell.scenario->max_magnitude;
-        canvas_.text(place, cell.scenario->name + " under " + detail::short_number(magnitude) + " N", text,
-                     Anchor::Middle);
-        canvas_.text({place.x, place.y - 1.5 * text},
-                     "moves by " + detail::millimetres(largest(cell.full.lines)) +
-                         (cell.reduced ? ", reduced " + detail::millimetres(largest(*cell.reduced)) : ""),
-                     text, Anchor::Middle);
+        auto lines =
+            detail::lines_within(cell.scenario->name + " under " + detail::short_number(magnitude) + " N",
+                                 text, 0.98 * kCellWidth * side_);
+        lines.push_back("moves by " + detail::millimetres(largest(cell.full.lines)));
+        if (cell.reduced) lines.push_back("reduced: " + detail::millimetres(largest(*cell.reduced)));
+        detail::write_lines(canvas_, place, lines, text);
     }
 
     static double largest(const LineSet& lines) {
@@ -171,14 +246,23 @@ std::string scenario_sheet_svg(const pattern::NodeLayout& layout, const ReducedP
                                const reduction::Setting& setting,
                                std::span<const reduction::TileModel> models) {
     const Surface surface = tile_surface(layout, pattern.pattern, setting);
-    const double width = kCellWidth * setting.tile_side;
-    const double height = kCellHeight * setting.tile_side;
-    const auto count = static_cast<double>(setting.scenarios.size());
-    SvgCanvas canvas({-0.5 * width, -0.5 * height, (count - 0.5) * width, 0.5 * height}, 1.0);
+    const double side = setting.tile_side;
+    const double width = kCellWidth * side;
+    const double height = kCellHeight * side;
+    std::vector<Cell> cells;
+    for (const Scenario& scenario : setting.scenarios)
+        cells.push_back(make_cell(layout, {pattern, models}, setting, scenario));
+    const auto count = static_cast<int>(cells.size());
+    const int rows = count / kColumns + 1;  // the key is in the cell behind the last
+    SvgCanvas canvas({0.0, -rows * height, kColumns * width, 0.0}, 1.0);
+    canvas.print_as_wide_as(detail::kColumnWidth);
     CellPen pen(canvas, surface);
-    for (std::size_t i = 0; i < setting.scenarios.size(); ++i)
-        pen.draw(make_cell(layout, {pattern, models}, setting, setting.scenarios[i]),
-                 {static_cast<double>(i) * width, 0.2 * setting.tile_side});
+    for (int i = 0; i < count; ++i)
+        pen.draw(cells[i],
+                 {(i % kColumns + 0.5) * width, -(i / kColumns) * height - 0.5 * kPictureHeight * side});
+    SheetKey(surface, cells)
+        .draw(canvas, {(count % kColumns + 0.12) * width, -(rows - 1) * height - 0.4 * side}, kText * side,
+              detail::beam_width(surface));
     return canvas.document("The scenarios on " + pattern_id(layout, pattern.pattern));
 }
 

@@ -27,7 +27,8 @@ struct DrawnLabels {
 /// A surface seen from above at true scale, as in the paper's Figs. 12 to 14: tiles coloured by pattern,
 /// beams of true width, a legend and a scale bar. Tiles without a pattern are empty. If `conditions` is not
 /// null, the drawing also shows supports (red: all dofs are held; green: only translations; orange: other
-/// dofs) and loads (arrows; forces out of the plane are rings).
+/// dofs) and loads (arrows; forces out of the plane are rings; those on one node are added up). Text is
+/// legible when the drawing is scaled to a journal's column.
 std::string surface_svg(const simulation::Surface& surface,
                         const simulation::Conditions* conditions = nullptr, const DrawnLabels& labels = {});
 
@@ -46,7 +47,7 @@ struct DeformedViewOptions {
     reduction::Joints joints = reduction::Joints::Centreline;
     ViewOptions view{};  ///< direction of the viewer
     LineSet rest{};      ///< lines drawn dashed below everything, such as rim_lines()
-    /// Beams of a reduced model at rest, which a sheet shows from above; empty: they are not shown.
+    /// Beams of a reduced model at rest, which a figure shows from above; empty: they are not shown.
     LineSet reduced{};
     DrawnLabels labels{};  ///< numbers on the drawing of the surface from above
 };
@@ -61,9 +62,10 @@ std::string deformed_svg(std::span<const DeformedLayer> layers, const DeformedVi
 /// the viewer are drawn over the lines behind, with white edges.
 std::string displacement_svg(const DeformedLayer& layer, const DeformedViewOptions& options = {});
 
-/// A sheet with drawings below each other, as in the paper's Figs. 12 to 14: the surface from above, the
-/// beams of the reduced model from above (if `options` has them), the surface with supports and loads, and
-/// the deformed states. Of many loads, some that are spread evenly are drawn, and the legend counts them.
+/// A figure as wide as a journal's column (84 mm), in the order of the paper's Figs. 12 to 14: the surface
+/// from above, beside it the beams of the reduced model (if `options` has them), the patterns, the surface
+/// with supports and loads, and the deformed states. Text is at least 6 pt high. Of many loads, some that are
+/// spread evenly are drawn, and the legend counts them.
 std::string figure_svg(const simulation::Surface& surface, const simulation::Conditions& conditions,
                        std::span<const DeformedLayer> layers, const DeformedViewOptions& options = {});
 

@@ -89,12 +89,12 @@ void draw_notes(SvgCanvas& canvas, const DeformedViewOptions& options, int line)
     const double text = text_height(canvas.box().width());
     if (!options.rest.lines.empty()) {
         const Point2 place =
-            draw_line_sample(canvas, legend_place(canvas.box(), line++), rest_style(canvas.box()));
+            draw_line_sample(canvas, legend_place(canvas.box(), line++), rest_style(canvas.box()), text);
         canvas.text(place, "rim at rest", text);
     }
     canvas.text(legend_place(canvas.box(), line),
                 scale_note(options.scale) + ", " + joints_note(options.joints), text);
-    draw_scale_bar(canvas, {canvas.box().xmin + text, canvas.box().ymin + text});
+    draw_scale_bar(canvas, {canvas.box().xmin + text, canvas.box().ymin + 0.6 * text}, text);
 }
 
 void draw_colour_bar(SvgCanvas& canvas, const Point2& start, double width) {
@@ -225,7 +225,9 @@ SvgCanvas deformed_panel(std::span<const DeformedLayer> layers, const DeformedVi
     draw_rest(canvas, view, options);
     for (std::size_t i = 0; i < layers.size(); ++i) {
         canvas.layer(layers[i].label);
-        draw_lines(canvas, {layers[i].lines, view.points[i], view.nearnesses[i], line_width(view.box)},
+        // The first is seen beside those that lie upon it.
+        const double width = (i == 0 && layers.size() > 1 ? 1.8 : 1.0) * line_width(view.box);
+        draw_lines(canvas, {layers[i].lines, view.points[i], view.nearnesses[i], width},
                    i == 0 ? Below::Nothing : Below::OtherStates,
                    [&](std::size_t) { return layers[i].colour; });
     }
@@ -233,7 +235,7 @@ SvgCanvas deformed_panel(std::span<const DeformedLayer> layers, const DeformedVi
     int line = 0;
     for (const DeformedLayer& layer : layers) {
         const Point2 place = draw_line_sample(canvas, legend_place(view.box, line++),
-                                              {"none", layer.colour, 0.25 * text, 1.0});
+                                              {"none", layer.colour, 0.25 * text, 1.0}, text);
         canvas.text(place, layer.label + ": at most " + millimetres(largest_displacement(layer.lines)), text);
     }
     draw_notes(canvas, options, line);
@@ -252,12 +254,12 @@ SvgCanvas displacement_panel(const DeformedLayer& layer, const DeformedViewOptio
     canvas.layer("legend");
     canvas.text(legend_place(view.box, 0), layer.label + ": size of the displacement", text);
     const Point2 bar = legend_place(view.box, 1);
-    const double width = 0.3 * view.box.width();
+    const double width = 0.45 * view.box.width();  // the texts below do not touch
     draw_colour_bar(canvas, bar, width);
     const double below = legend_place(view.box, 2).y + 0.4 * text;
-    canvas.text({bar.x, below}, "0", 0.9 * text);
-    canvas.text({bar.x + 0.5 * width, below}, millimetres(0.5 * largest), 0.9 * text, Anchor::Middle);
-    canvas.text({bar.x + width, below}, millimetres(largest), 0.9 * text, Anchor::End);
+    canvas.text({bar.x, below}, "0", text);
+    canvas.text({bar.x + 0.5 * width, below}, millimetres(0.5 * largest), text, Anchor::Middle);
+    canvas.text({bar.x + width, below}, millimetres(largest), text, Anchor::End);
     draw_notes(canvas, options, 3);
     return canvas;
 }

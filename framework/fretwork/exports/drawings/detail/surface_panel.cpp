@@ -1,180 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/text.hpp>
-#include <fretwork/exports/colours.hpp>
-#include <fretwork/exports/drawings/detail/fan_drawing.hpp>
+#include <fretwork/exports/drawings/detail/condition_legend.hpp>
 #include <fretwork/exports/drawings/detail/furniture.hpp>
 #include <fretwork/exports/drawings/detail/panels.hpp>
+#include <fretwork/exports/drawings/detail/pattern_legend.hpp>
+#include <fretwork/exports/drawings/detail/print.hpp>
 #include <fretwork/exports/drawings/detail/surface_parts.hpp>
 #include <fretwork/tiling/tessellation.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace fretwork::exports::detail {
 namespace {
 
 using geometry::Box;
-
-std::string force_text(double newtons) {
-    return newtons < 0.1 ? short_number(1e3 * newtons) + " mN" : short_number(newtons) + " N";
-}
-
 using geometry::Point2;
 using simulation::Conditions;
 using simulation::Surface;
-
-/// An id in lines of about `length` characters, parted where edges are.
-std::vector<std::string> id_lines(const std::string& id, std::size_t length) {
-    std::vector<std::string> lines(1);
-    for (const std::string& edge : base::split(id, '+')) {
-        std::string& last = lines.back();
-        if (last.empty())
-            last = edge;
-        else if (last.size() + 1 + edge.size() <= length)
-            last += "+" + edge;
-        else
-            lines.push_back("+" + edge);
-    }
-    return lines;
-}
-
-/// The patterns in use in columns: a small fan, its colour, its id.
-class PatternLegend {
-  public:
-    PatternLegend(const Surface& surface, double width)
-        : surface_(&surface), used_(tiling::used_patterns(surface.tessellation)), text_(text_height(width)) {
-        std::size_t longest = 1;
-        for (const std::size_t pattern : used_) {
-            ids_.push_back(id_lines(surface.tessellation.patterns[pattern].id, kLineLength));
-            most_lines_ = std::max(most_lines_, static_cast<int>(ids_.back().size()));
-            for (const std::string& line : ids_.back()) longest = std::max(longest, line.size());
-        }
-        column_width_ = 5.0 * text_ + text_width(std::string(longest, ' '), text_);
-        columns_ = std::max(1, static_cast<int>(width / column_width_));
-    }
-    [[nodiscard]] double height() const {
-        const int rows = (static_cast<int>(ids_.size()) + columns_ - 1) / columns_;
-        return row_height() * rows;
-    }
-    void draw(SvgCanvas& canvas, const Point2& top_left) const {
-        canvas.layer("legend of patterns");
-        for (int i = 0; i < static_cast<int>(ids_.size()); ++i) {
-            const int row = i / columns_;
-            const Point2 middle{top_left.x + (i % columns_) * column_width_ + 1.7 * text_,
-                                top_left.y - (row + 0.5) * row_height()};
-            draw_icon(canvas, used_[i], middle);
-            draw_id(canvas, ids_[i], {middle.x + 2.2 * text_, middle.y});
-        }
-    }
-
-  private:
-    static constexpr std::size_t kLineLength = 16;  // four edges: ids of up to twelve are as high as a fan
-
-    [[nodiscard]] double row_height() const { return std::max(3.5, 1.2 * most_lines_ + 0.4) * text_; }
-
-    void draw_id(SvgCanvas& canvas, const std::vector<std::string>& lines, const Point2& middle) const {
-        double y = middle.y + (0.6 * static_cast<double>(lines.size() - 1) - 0.35) * text_;
-        for (const std::string& line : lines) {
-            canvas.text({middle.x, y}, line, text_);
-            y -= 1.2 * text_;
-        }
-    }
-
-    void draw_icon(SvgCanvas& canvas, std::size_t pattern, const Point2& middle) const {
-        const double side = 1.65 * text_;
-        const geometry::Polygon hexagon = moved(geometry::regular_polygon(6, side), middle);
-        canvas.polygon(hexagon, {pattern_colour(static_cast<int>(pattern)), "none", 0.0, 1.0});
-        draw_fan_beams(canvas, surface_->layout, surface_->tessellation.patterns[pattern].pattern, hexagon,
-                       {"none", kBeamColour, 0.06 * side, 1.0});
-    }
-
-    const Surface* surface_;
-    std::vector<std::size_t> used_;
-    double text_;
-    std::vector<std::vector<std::string>> ids_;  // in lines
-    int most_lines_ = 1;
-    double column_width_ = 0.0;
-    int columns_ = 1;
-};
-
-/// One line that says what balls, arrows and rings mean.
-class ConditionLegend {
-  public:
-    ConditionLegend(const std::vector<SupportMark>& supports, const std::vector<LoadMark>& loads,
-                    const Conditions& conditions)
-        : drawn_loads_(loads.size()) {
-        for (const LoadMark& mark : loads) shapes_.emplace(mark.kind, mark.shape);
-        for (const SupportMark& mark : supports) {
-            const auto same = [&](const SupportMark& other) { return other.meaning == mark.meaning; };
-            if (std::ranges::none_of(supports_, same)) supports_.push_back(mark);
-        }
-        for (const mechanics::NodalLoad& load : conditions.loads) {
-            largest_force_ = std::max(largest_force_, load.force.norm());
-            largest_moment_ = std::max(largest_moment_, load.moment.norm());
-            all_loads_ += (load.force.norm() > 0.0 ? 1 : 0) + (load.moment.norm() > 0.0 ? 1 : 0);
-        }
-    }
-    void draw(SvgCanvas& canvas, Point2 place) const {
-        canvas.layer("legend of conditions");
-        const double text = text_height(canvas.box().width());
-        for (SupportMark mark : supports_) {
-            mark.place = {place.x + 0.6 * text, place.y + 0.35 * text};
-            draw_support(canvas, mark, 0.6 * text);
-            place = write(canvas, {place.x + 1.8 * text, place.y}, mark.meaning);
-        }
-        using Kind = LoadMark::Kind;
-        if (largest_force_ > 0)
-            place = draw_load_entries(canvas, place, Kind::Force,
-                                      "forces, the largest " + force_text(largest_force_));
-        if (largest_moment_ > 0)
-            place =
-                draw_load_entries(canvas, place, Kind::Moment,
-                                  "moments, the largest " + short_number(1e3 * largest_moment_) + " N mm");
-        if (drawn_loads_ < all_loads_)
-            write(canvas, place,
-                  std::to_string(drawn_loads_) + " of " + std::to_string(all_loads_) + " drawn");
-    }
-
-  private:
-    static Point2 write(SvgCanvas& canvas, const Point2& place, const std::string& words) {
-        const double text = text_height(canvas.box().width());
-        canvas.text(place, words, text);
-        return {place.x + text_width(words, text) + 1.5 * text, place.y};
-    }
-    /// The legend of the shapes that are drawn; the first row names them.
-    Point2 draw_load_entries(SvgCanvas& canvas, Point2 place, LoadMark::Kind kind, std::string words) const {
-        using Shape = LoadMark::Shape;
-        const std::pair<Shape, const char*> kShapes[] = {{Shape::Arrow, ""},
-                                                         {Shape::AwayFromViewer, "away from you"},
-                                                         {Shape::TowardsViewer, "towards you"}};
-        for (const auto& [shape, where] : kShapes) {
-            if (!shapes_.contains({kind, shape})) continue;
-            const std::string both = words + (words.empty() || *where == '\0' ? "" : ", ") + where;
-            place = draw_load_entry(canvas, place, {kind, shape}, both);
-            words.clear();
-        }
-        return place;
-    }
-    using ShownLoad = std::pair<LoadMark::Kind, LoadMark::Shape>;
-    static Point2 draw_load_entry(SvgCanvas& canvas, const Point2& place, const ShownLoad& load,
-                                  const std::string& words) {
-        const double text = text_height(canvas.box().width());
-        const double middle = place.y + 0.35 * text;
-        const double size = 2.6 * text;
-        const bool is_arrow = load.second == LoadMark::Shape::Arrow;
-        const double start = place.x + (is_arrow ? 0.0 : 0.5 * text);
-        draw_load(canvas, {load.first, load.second, {start, middle}, {place.x + size, middle}, size});
-        return write(canvas, {place.x + (is_arrow ? 3.2 : 1.5) * text, place.y}, words);
-    }
-
-    std::size_t drawn_loads_;
-    std::size_t all_loads_ = 0;
-    std::set<ShownLoad> shapes_;
-    std::vector<SupportMark> supports_;
-    double largest_force_ = 0.0;
-    double largest_moment_ = 0.0;
-};
 
 /// The surface with what is drawn on it, and the part of the plane that this takes.
 struct Subject {
@@ -240,31 +82,47 @@ void draw_subject(SvgCanvas& canvas, const Surface& surface, const Subject& subj
 
 SvgCanvas surface_panel(const Surface& surface, const Conditions* conditions, const DrawnLabels& labels) {
     const Subject subject = make_subject(surface, conditions, Projection::from_above(),
-                                         1.6 * tiling::mean_tile_side(surface.tessellation));
+                                         1.2 * tiling::mean_tile_side(surface.tessellation));
     const double text = text_height(subject.box.width());
-    const PatternLegend legend(surface, subject.box.width() - 2.0 * text);
-    const double legend_top = subject.box.ymin - text;
-    const double foot = legend_top - legend.height() - 3.0 * text;
+    const double width = subject.box.width() - 2.0 * text;
+    const PatternLegend patterns(surface, width, text);
+    const ConditionLegend marks(subject.supports, subject.loads,
+                                conditions != nullptr ? *conditions : Conditions{});
+    const double marks_top = subject.box.ymin - text - patterns.height() - 3.0 * text;
     Box box = subject.box;
-    box.ymin = foot - (conditions != nullptr ? 3.0 : 1.0) * text;
+    box.ymin = marks_top - marks.height(width, text) - text;
     SvgCanvas canvas(box, 1.0);
     draw_subject(canvas, surface, subject);
     draw_labels(canvas, surface, labels);
-    legend.draw(canvas, {box.xmin + text, legend_top});
-    if (conditions != nullptr)
-        ConditionLegend(subject.supports, subject.loads, *conditions)
-            .draw(canvas, {box.xmin + text, foot - 2.0 * text});
+    const double left = box.xmin + text;
+    patterns.draw(canvas, {left, subject.box.ymin - text});
+    if (conditions != nullptr) marks.draw(canvas, {left, marks_top}, width, text);
     canvas.layer("scale");
-    draw_scale_bar(canvas, {box.xmin + text, foot + 0.6 * text});
-    const double behind_bar = box.xmin + 2.0 * text + 0.2 * box.width();  // a bar is at most so long
-    canvas.text({behind_bar, foot + 0.6 * text}, joints_note(surface.setting.joints), text);
+    const double foot = marks_top + 0.9 * text;
+    draw_scale_bar(canvas, {left, foot}, text);
+    const double behind_bar = left + text + 0.2 * box.width();  // a bar is at most so long
+    canvas.text({behind_bar, foot}, joints_note(surface.setting.joints), text);
     return canvas;
 }
 
-SvgCanvas reduced_panel(const Surface& surface, const LineSet& beams) {
+SvgCanvas tiling_panel(const Surface& surface, const DrawnLabels& labels, double text_share) {
+    const Subject subject = make_subject(surface, nullptr, Projection::from_above(), 0.0);
+    const double text = text_share * subject.box.width();
+    Box box = subject.box;
+    box.ymin -= 2.2 * text;
+    SvgCanvas canvas(box, 1.0);
+    draw_subject(canvas, surface, subject);
+    draw_labels(canvas, surface, labels);
+    canvas.layer("scale");
+    draw_scale_bar(canvas, {box.xmin + text, box.ymin + 0.6 * text}, text);
+    return canvas;
+}
+
+SvgCanvas reduced_panel(const Surface& surface, const LineSet& beams, double text_share) {
     const Projection projection = Projection::from_above();
-    const Box box = bounding_box(projection.all(surface.tessellation.vertices),
-                                 0.5 * tiling::mean_tile_side(surface.tessellation));
+    Box box = bounding_box(projection.all(surface.tessellation.vertices),
+                           0.5 * tiling::mean_tile_side(surface.tessellation));
+    box.ymin -= 2.2 * text_share * box.width();  // as high as the tiling beside it
     SvgCanvas canvas(box, 1.0);
     canvas.layer("tiles");
     const double width = beam_width(surface);
@@ -282,12 +140,13 @@ SvgCanvas setup_panel(const Surface& surface, const Conditions& conditions, cons
                                    2.5 * tiling::mean_tile_side(surface.tessellation));
     subject.loads = few_of(std::move(subject.loads));
     const double text = text_height(subject.box.width());
+    const double width = subject.box.width() - 2.0 * text;
+    const ConditionLegend marks(subject.supports, subject.loads, conditions);
     Box box = subject.box;
-    box.ymin -= 3.0 * text;
+    box.ymin -= marks.height(width, text) + text;
     SvgCanvas canvas(box, 1.0);
     draw_subject(canvas, surface, subject);
-    ConditionLegend(subject.supports, subject.loads, conditions)
-        .draw(canvas, {box.xmin + text, box.ymin + text});
+    marks.draw(canvas, {box.xmin + text, subject.box.ymin - 0.5 * text}, width, text);
     return canvas;
 }
 

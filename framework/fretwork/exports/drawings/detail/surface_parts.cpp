@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace fretwork::exports::detail {
 namespace {
@@ -24,11 +25,18 @@ Point2 node_place(const Surface& surface, mechanics::NodeIndex node) {
     return surface.tessellation.interface_nodes[tiling::InterfaceIndex(node.value)];
 }
 
-LoadMark load_mark(const Point2& place, const Eigen::Vector3d& arrow, const Projection& projection) {
+/// Where the arrow of a load starts.
+Eigen::Vector3d tail_of(LoadMark::Kind kind, const Eigen::Vector3d& node, const Eigen::Vector3d& arrow) {
+    if (kind == LoadMark::Kind::Moment) return node - 0.5 * arrow;
+    return arrow.z() > 0.2 * arrow.norm() ? node : Eigen::Vector3d(node - arrow);
+}
+
+LoadMark load_mark(LoadMark::Kind kind, const Point2& place, const Eigen::Vector3d& arrow,
+                   const Projection& projection) {
     const Eigen::Vector3d node(place.x, place.y, 0.0);
-    const Eigen::Vector3d tail = arrow.z() > 0.2 * arrow.norm() ? node : Eigen::Vector3d(node - arrow);
-    LoadMark mark{LoadMark::Kind::Force, LoadMark::Shape::Arrow, projection(tail),
-                  projection(Eigen::Vector3d(tail + arrow)), arrow.norm()};
+    const Eigen::Vector3d tail = tail_of(kind, node, arrow);
+    LoadMark mark{kind, LoadMark::Shape::Arrow, projection(tail), projection(Eigen::Vector3d(tail + arrow)),
+                  arrow.norm()};
     const double seen = geometry::distance(mark.from, mark.to);
     if (seen < 0.2 * arrow.norm()) {
         mark.shape = arrow.z() > 0 ? LoadMark::Shape::TowardsViewer : LoadMark::Shape::AwayFromViewer;
@@ -139,23 +147,37 @@ std::vector<SupportMark> support_marks(const Surface& surface, const Conditions&
     return marks;
 }
 
+std::vector<mechanics::NodalLoad> loads_by_node(const Conditions& conditions) {
+    std::map<std::int32_t, mechanics::NodalLoad> sums;
+    for (const mechanics::NodalLoad& load : conditions.loads) {
+        mechanics::NodalLoad& sum =
+            sums.try_emplace(load.node.value, mechanics::NodalLoad{load.node}).first->second;
+        sum.force += load.force;
+        sum.moment += load.moment;
+    }
+    std::vector<mechanics::NodalLoad> loads;
+    for (const auto& [node, load] : sums) loads.push_back(load);
+    return loads;
+}
+
 std::vector<LoadMark> load_marks(const Surface& surface, const Conditions& conditions,
                                  const Projection& projection, double reach) {
+    using Kind = LoadMark::Kind;
+    const std::vector<mechanics::NodalLoad> loads = loads_by_node(conditions);
     double largest_force = 0.0;
     double largest_moment = 0.0;
-    for (const mechanics::NodalLoad& load : conditions.loads) {
+    for (const mechanics::NodalLoad& load : loads) {
         largest_force = std::max(largest_force, load.force.norm());
         largest_moment = std::max(largest_moment, load.moment.norm());
     }
     std::vector<LoadMark> marks;
-    for (const mechanics::NodalLoad& load : conditions.loads) {
+    for (const mechanics::NodalLoad& load : loads) {
         const Point2 place = node_place(surface, load.node);
         if (load.force.norm() > 0.0)
-            marks.push_back(load_mark(place, load.force * (reach / largest_force), projection));
-        if (load.moment.norm() > 0.0) {
-            marks.push_back(load_mark(place, load.moment * (reach / largest_moment), projection));
-            marks.back().kind = LoadMark::Kind::Moment;
-        }
+            marks.push_back(load_mark(Kind::Force, place, load.force * (reach / largest_force), projection));
+        if (load.moment.norm() > 0.0)
+            marks.push_back(
+                load_mark(Kind::Moment, place, load.moment * (reach / largest_moment), projection));
     }
     return marks;
 }

@@ -39,8 +39,11 @@ struct LoadMark {
     geometry::Point2 to;    ///< head
     double size = 0.0;      ///< of the arrow in space, metres
 };
-/// Marks for all loads, the largest force and the largest moment as large as `reach`. An arrow that comes
-/// from above or lies in the plane ends at its node; one that goes up starts there.
+/// The loads of a case with those on one node added up, by the nodes' numbers.
+std::vector<mechanics::NodalLoad> loads_by_node(const simulation::Conditions& conditions);
+/// Marks for the loads of all nodes, the largest force and the largest moment as large as `reach`. A force
+/// that comes from above or lies in the plane ends at its node; one that goes up starts there. A moment has
+/// its node in the middle.
 std::vector<LoadMark> load_marks(const simulation::Surface& surface, const simulation::Conditions& conditions,
                                  const Projection& projection, double reach);
 

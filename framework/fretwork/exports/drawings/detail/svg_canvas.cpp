@@ -161,27 +161,31 @@ std::string SvgCanvas::body() const {
     return body_ + (in_layer_ ? "</g>\n" : "");
 }
 
-std::string SvgCanvas::size(std::string_view unit) const {
-    const std::string width = rounded(box_.width() * units_per_metre_);
-    const std::string height = rounded(box_.height() * units_per_metre_);
-    return "width=\"" + width + std::string(unit) + "\" height=\"" + height + std::string(unit) +
-           "\" viewBox=\"0 0 " + width + " " + height + "\"";
+std::string SvgCanvas::size(std::string_view unit, double factor) const {
+    const double width = box_.width() * units_per_metre_;
+    const double height = box_.height() * units_per_metre_;
+    return "width=\"" + rounded(factor * width) + std::string(unit) + "\" height=\"" +
+           rounded(factor * height) + std::string(unit) + "\" viewBox=\"0 0 " + rounded(width) + " " +
+           rounded(height) + "\"";
 }
 
-void SvgCanvas::embed(const SvgCanvas& drawing, const Point2& top_left, std::string_view name) {
+void SvgCanvas::embed(const SvgCanvas& drawing, const Point2& top_left, double width, std::string_view name) {
+    const double factor = width * units_per_metre_ / (drawing.box_.width() * drawing.units_per_metre_);
     std::string body = drawing.body();
     for (std::size_t at = body.find(kIdStart); at != std::string::npos; at = body.find(kIdStart, at + 1))
         body.insert(at + kIdStart.size(), identifier(name) + "-");
     body_ += "<svg x=\"" + rounded((top_left.x - box_.xmin) * units_per_metre_) + "\" y=\"" +
-             rounded((box_.ymax - top_left.y) * units_per_metre_) + "\" " + drawing.size("") + ">\n" + body +
-             "</svg>\n";
+             rounded((box_.ymax - top_left.y) * units_per_metre_) + "\" " + drawing.size("", factor) + ">\n" +
+             body + "</svg>\n";
 }
 
 std::string SvgCanvas::document(std::string_view title) const {
+    const std::string print =
+        print_width_ > 0.0 ? " data-print-width=\"" + rounded(1e3 * print_width_) + "mm\"" : "";
     return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- " + std::string(base::kMadeBy) +
            " -->\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
            "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" " +
-           size("mm") + " font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\">\n<title>" +
+           size("mm", 1.0) + print + " font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\">\n<title>" +
            escaped(title) + "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n" + body() +
            "</svg>\n";
 }

@@ -49,9 +49,12 @@ class SvgCanvas {
 
     /// Begins a layer of this name, which drawing programs show; the layer ends where the next begins.
     void layer(std::string_view name);
-    /// Put another drawing, as large as it is, with its top left corner at a place. All its
-    /// ids get `name` in front, so that they stay apart.
-    void embed(const SvgCanvas& drawing, const geometry::Point2& top_left, std::string_view name);
+    /// Put another drawing with its top left corner at a place, `width` wide. All its ids get `name` in
+    /// front, so that they stay apart.
+    void embed(const SvgCanvas& drawing, const geometry::Point2& top_left, double width,
+               std::string_view name);
+    /// State in the document how wide the drawing is printed, metres: then its text is legible.
+    void print_as_wide_as(double width) { print_width_ = width; }
 
     void polygon(std::span<const geometry::Point2> points, const Style& style);
     /// The same with a name that shows where a pointer rests on it, and an id for programs.
@@ -79,8 +82,8 @@ class SvgCanvas {
     [[nodiscard]] std::string place(const geometry::Point2& point) const;
     [[nodiscard]] std::string length(double metres) const;
     [[nodiscard]] std::string attributes(const Style& style) const;
-    /// The size as attributes, with or without a unit behind the numbers.
-    [[nodiscard]] std::string size(std::string_view unit) const;
+    /// The size as attributes, with a unit behind the numbers, `factor` times as large as the view box.
+    [[nodiscard]] std::string size(std::string_view unit, double factor) const;
     /// The shapes with the last layer closed.
     [[nodiscard]] std::string body() const;
 
@@ -88,6 +91,7 @@ class SvgCanvas {
     double units_per_metre_;
     std::string body_;
     bool in_layer_ = false;
+    double print_width_ = 0.0;  // 0: not said
 };
 
 }  // namespace fretwork::exports::detail
