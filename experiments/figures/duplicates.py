@@ -63,9 +63,10 @@ def same_shape(places, first, second):
     return pieces(fans[0], points) == pieces(fans[1], points)
 
 
-# ---- drawing, in millimetres on a column of 85 ----
+# ---- drawing, in millimetres in a column of 84 ----
 
-PANEL, GAP, HEIGHT = 26.0, 3.5, 33.0
+PANEL, GAP, HEIGHT = 25.8, 3.3, 38.5
+TEXT, LINE = 2.17, 2.8  # above 6 pt
 BAR = 'stroke="#22303c" stroke-linecap="round"'
 
 
@@ -92,7 +93,7 @@ def node_mark(place, number):
     colour = "#1b9e77" if place[0] == 0 else "#ffffff"
     side, anchor = (-1.3, "end") if place[1] > place[2] and place[2] == 0 else (1.3, "start")
     return (f'<circle cx="{x:.3f}" cy="{y:.3f}" r=".8" fill="{colour}" stroke="#22303c" stroke-width=".25"/>'
-            f'<text x="{x + side:.3f}" y="{y - 0.95:.3f}" font-size="2.3" text-anchor="{anchor}">{number}</text>')
+            f'<text x="{x + side:.3f}" y="{y - 0.95:.3f}" font-size="{TEXT}" text-anchor="{anchor}">{number}</text>')
 
 
 def triangle_panel(places, pattern):
@@ -110,15 +111,26 @@ def fan_panel(places, pattern):
             + lines([[in_hexagon(end) for end in segment] for segment in fan(places, pattern)], 0.9))
 
 
+def caption(letter, pattern):
+    """A panel's letter and its edges, in lines as wide as the panel."""
+    edges, half = pattern.split("+"), (pattern.count("+") + 2) // 2
+    return [f"({letter}) " + "+".join(edges[:half]) + "+", "+".join(edges[half:])]
+
+
 def figure(places, title, patterns):
     panels = [triangle_panel(places, pattern) for pattern in patterns] + [fan_panel(places, patterns[0])]
-    names = [f"({letter}) {pattern}" for letter, pattern in zip("ab", patterns)] + ["(c) the fan of both"]
-    body = "".join(f'<g transform="translate({k * (PANEL + GAP):g} 0)">{panel}<text x="{PANEL / 2:g}" y="{PANEL + 2.5:g}" font-size="1.85" text-anchor="middle">{name}</text></g>'
-                   for k, (panel, name) in enumerate(zip(panels, names)))
+    captions = [caption(letter, pattern) for letter, pattern in zip("ab", patterns)] + [["(c) the fan of both"]]
+
+    def text(x, y, words):
+        return f'<text x="{x:g}" y="{y:g}" font-size="{TEXT}" text-anchor="middle">{words}</text>'
+
+    body = "".join(f'<g transform="translate({k * (PANEL + GAP):g} 0)">{panel}'
+                   + "".join(text(PANEL / 2, PANEL + 3 + LINE * row, words) for row, words in enumerate(lines)) + "</g>"
+                   for k, (panel, lines) in enumerate(zip(panels, captions)))
     width = 3 * PANEL + 2 * GAP
     return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:g}mm" height="{HEIGHT:g}mm" viewBox="0 0 {width:g} {HEIGHT:g}" '
-            f'font-family="DejaVu Sans, sans-serif" fill="#333333"><title>{title}</title>{body}'
-            f'<text x="{width / 2:g}" y="{HEIGHT - 0.8:g}" font-size="2.3" text-anchor="middle">{title}</text></svg>\n')
+            f'data-print-width="{width:g}mm" font-family="DejaVu Sans, sans-serif" fill="#333333"><title>{title}</title>'
+            f'<rect width="100%" height="100%" fill="#ffffff"/>{body}{text(width / 2, HEIGHT - 1.2, title)}</svg>\n')
 
 
 def main():

@@ -28,4 +28,5 @@ for figure in 12:a:bridge 13:b:example_b 14:c:example_c; do
 done
 "$here/../physical_test/run.sh" "$fretwork" "$out/physical_test" >/dev/null
 cp "$out/physical_test/figure.svg" fig15.svg
+python3 "$here/../common/legible.py" "$out"/fig*.svg
 ls "$out"/fig*.svg

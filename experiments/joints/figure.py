@@ -36,7 +36,7 @@ def draw(widths):
     highest = max(ratios.max() for pair in widths.values() for ratios in pair)
     lowest = min(ratios.min() for pair in widths.values() for ratios in pair)
     up = Axis(math.floor(lowest * 10) / 10, math.ceil(highest * 2) / 2, BOTTOM, TOP, (1, 1.2, 1.5, 2, 3, 4, 6, 8))
-    parts = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {BOTTOM + 70}" font-family="sans-serif" font-size="13">',
+    parts = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {BOTTOM + 70}" data-print-width="177mm" font-family="sans-serif" font-size="13">',
              f'<rect width="{WIDTH}" height="{BOTTOM + 70}" fill="#fff"/>']
     for tick in up.ticks():
         parts += [f'<path d="M{LEFT} {up(tick):.1f}H{WIDTH - 10}" stroke="{"#666" if tick == 1 else "#e0e0e0"}"/>',

@@ -26,7 +26,7 @@ def legend(rows, models, x):
         ratio = statistics.median(row[f"{model}_s"] / row["condensed_s"] for row in rows)
         if model in COLOURS:
             parts.append(f'<circle cx="{x + 5}" cy="{y - 4}" r="4" fill="{COLOURS[model]}"/>')
-        parts.append(text(x + 16, y, f"{model}: {ratio:.1f}", "start"))
+        parts.append(text(x + 16, y, f"{model}: {ratio:.1f}" if model in COLOURS else f"{model} (the reference): {ratio:.1f}", "start"))
     parts.append(text(x, TOP + 170, "disks: cantilevers, bridges", "start"))
     parts.append(text(x, TOP + 188, "rings: other loads", "start"))
     return parts
@@ -35,7 +35,8 @@ def legend(rows, models, x):
 def errors_over_deflection(rows, models):
     across = decades([row["deflection"] for row in rows], LEFT, WIDTH)
     up = decades([max(row[f"{model}_mean"], 1e-6) for row in rows for model in models], HEIGHT - BOTTOM, TOP)
-    parts = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH + 230} {HEIGHT}" font-family="sans-serif" font-size="12">',
+    parts = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH + 230} {HEIGHT}" data-print-width="177mm" '
+             'font-family="sans-serif" font-size="12">',
              '<rect width="100%" height="100%" fill="white"/>', *grid(across, up, TITLES, "#ddd")]
     for model in models:
         for row in rows:

@@ -14,7 +14,7 @@ from chart import Axis, grid, percent, text  # noqa: E402
 from csv_tables import read_rows, with_numbers  # noqa: E402
 
 LOADS = ("tension", "shear", "bending", "twist", "bent")
-WIDTH, HEIGHT, LEFT, TOP, BOTTOM = 620, 400, 90, 20, 60
+WIDTH, HEIGHT, LEFT, TOP, BOTTOM = 620, 420, 96, 20, 64
 COLOURS = {"bending": "#0072b2", "shear": "#d55e00"}
 
 
@@ -87,14 +87,14 @@ def figure(rows):
     across = fitting_axis([row["objective"] for row in own], LEFT, WIDTH - 20)
     up = fitting_axis([row[f"{load}_error"] for row in own for load in COLOURS], HEIGHT - BOTTOM, TOP)
     titles = (("objective E of the calibration", "{:g}".format), ("error of the sheet, relative L2", percent))
-    parts = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" font-size="12">',
+    parts = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" data-print-width="84mm" font-family="sans-serif" font-size="16">',
              f'<rect width="{WIDTH}" height="{HEIGHT}" fill="#fff"/>', *grid(across, up, titles, "#eee")]
     for i, (load, colour) in enumerate(COLOURS.items()):
         for row in own:
             parts.append(f'<circle cx="{across(row["objective"]):.1f}" cy="{up(row[f"{load}_error"]):.1f}" r="4" '
                          f'fill="{colour}" fill-opacity="0.7"/>')
-        parts.append(f'<circle cx="{LEFT + 15}" cy="{TOP + 14 + 18 * i}" r="4" fill="{colour}"/>')
-        parts.append(text(LEFT + 25, TOP + 18 + 18 * i, load, "start"))
+        parts.append(f'<circle cx="{LEFT + 15}" cy="{TOP + 14 + 20 * i}" r="4" fill="{colour}"/>')
+        parts.append(text(LEFT + 25, TOP + 19 + 20 * i, load, "start"))
     return "\n".join([*parts, "</svg>\n"])
 
 

@@ -38,8 +38,8 @@ Panel roll_up() {
                 .x_label = "M L / E I",
                 .y_label = "tip displacement / L",
                 .legend_at_right = true};
-    Series along{"exact", Series::Mark::Line, {}};
-    Series across{"", Series::Mark::Line, {}};
+    Series along{"exact: u / L", Series::Mark::Line, {}};
+    Series across{"exact: w / L", Series::Mark::Line, {}};
     for (double t = 0.05; t <= 4.0 * kPi; t += 0.05) {
         along.points.emplace_back(t, std::sin(t) / t - 1.0);
         across.points.emplace_back(t, (1.0 - std::cos(t)) / t);
@@ -132,7 +132,12 @@ struct LimitCase {
     int steps;
 };
 
-Panel snap(const Frame& frame, const LimitCase& limit, const char* units) {
+struct Units {
+    const char* length;
+    const char* force;
+};
+
+Panel snap(const Frame& frame, const LimitCase& limit, const Units& units) {
     const auto path = trace_path(assemble(frame), {.largest_load_factor = limit.largest_factor,
                                                    .largest_arc = limit.largest_arc,
                                                    .steps = limit.steps});
@@ -144,7 +149,11 @@ Panel snap(const Frame& frame, const LimitCase& limit, const char* units) {
     }
     Series known{"known limit load", Series::Mark::Line, {{0.0, limit.limit}, {furthest, limit.limit}}};
     row(limit.name, "first limit load", limit.limit, limit.limit * first_limit(path));
-    return {limit.name,    std::string("displacement under the load, ") + units, "load", false, false,
+    return {limit.name,
+            std::string("displacement, ") + units.length,
+            std::string("load, ") + units.force,
+            false,
+            false,
             {curve, known}};
 }
 
@@ -217,8 +226,10 @@ Panel convergence() {
 void run(const std::string& out) {
     std::printf("| benchmark | quantity | exact or published | ours | difference |\n|---|---|---|---|---|\n");
     std::vector<Panel> panels{roll_up(), tip_force(), buckled_column()};
-    panels.push_back(snap(lee_frame(), {"Lee's frame", 18556.73, 10, 2.0, 0.6, 150}, "units of the source"));
-    panels.push_back(snap(williams_toggle(), {"Williams' toggle", 33.87039, 4, 1.5, 0.03, 600}, "inches"));
+    panels.push_back(snap(lee_frame(), {"Lee's frame", 18556.73, 10, 2.0, 0.6, 150},
+                          {"units of the source", "units of the source"}));
+    panels.push_back(
+        snap(williams_toggle(), {"Williams' toggle", 33.87039, 4, 1.5, 0.03, 600}, {"inches", "pounds"}));
     critical_rows();
     bend_rows();
     helix_rows();

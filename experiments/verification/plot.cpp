@@ -9,14 +9,33 @@
 namespace fretwork::verification {
 namespace {
 
-constexpr double kWidth = 330.0, kHeight = 270.0, kLeft = 58.0, kTop = 30.0, kRight = 12.0, kBottom = 44.0;
+constexpr double kWidth = 330.0, kHeight = 280.0, kLeft = 72.0, kTop = 30.0, kRight = 12.0, kBottom = 50.0;
+/// Three panels are as wide as a page, 177 mm: 6 pt are 11.84 pixels.
+constexpr double kText = 12.2, kLine = 15.0;
 constexpr std::size_t kPanelsInRow = 3;
 constexpr const char* kColours[] = {"#1f5fa8", "#c8442e", "#3a8a4d", "#8457a6", "#b07d1f"};
 
+/// With four digits, and small powers of ten as powers; thousands are parted.
 std::string number(double value) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.4g", value);
-    return text;
+    const double power = value > 0.0 ? std::round(std::log10(value)) : 0.0;
+    if (power <= -4.0 && std::abs(value / std::pow(10.0, power) - 1.0) < 1e-9) {
+        constexpr const char* kRaised[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                           "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+        std::snprintf(text, sizeof text, "%.0f", -power);
+        std::string raised = "10\u207b";
+        for (const char* digit = text; *digit != '\0'; ++digit) raised += kRaised[*digit - '0'];
+        return raised;
+    }
+    if (std::abs(value) < 1e4) {
+        std::snprintf(text, sizeof text, "%.4g", value);
+        return text;
+    }
+    std::snprintf(text, sizeof text, "%.0f", value);
+    std::string digits = text;
+    for (int at = static_cast<int>(digits.size()) - 3; at > (value < 0.0 ? 1 : 0); at -= 3)
+        digits.insert(static_cast<std::size_t>(at), "\u2009");
+    return digits;
 }
 
 std::string coordinate(double value) {
@@ -66,7 +85,7 @@ std::string draw_ticks(const Axis& x, const Axis& y) {
     for (const double tick : x.ticks()) {
         svg += "<path d=\"M" + coordinate(x.place(tick)) + " " + coordinate(kTop) + "V" +
                coordinate(kHeight - kBottom) + "\" stroke=\"#ddd\"/>\n";
-        svg += text_at(x.place(tick), kHeight - kBottom + 14.0, "middle", number(tick));
+        svg += text_at(x.place(tick), kHeight - kBottom + 16.0, "middle", number(tick));
     }
     for (const double tick : y.ticks()) {
         svg += "<path d=\"M" + coordinate(kLeft) + " " + coordinate(y.place(tick)) + "H" +
@@ -102,7 +121,7 @@ std::string draw(const Panel& panel) {
     std::string svg = draw_ticks(x, y);
     svg += text_at(kLeft, 18.0, "start", "<tspan font-weight=\"bold\">" + panel.title + "</tspan>");
     svg += text_at(0.5 * (kLeft + kWidth - kRight), kHeight - 10.0, "middle", panel.x_label);
-    svg += "<text transform=\"translate(12 " + coordinate(0.5 * (kTop + kHeight - kBottom)) +
+    svg += "<text transform=\"translate(14 " + coordinate(0.5 * (kTop + kHeight - kBottom)) +
            ") rotate(-90)\" text-anchor=\"middle\">" + panel.y_label + "</text>\n";
     double line = kTop + 14.0;
     for (std::size_t i = 0; i < panel.series.size(); ++i) {
@@ -113,7 +132,7 @@ std::string draw(const Panel& panel) {
         svg += "<g fill=\"" + colour + "\">" +
                text_at(x_text, line, panel.legend_at_right ? "end" : "start", panel.series[i].name) +
                "</g>\n";
-        line += 13.0;
+        line += kLine;
     }
     return svg;
 }
@@ -125,7 +144,9 @@ std::string plot_svg(const std::vector<Panel>& panels) {
     std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
                       coordinate(kWidth * static_cast<double>(kPanelsInRow)) + "\" height=\"" +
                       coordinate(kHeight * static_cast<double>(rows)) +
-                      "\" font-family=\"DejaVu Sans, sans-serif\" font-size=\"10\">\n"
+                      "\" data-print-width=\"177mm\" font-family=\"DejaVu Sans, sans-serif\" font-size=\"" +
+                      coordinate(kText) +
+                      "\">\n"
                       "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
     for (std::size_t i = 0; i < panels.size(); ++i) {
         const std::size_t column = i % kPanelsInRow;
