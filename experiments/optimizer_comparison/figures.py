@@ -15,6 +15,8 @@ matplotlib.rcParams.update({"svg.hashsalt": "fretwork", "svg.fonttype": "none", 
                             "font.size": 9, "axes.spines.top": False, "axes.spines.right": False,
                             "axes.grid": True, "grid.color": "#e4e4e4", "axes.axisbelow": True})
 
+WIDTH = 6.9  # inches: as wide as a journal's page (177 mm), so that sizes of text are those in print
+SMALL = 6.5  # points: journals ask for 6
 MOST_POINTS = 150  # of one method in a figure
 CONVERGENCE_FLOOR = 0.8e-3  # just below the last target: beyond it traces are thinned to their ends
 OURS = ("ceres-multistart", "gauss-newton-multistart")  # the default of `calibrate` first
@@ -45,7 +47,7 @@ def svg_of(figure):
     figure.savefig(buffer, format="svg", bbox_inches="tight", metadata={"Date": None, "Creator": None})
     plt.close(figure)
     text = buffer.getvalue()
-    return text[text.index("<svg"):]
+    return text[text.index("<svg"):].replace("<svg ", '<svg data-print-width="177mm" ', 1)
 
 
 def legend_beside(axes):
@@ -65,7 +67,7 @@ def step_curve(axes, values, limit, **style):
 
 def profile_panels(curves, limit, labels):
     """One panel for each kind of method; the others stand behind in grey. `curves`: name -> sorted values."""
-    figure, grid = plt.subplots(2, 3, figsize=(10.2, 7.4), sharex=True, sharey=True)
+    figure, grid = plt.subplots(2, 3, figsize=(WIDTH, 7.6), sharex=True, sharey=True)
     for axes, (kind, _, members) in zip(grid.flat, KINDS):
         for name, values in curves.items():
             if name not in members:
@@ -76,8 +78,7 @@ def profile_panels(curves, limit, labels):
         axes.set(xscale="log", xlim=(1, limit), ylim=(-0.01, 1.02))
         axes.set_title(kind, loc="left", fontsize=9)
         if set(members) & set(curves):
-            axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.09), ncol=2, fontsize=6.5, frameon=False, handlelength=4.4,
-                        columnspacing=1.0)
+            axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.1), fontsize=SMALL, frameon=False, handlelength=3.2)
     figure.supxlabel(labels[0], fontsize=9)
     figure.supylabel(labels[1], fontsize=9)
     figure.tight_layout()
@@ -103,7 +104,7 @@ def performance_profiles(groups, target):
 
 def final_gaps(groups):
     names = list(groups)
-    figure, axes = plt.subplots(figsize=(7.2, 0.26 * len(names) + 1.0))
+    figure, axes = plt.subplots(figsize=(WIDTH, 0.26 * len(names) + 1.0))
     floor, ceiling = 1e-8, 30.0
     for row, name in enumerate(reversed(names)):
         gaps = np.array([min(max(run.gap, floor), ceiling) for runs in groups[name].values() for run in runs])
@@ -117,14 +118,14 @@ def final_gaps(groups):
         axes.plot([middle], [row], "o", color="white", markeredgecolor=colour, markersize=5.0)
     axes.axvline(1e-3, color="black", linewidth=0.8, linestyle="--")
     axes.set(xscale="log", xlim=(floor / 1.5, 1.5 * ceiling), ylim=(-0.7, len(names) - 0.3), yticks=range(len(names)),
-             yticklabels=list(reversed(names)), xlabel="(E - best known E) / best known E at the end of a run")
+             yticklabels=list(reversed(names)), xlabel="(E - best known E) / best known E at the end of a run; dashed: 0.1 %")
     return svg_of(figure)
 
 
 def runtimes(table, targets):
     """`table`: optimizer -> for each target (aRT, low, high)."""
     names = [name for name in table if any(math.isfinite(entry[0]) for entry in table[name])]
-    figure, axes = plt.subplots(figsize=(7.2, 0.3 * len(names) + 1.0))
+    figure, axes = plt.subplots(figsize=(WIDTH, 0.3 * len(names) + 1.0))
     markers = ("o", "s", "D")
     limit = 1e8
     for row, name in enumerate(reversed(names)):
@@ -145,7 +146,7 @@ def runtimes(table, targets):
 
 
 def convergence(groups, names):
-    figure, axes = plt.subplots(figsize=(7.2, 4.2))
+    figure, axes = plt.subplots(figsize=(WIDTH, 4.2))
     costs = np.unique(np.round(np.logspace(0, math.log10(40000), 160)).astype(int))
     for name in names:
         if name not in groups:

@@ -54,16 +54,16 @@ def summary(descents):
 
 def draw_ends(descents):
     """For each problem and kind: the sorted values at which descents end."""
-    figure, grid = plt.subplots(2, 3, figsize=(10.2, 5.6), sharex=True)
+    figure, grid = plt.subplots(2, 3, figsize=(figures.WIDTH, 4.6), sharex=True)
     for axes, (problem, kinds) in zip(grid.flat, descents.items()):
         best = min(values[0] for values, _ in kinds.values())
         for (kind, (values, _)), colour in zip(kinds.items(), ("#0072b2", "#d55e00", "#009e73")):
             axes.plot(np.linspace(0, 1, len(values)), np.maximum(values / best - 1.0, 1e-7), color=colour,
                       linewidth=1.5, label=KINDS[kind])
-        axes.axhline(1e-3, color="black", linewidth=0.7, linestyle="--")
+        axes.axhline(1e-3, color="black", linewidth=0.7, linestyle="--", label="0.1 % above the best")
         axes.set(yscale="log", xlim=(0, 1))
-        axes.set_title(problem.split("/")[1], loc="left", fontsize=6.5)
-    grid.flat[0].legend(fontsize=7, loc="upper left", framealpha=0.85, edgecolor="none")
+        axes.set_title(problem.split("/")[1], loc="left", fontsize=figures.SMALL)
+    figure.legend(*grid.flat[0].get_legend_handles_labels(), fontsize=7, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=4, frameon=False)
     figure.supxlabel("share of the descents, best first", fontsize=9)
     figure.supylabel("(E at the end - best E) / best E", fontsize=9)
     figure.tight_layout()
@@ -76,7 +76,7 @@ def draw_sections(path, wanted):
     for row in each_row(path):
         sections.setdefault(row["problem"], {}).setdefault(int(row["variable"]), []).append(
             [float(row[name]) for name in ("share", "objective", "smoothed_0.1", "smoothed_0.01")])
-    figure, grid = plt.subplots(len(wanted), 6, figsize=(11.0, 2.1 * len(wanted)), sharex=True, squeeze=False)
+    figure, grid = plt.subplots(len(wanted), 6, figsize=(figures.WIDTH, 1.4 * len(wanted)), sharex=True, squeeze=False)
     for row, problem in zip(grid, wanted):
         for variable, axes in enumerate(row):
             share, objective, rounder, sharper = np.array(sections[problem][variable]).T
@@ -87,8 +87,8 @@ def draw_sections(path, wanted):
                 axes.set_yscale("log")
             if axes in grid[0]:
                 axes.set_title(VARIABLES[variable], loc="left")
-        row[0].set_ylabel(problem.split("/")[1][:24], fontsize=6)
-    grid[0][0].legend(fontsize=6, framealpha=0.85, edgecolor="none")
+        row[0].set_ylabel(problem.split("/")[1][:24], fontsize=figures.SMALL)
+    grid[0][0].legend(fontsize=figures.SMALL, framealpha=0.85, edgecolor="none")
     figure.supxlabel("variable, as a share of its range", fontsize=9)
     figure.tight_layout()
     return figures.svg_of(figure)
