@@ -11,6 +11,7 @@ import hashlib
 import html
 import os
 import pathlib
+import re
 import string
 import subprocess
 import sys
@@ -18,6 +19,7 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 COLUMNS = 4
+PAGE = 177.0  # mm: the width of a journal's page
 
 # name of the experiment, its heading, and the files of the run that its rows were made from
 TABLES = (
@@ -28,23 +30,27 @@ TABLES = (
 # name of the file, what the paper's figure shows (in our words), and what ours shows
 FIGURES = (
     ("fig02", "Fig. 2", "some of the generated patterns",
-     "60 of the 1,824, drawn at random, each with its id; first the layout with its candidate edges"),
+     "60 of the 1,824, drawn at random, each with its id and one colour for each number of edges; first the layout with its candidate edges"),
     ("fig05", "Fig. 5", "two graphs on the base triangle that differ in their radial edges and give one fan",
-     "the same, on a pattern of ours; the fans are compared in exact fractions"),
+     "the same, on a pattern of ours, with the edges of each graph; the fans are compared in exact fractions"),
     ("fig06", "Fig. 6", "two graphs on the base triangle that differ in a node within a beam and give one shape",
-     "the same, on a pattern of ours; the shapes are compared in exact fractions"),
+     "the same, on a pattern of ours, with the edges of each graph; the shapes are compared in exact fractions"),
     ("fig07", "Fig. 7", "arrangements of seven hexagons for the rules on dangling edges, articulation points, components, valence and angles, the parts at fault in red",
-     "one hexagon for each of the first graphs that a rule rejects, the beams at fault in red; our rules also name crossings and missing interface nodes, and articulation covers dangling edges"),
+     "a row for each rule: up to eight of the smallest graphs that break it alone, with id and reason, the beams at fault in red (none where a beam is missing); "
+     "our rules also name crossings and missing interface nodes, and articulation covers dangling edges"),
     ("fig08", "Fig. 8", "patterns beside their reduced models, with interface nodes in green",
-     "the same for six calibrated patterns, with twist and error E"),
+     "the same for six calibrated patterns, with id, the reduced model's twist theta and the calibration's error E"),
     ("fig10", "Fig. 10", "the five standard scenarios on a tile: axial, shear, bending, dome, saddle",
-     "the same on the pattern 0-1+3-6 with supports and loads, and bent by the largest load: the full model in grey, the reduced model in blue"),
+     "the same on the pattern 0-1+3-6: the tile at rest with supports and loads, and bent by the largest load, in true scale: the full model in grey, the reduced model in blue, "
+     "with the largest displacement of each"),
     ("fig12", "Fig. 12", "example A: tiling and reduced model; setup; the bent reduced model in blue and the true one in grey",
-     "the same panels. Outline, painting, supports and loads are guessed"),
-    ("fig13", "Fig. 13", "example B, as Fig. 12", "the same panels. Outline, painting, supports and loads are guessed"),
-    ("fig14", "Fig. 14", "example C, as Fig. 12", "the same panels. Outline, painting, supports and loads are guessed"),
+     "(a) tiling, with a legend of its patterns, (b) the reduced model at rest, (c) setup, of many loads some, (d) the bent full model in grey and the reduced one in blue, "
+     "with the largest displacement of each. Outline, painting, supports and loads are guessed"),
+    ("fig13", "Fig. 13", "example B, as Fig. 12", "example B, as our Fig. 12. Outline, painting, supports and loads are guessed"),
+    ("fig14", "Fig. 14", "example C, as Fig. 12", "example C, as our Fig. 12. Outline, painting, supports and loads are guessed"),
     ("fig15", "Fig. 15", "scans of two printed cantilevers in red, the patterns in dark grey, the reduced model in blue",
-     "two cantilevers of the same size and material from the side, with more models; the patterns are guessed, and nothing was printed"),
+     "two cantilevers of the same size and material under their own weight, from the side: the full model as a grey band, the paper's reduced model (paper6) in blue, "
+     "and further models; the patterns are guessed, and nothing was printed"),
 )
 
 
@@ -104,12 +110,20 @@ def section_html(folder, name, heading, files):
     return f"<section><h2>{html.escape(heading)}</h2>\n{table_html(rows)}\n{source_html(folder, name, files)}</section>"
 
 
+def print_width(data):
+    """How wide a drawing is in print, mm, as it says; a page's width if it does not say."""
+    said = re.search(rb'data-print-width="([0-9.]+)mm"', data)
+    return float(said[1]) if said else PAGE
+
+
 def figure_html(path, figure, paper, ours):
-    """A drawing inside the page, as an image: its styles cannot touch the page's."""
+    """A drawing inside the page, as an image: its styles cannot touch the page's. It is larger than in print, by one factor for all."""
     digest = sha256(path)
-    data = base64.b64encode(path.read_bytes()).decode()
-    return (f'<figure><img alt="{html.escape(f"{figure}: {ours}")}" src="data:image/svg+xml;base64,{data}">'
-            f"<figcaption><b>{figure}.</b> <i>The paper's:</i> {html.escape(paper)}. <i>Ours:</i> {html.escape(ours)}. <span class=hash>{digest}</span></figcaption></figure>")
+    data = path.read_bytes()
+    width = print_width(data)
+    return (f'<figure><img style="width:{100 * width / PAGE:.0f}%" alt="{html.escape(f"{figure}: {ours}")}" src="data:image/svg+xml;base64,{base64.b64encode(data).decode()}">'
+            f"<figcaption><b>{figure}.</b> <i>The paper's:</i> {html.escape(paper)}. <i>Ours</i> ({width:g} mm wide in print)<i>:</i> {html.escape(ours)}. "
+            f"<span class=hash>{digest}</span></figcaption></figure>")
 
 
 def summary_html(folder):

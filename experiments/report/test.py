@@ -24,7 +24,7 @@ def make_run(folder):
         for file in files:
             (folder / file).write_text(name)
     for name, *_ in report.FIGURES:
-        (folder / f"{name}.svg").write_text("<svg xmlns='http://www.w3.org/2000/svg'/>")
+        (folder / f"{name}.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg" data-print-width="84mm"/>')
 
 
 def run(folder):
@@ -72,7 +72,13 @@ class Report(unittest.TestCase):
         self.assertIn(f"<b>{len(report.TABLES)}</b> that differ", text)
         self.assertEqual(len(re.findall("<figcaption>", text)), len(report.FIGURES))
         for _, figure, paper, ours in report.FIGURES:
-            self.assertIn(f"<b>{figure}.</b> <i>The paper's:</i> {html.escape(paper)}. <i>Ours:</i> {html.escape(ours)}.", text)
+            self.assertIn(f"<b>{figure}.</b> <i>The paper's:</i> {html.escape(paper)}. <i>Ours</i> (84 mm wide in print)<i>:</i> {html.escape(ours)}.", text)
+
+    def test_figures_are_as_wide_beside_each_other_as_in_print(self):
+        (self.folder / "fig02.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg" data-print-width="177mm"/>')
+        run(self.folder)
+        text = (self.folder / "r.html").read_text()
+        self.assertEqual(re.findall(r'<img style="width:(\d+)%"', text), ["100"] + ["47"] * (len(report.FIGURES) - 1))
 
     def test_loads_nothing_from_elsewhere(self):
         run(self.folder)
