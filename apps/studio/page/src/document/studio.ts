@@ -18,7 +18,7 @@ function socketAddress(): string {
 const isRefused = (): Promise<boolean> =>
   fetch(`/${location.search}`, { method: 'HEAD' }).then((answer) => answer.status === 403, () => false);
 
-const connection = new Connection(socketAddress(), { state, event: takeEvent, binary: takeBinary, opened, isRefused });
+const connection = new Connection(socketAddress(), { state: showLine, event: takeEvent, binary: takeBinary, opened, isRefused });
 
 export const start = (): void => connection.open();
 /** As if the line were cut; it mends itself. */
@@ -35,8 +35,9 @@ export async function tryAsk<Name extends RequestName>(what: Name, ...says: More
   }
 }
 
-function state(value: typeof store.line.value): void {
-  store.line.value = value;
+/** Notices say whether the line is open. */
+function showLine(state: typeof store.line.value): void {
+  store.line.value = state;
 }
 
 function opened(): void {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The keys of the page of layouts.
 
+import { keysOf } from '../manners/keys';
 import { redo, removeNode, selectedNode, undo } from './draft';
 import { saveLayout, saveLayoutElsewhere } from './save';
 
@@ -20,18 +21,13 @@ export function removeSelected(): void {
   if (node !== null) void removeNode(node);
 }
 
-function pressed(event: KeyboardEvent): string {
-  const key = event.key.length === 1 ? event.key.toUpperCase() : event.key;
-  const control = event.ctrlKey || event.metaKey ? 'Ctrl ' : '';
-  return `${control}${control && event.shiftKey ? 'Shift ' : ''}${key}`;
-}
-
 export function watchLayoutKeys(): void {
   window.addEventListener('keydown', (event) => {
     const isTyping = (event.target as HTMLElement).matches('input:not([type=checkbox]), select, textarea');
     if (event.altKey || (isTyping && !event.ctrlKey && !event.metaKey)) return;
-    const run = KEYS[pressed(event)];
-    if (!run || (isTyping && !/S$/.test(pressed(event)))) return;
+    const keys = keysOf(event);
+    const run = KEYS[keys];
+    if (!run || (isTyping && !/S$/.test(keys))) return;
     event.preventDefault();
     run();
   });

@@ -2,9 +2,9 @@
 // What is done with the layout as a whole: its name, its file, undo.
 
 import { useEffect, useState } from 'preact/hooks';
-import { Box, FolderOpen, Moon, Redo2, Save, Sun, Undo2 } from 'lucide-preact';
+import { Box, FolderOpen, Redo2, Save, Undo2 } from 'lucide-preact';
 import { hello } from '../document/store';
-import { switchTheme, theme } from '../manners/theme';
+import { ThemeButton } from '../manners/theme_button';
 import { Mark } from '../panels/top_bar';
 import { Button } from '../widgets/widgets';
 import { W } from '../words';
@@ -58,7 +58,7 @@ export function LayoutBar() {
       <span class="gap" />
       <div class="cluster">
         <Button kind="bare" id="to-surfaces" title={W.layouts.surfacesTip} icon={Box} label={W.layouts.surfaces} onPress={() => location.assign(pageAddress(null))} />
-        <Button kind="bare" title={theme.value === 'light' ? W.topBar.darkTheme : W.topBar.lightTheme} icon={theme.value === 'light' ? Moon : Sun} onPress={switchTheme} />
+        <ThemeButton />
       </div>
     </header>
   );

@@ -14,6 +14,7 @@ import { pressChosen } from '../panels/load_panel';
 import { currentScene } from '../views/space/current';
 import { switchProjection } from '../views/space/view_bar';
 import { fit } from '../views/plane/viewport';
+import { keysOf } from './keys';
 import { W } from '../words';
 
 export interface Shortcut {
@@ -85,17 +86,11 @@ export const SHORTCUTS: Shortcut[] = [
   { keys: '?', words: W.shortcuts.thisHelp, group: W.shortcuts.view, run: () => (helpOpen.value = !helpOpen.value) },
 ];
 
-function pressed(event: KeyboardEvent): string {
-  const key = event.key.length === 1 ? event.key.toUpperCase() : event.key;
-  const control = event.ctrlKey || event.metaKey ? 'Ctrl ' : '';
-  return `${control}${control && event.shiftKey ? 'Shift ' : ''}${key}`;
-}
-
 export function watchKeys(): void {
   window.addEventListener('keydown', (event) => {
     const target = event.target as HTMLElement;
     if (target.matches('input:not([type=range]):not([type=checkbox]), select, textarea') || event.altKey) return;
-    const shortcut = SHORTCUTS.find(({ keys }) => keys === pressed(event));
+    const shortcut = SHORTCUTS.find(({ keys }) => keys === keysOf(event));
     if (!shortcut) return;
     event.preventDefault();
     shortcut.run();

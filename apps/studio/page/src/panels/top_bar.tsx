@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { CircleHelp, Columns2, Download, FilePlus2, Moon, Redo2, Save, Sun, Undo2 } from 'lucide-preact';
+import { CircleHelp, Columns2, Download, FilePlus2, Redo2, Save, Undo2 } from 'lucide-preact';
 import { redo, undo } from '../document/edits';
 import { save } from '../document/save';
 import { documentNow } from '../document/store';
 import { helpOpen, mode, MODES, split, startOpen, type Split } from '../document/ui';
 import { unitSystem } from '../document/units';
-import { switchTheme, theme } from '../manners/theme';
+import { ThemeButton } from '../manners/theme_button';
 import { Button, Segments } from '../widgets/widgets';
 import { ExportMenu, exportOpen } from './export_menu';
 import { W } from '../words';
@@ -59,7 +59,7 @@ export function TopBar() {
         )}
         <Button kind="bare" title={unitSystem.value === 'mm' ? W.topBar.millimetresClickForMetres : W.topBar.metresClickForMillimetres} label={<b class="unit">{unitSystem.value === 'mm' ? 'mm' : 'm'}</b>}
           onPress={() => (unitSystem.value = unitSystem.value === 'mm' ? 'SI' : 'mm')} />
-        <Button kind="bare" title={theme.value === 'light' ? W.topBar.darkTheme : W.topBar.lightTheme} icon={theme.value === 'light' ? Moon : Sun} onPress={switchTheme} />
+        <ThemeButton />
         <Button kind="bare" id="help" title={W.topBar.keyboardShortcuts} shortcut="?" icon={CircleHelp} onPress={() => (helpOpen.value = true)} />
       </div>
     </header>
