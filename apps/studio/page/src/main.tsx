@@ -10,12 +10,12 @@ import { surface } from './document/surface';
 import { target } from './document/target';
 import { drawsLayouts } from './layout/address';
 import { counted, isCounting } from './layout/count';
-import { draft } from './layout/draft';
+import { draft, isUnsaved as isLayoutUnsaved } from './layout/draft';
 import { watchLayoutKeys } from './layout/keys';
 import { LayoutPage } from './layout/layout_page';
-import { watchLayoutClosing } from './layout/save';
+import { watchClosing } from './manners/closing';
 import { watchKeys } from './manners/shortcuts';
-import { watchClosing } from './manners/unsaved';
+import { isUnsaved } from './manners/unsaved';
 import type { Point } from './protocol/messages';
 import { toScreen, viewport } from './views/plane/viewport';
 import { currentScene } from './views/space/current';
@@ -28,11 +28,11 @@ const host = document.getElementById('studio') as HTMLElement;
 if (drawsLayouts()) {
   render(<LayoutPage />, host);
   watchLayoutKeys();
-  watchLayoutClosing();
+  watchClosing(() => isLayoutUnsaved.peek());
 } else {
   render(<App />, host);
   watchKeys();
-  watchClosing();
+  watchClosing(isUnsaved);
 }
 watchTips();
 start();

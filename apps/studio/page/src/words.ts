@@ -800,6 +800,7 @@ export const W = {
     save: 'Save',
     undo: 'Undo',
     redo: 'Redo',
+    noFile: 'This layout has no file yet. Save it as a new file.',
     loading: 'Loading …',
     triangle: 'Base triangle. Tab goes from node to node, arrows move one, Delete removes it.',
     corner: ['v0', 'v1', 'v2'],

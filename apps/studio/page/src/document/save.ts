@@ -16,40 +16,64 @@ export type ConflictChoice = 'theirs' | 'mine' | 'elsewhere' | 'stay';
 export const conflictAsked = signal<{ conflict: SaveConflict; kind: string; answer: (choice: ConflictChoice) => void } | null>(null);
 
 /** @param kind  of the file: "project" */
-export async function askAboutConflict(conflict: SaveConflict, kind: string): Promise<ConflictChoice> {
+async function askAboutConflict(conflict: SaveConflict, kind: string): Promise<ConflictChoice> {
   const choice = await new Promise<ConflictChoice>((answer) => (conflictAsked.value = { conflict, kind, answer }));
   conflictAsked.value = null;
   return choice;
 }
 
-/** To its file; a document that has none asks for one. Resolves to whether it lies there now. */
-export async function save(): Promise<boolean> {
-  if (documentNow.peek()?.path) return write({});
-  return saveElsewhere();
+/** Where a file is written. */
+interface Place {
+  /** Left out: the own file of what is shown. */
+  path?: string;
+  /** The hash of the file that it may replace. */
+  replaces?: string;
+}
+/** How files of one kind are saved. */
+export interface Saver {
+  /** For people: "project". */
+  kind: string;
+  /** Fails with a Refusal that has the conflict, where a file would be lost. */
+  write(place: Place): Promise<unknown>;
+  elsewhere(): Promise<boolean>;
+  /** Opens the file, and gives up the changes. */
+  reload(path: string): Promise<boolean>;
 }
 
-/** To another file, which is the document's from then on. */
-export async function saveElsewhere(): Promise<boolean> {
-  const path = await askForPath({ purpose: 'save', kind: PROJECT, name: projectName() });
-  return path ? write({ path }) : false;
-}
-
-async function write(where: { path?: string; replaces?: string }): Promise<boolean> {
+/** Saves, and asks where that would replace a file that nobody here has seen. Resolves to whether it lies there now. */
+export async function saveBy(saver: Saver, place: Place): Promise<boolean> {
   try {
-    await ask('save', where);
+    await saver.write(place);
     tell(W.saveAs.saved);
     return true;
   } catch (error) {
-    if (error instanceof Refusal && error.conflict) return settle(error.conflict);
+    if (error instanceof Refusal && error.conflict) return settle(saver, error.conflict);
     tell((error as Error).message, 'error');
     return false;
   }
 }
 
-async function settle(conflict: SaveConflict): Promise<boolean> {
-  const choice = await askAboutConflict(conflict, PROJECT);
-  if (choice === 'mine') return write({ path: conflict.path, replaces: conflict.hash });
-  if (choice === 'elsewhere') return saveElsewhere();
-  if (choice === 'theirs') return (await tryAsk('open', { path: conflict.path, discard: true })) !== null;
-  return false;
+async function settle(saver: Saver, conflict: SaveConflict): Promise<boolean> {
+  const choice = await askAboutConflict(conflict, saver.kind);
+  if (choice === 'mine') return saveBy(saver, { path: conflict.path, replaces: conflict.hash });
+  if (choice === 'elsewhere') return saver.elsewhere();
+  return choice === 'theirs' ? saver.reload(conflict.path) : false;
+}
+
+const PROJECTS: Saver = {
+  kind: PROJECT,
+  write: (place) => ask('save', place),
+  elsewhere: saveElsewhere,
+  reload: async (path) => (await tryAsk('open', { path, discard: true })) !== null,
+};
+
+/** To its file; a document that has none asks for one. Resolves to whether it lies there now. */
+export async function save(): Promise<boolean> {
+  return documentNow.peek()?.path ? saveBy(PROJECTS, {}) : saveElsewhere();
+}
+
+/** To another file, which is the document's from then on. */
+export async function saveElsewhere(): Promise<boolean> {
+  const path = await askForPath({ purpose: 'save', kind: PROJECT, name: projectName() });
+  return path ? saveBy(PROJECTS, { path }) : false;
 }

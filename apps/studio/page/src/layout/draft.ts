@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The layout that is drawn, with its undo. The program knows the rules: each change is a question to it.
+// The layout that is drawn, with its undo. The program knows the rules: each change is a request to it.
 
 import { batch, computed, signal } from '@preact/signals';
 import { ask } from '../document/studio';
@@ -17,8 +17,9 @@ export interface Draft extends LayoutLook {
   saved: string;
 }
 export const draft = signal<Draft | null>(null);
-const past = signal<readonly LayoutFile[]>([]);
-const future = signal<readonly LayoutFile[]>([]);
+/** Layouts with their nodes and edges, so that undo and redo ask the program nothing. */
+const past = signal<readonly LayoutLook[]>([]);
+const future = signal<readonly LayoutLook[]>([]);
 const MOST_STEPS = 500;
 export const canUndo = computed(() => past.value.length > 0);
 export const canRedo = computed(() => future.value.length > 0);
@@ -34,55 +35,79 @@ export const keepsMirror = signal(true);
 export const textOf = (layout: LayoutFile): string => JSON.stringify(layout);
 export const isUnsaved = computed(() => draft.value !== null && draft.value.saved !== textOf(draft.value.layout));
 
-/** Questions go one after the other: each changes what the one before has made. */
+/** Requests wait for one another: each starts from what the one before has left. */
 let last: Promise<unknown> = Promise.resolve();
-function inTurn(action: () => Promise<void>): Promise<void> {
+export function inTurn<Result>(action: () => Promise<Result>): Promise<Result> {
   const turn = last.then(action);
-  last = turn;
+  last = turn.catch(() => undefined);
   return turn;
 }
+/** Resolves when all changes so far are made or refused. */
+export const changesMade = (): Promise<void> => inTurn(() => Promise.resolve());
 
-/** Changes of one stroke are one step of undo; '' is none. */
-let strokeBefore = '';
+/** How many layouts have been opened. */
+let opened = 0;
+/** A change of the layout that is shown now. It is dropped if another layout is opened before its turn. */
+function changing(change: () => Promise<void>): Promise<void> {
+  const then = opened;
+  return inTurn(async () => {
+    if (then === opened) await change();
+  });
+}
 
-function show({ layout, nodes, edges }: LayoutLook, select: number | null): void {
+/** Changes of one gesture are one step of undo; '' is none. */
+let gestureBefore = '';
+
+const lookOf = ({ layout, nodes, edges }: LayoutLook): LayoutLook => ({ layout, nodes, edges });
+
+function show(look: LayoutLook, select: number | null): void {
   const now = draft.peek();
   if (!now) return;
   batch(() => {
-    draft.value = { ...now, layout, nodes, edges };
+    draft.value = { ...now, ...lookOf(look) };
     selectedNode.value = select;
     trouble.value = null;
   });
 }
 
 /** Asks for another layout than the one that is shown; takes it if it is one. */
-async function draw(wanted: { layout?: LayoutFile; change?: LayoutChange }, stroke: string): Promise<void> {
+async function draw(wanted: { layout?: LayoutFile; change?: LayoutChange }, gesture: string): Promise<void> {
   const now = draft.peek();
   if (!now) return;
   try {
     const next = await ask('draw_layout', { layout: now.layout, grid: grid.peek(), mirror: keepsMirror.peek(), ...wanted });
     const isOther = textOf(next.layout) !== textOf(now.layout);
-    if (isOther && (stroke === '' || stroke !== strokeBefore)) past.value = [...past.peek(), now.layout].slice(-MOST_STEPS);
-    if (isOther) [strokeBefore, future.value] = [stroke, []];
+    if (isOther && (gesture === '' || gesture !== gestureBefore)) past.value = [...past.peek(), lookOf(now)].slice(-MOST_STEPS);
+    if (isOther) [gestureBefore, future.value] = [gesture, []];
     show(next, next.node ?? (wanted.change && 'remove' in wanted.change ? null : selectedNode.peek()));
   } catch (error) {
     trouble.value = (error as Error).message;
   }
 }
 
-export async function openLayout(from: string): Promise<boolean> {
+/** Takes the place of the layout that is shown. */
+function begin(next: Draft, before: readonly LayoutLook[]): void {
+  ++opened;
   ++numbering;
-  try {
-    const { layout, nodes, edges, path, hash } = await ask('open_layout', { from });
-    batch(() => {
-      draft.value = { layout, nodes, edges, path, hash, saved: textOf(layout) };
-      [past.value, future.value, selectedNode.value, trouble.value] = [[], [], null, null];
-    });
-    return true;
-  } catch (error) {
-    tell((error as Error).message, 'error');
-    return false;
-  }
+  gestureBefore = '';
+  batch(() => {
+    draft.value = next;
+    [past.value, future.value, selectedNode.value, trouble.value] = [before, [], null, null];
+  });
+}
+
+/** It waits for the requests before it, so that the layout that is asked for last is the one that is shown. */
+export function openLayout(from: string): Promise<boolean> {
+  return inTurn(async () => {
+    try {
+      const { path, hash, ...look } = await ask('open_layout', { from });
+      begin({ ...lookOf(look), path, hash, saved: textOf(look.layout) }, []);
+      return true;
+    } catch (error) {
+      tell((error as Error).message, 'error');
+      return false;
+    }
+  });
 }
 
 /** The layout that was just written to a file. */
@@ -91,53 +116,48 @@ export function savedAs(layout: LayoutFile, file: { path: string; hash: string }
   if (now) draft.value = { ...now, ...file, saved: textOf(layout) };
 }
 
-let strokes = 0;
-export const newStroke = (): string => `stroke ${++strokes}`;
-
 /** Grows when nodes may get other numbers. */
 let numbering = 0;
 function renumbering(change: LayoutChange): Promise<void> {
   ++numbering;
-  return inTurn(() => draw({ change }, ''));
+  return changing(() => draw({ change }, ''));
 }
 
 interface Move {
   node: number;
   to: Vector;
-  stroke: string;
+  gesture: string;
   numbering: number;
 }
 /** A node that has gone meanwhile, or has another number, is not moved. */
-const moves = new Latest<Move>(({ node, to, stroke, numbering: then }) =>
+const moves = new Latest<Move>(({ node, to, gesture, numbering: then }) =>
   inTurn(async () => {
-    if (then === numbering) await draw({ change: { move: node, to } }, stroke);
+    if (then === numbering) await draw({ change: { move: node, to } }, gesture);
   }),
 );
 /** While a node is dragged: places that were overtaken are not asked for. */
-export const moveNode = (node: number, to: Vector, stroke: string): void => moves.push({ node, to, stroke, numbering });
+export const moveNode = (node: number, to: Vector, gesture: string): void => moves.push({ node, to, gesture, numbering });
 
 export const addNode = (add: NodeKind, to?: Vector): Promise<void> => renumbering({ add, ...(to ? { to } : {}) });
 export const removeNode = (remove: number): Promise<void> => renumbering({ remove });
 export const rename = (name: string): Promise<void> =>
-  inTurn(async () => {
+  changing(async () => {
     const now = draft.peek();
     if (now && now.layout.name !== name) await draw({ layout: { ...now.layout, name } }, '');
   });
 
-/** Goes to a layout of the history, which was one already. */
+/** Goes to a layout of the history. */
 function goBack(from: typeof past, to: typeof past): Promise<void> {
   ++numbering;
-  return inTurn(async () => {
+  return changing(async () => {
     const now = draft.peek();
-    const layout = from.peek().at(-1);
-    if (!now || !layout) return;
-    try {
-      const look = await ask('draw_layout', { layout });
-      [from.value, to.value, strokeBefore] = [from.peek().slice(0, -1), [...to.peek(), now.layout], ''];
+    const look = from.peek().at(-1);
+    if (!now || !look) return;
+    batch(() => {
+      [from.value, to.value] = [from.peek().slice(0, -1), [...to.peek(), lookOf(now)]];
       show(look, null);
-    } catch (error) {
-      trouble.value = (error as Error).message;
-    }
+    });
+    gestureBefore = '';
   });
 }
 export const undo = (): Promise<void> => goBack(past, future);

@@ -3,54 +3,51 @@
 
 import { signal } from '@preact/signals';
 import { askForPath } from '../document/folders';
-import { askAboutConflict } from '../document/save';
+import { saveBy, type Saver } from '../document/save';
 import { ask } from '../document/studio';
-import { tell } from '../document/tell';
-import { Refusal } from '../protocol/connection';
 import { W } from '../words';
-import { draft, isUnsaved, openLayout, savedAs } from './draft';
+import { changesMade, draft, type Draft, inTurn, isUnsaved, openLayout, savedAs } from './draft';
 
 const kind = W.layouts.kind;
 const folderOf = (path: string | null): { folder?: string } => (path ? { folder: path.replace(/[\\/][^\\/]*$/, '') || '/' } : {});
 
+/** Its own file is replaced as it was read or written last. */
+function ownFile({ path, hash }: Draft): { path: string; replaces?: string } {
+  if (path === null) throw new Error(W.layouts.noFile);
+  return { path, ...(hash === null ? {} : { replaces: hash }) };
+}
+
+const LAYOUTS: Saver = {
+  kind,
+  write: ({ path, replaces }) =>
+    inTurn(async () => {
+      const now = draft.peek();
+      if (!now) return;
+      const place = path === undefined ? ownFile(now) : { path, ...(replaces === undefined ? {} : { replaces }) };
+      savedAs(now.layout, await ask('save_layout', { layout: now.layout, ...place }));
+    }),
+  elsewhere: saveLayoutElsewhere,
+  reload: openLayout,
+};
+
 /** To its file; a layout that has none asks for one. Resolves to whether it lies there now. */
 export async function saveLayout(): Promise<boolean> {
-  const now = draft.peek();
-  if (!now) return false;
-  return now.path ? write(now.path, now.hash ?? undefined) : saveLayoutElsewhere();
+  await changesMade();
+  return draft.peek()?.path ? saveBy(LAYOUTS, {}) : saveLayoutElsewhere();
 }
 
 export async function saveLayoutElsewhere(): Promise<boolean> {
+  await changesMade();
   const now = draft.peek();
   if (!now) return false;
   const path = await askForPath({ purpose: 'save', kind, name: `${now.layout.name}.json`, ...folderOf(now.path) });
-  return path ? write(path) : false;
-}
-
-async function write(path: string, replaces?: string): Promise<boolean> {
-  const layout = draft.peek()?.layout;
-  if (!layout) return false;
-  try {
-    savedAs(layout, await ask('save_layout', { layout, path, ...(replaces === undefined ? {} : { replaces }) }));
-    tell(W.saveAs.saved);
-    return true;
-  } catch (error) {
-    if (error instanceof Refusal && error.conflict) return settle(error.conflict);
-    tell((error as Error).message, 'error');
-    return false;
-  }
-}
-
-async function settle(conflict: NonNullable<Refusal['conflict']>): Promise<boolean> {
-  const choice = await askAboutConflict(conflict, kind);
-  if (choice === 'mine') return write(conflict.path, conflict.hash);
-  if (choice === 'elsewhere') return saveLayoutElsewhere();
-  return choice === 'theirs' ? openLayout(conflict.path) : false;
+  return path ? saveBy(LAYOUTS, { path }) : false;
 }
 
 /** The question whether changes may go, and what takes its answer. */
 export const discardAsked = signal<((may: boolean) => void) | null>(null);
 async function mayGo(): Promise<boolean> {
+  await changesMade();
   if (!isUnsaved.peek()) return true;
   const may = await new Promise<boolean>((answer) => (discardAsked.value = answer));
   discardAsked.value = null;
@@ -66,13 +63,4 @@ export async function openLayoutFile(): Promise<void> {
   if (!(await mayGo())) return;
   const path = await askForPath({ purpose: 'open', kind, ...folderOf(draft.peek()?.path ?? null) });
   if (path) await openLayout(path);
-}
-
-/** The browser asks in its own words before the tab is closed. */
-export function watchLayoutClosing(): void {
-  window.addEventListener('beforeunload', (event) => {
-    if (!isUnsaved.peek()) return;
-    event.preventDefault();
-    event.returnValue = true;
-  });
 }

@@ -2,10 +2,11 @@
 // The base triangle with its candidate edges, and the nodes to drag.
 
 import { useRef } from 'preact/hooks';
+import { newGesture } from '../document/edits';
 import type { LayoutNode } from '../protocol/requests';
 import type { Point } from '../protocol/messages';
 import { W } from '../words';
-import { addNode, draft, grid, keepsMirror, moveNode, newStroke, selectedNode } from './draft';
+import { addNode, draft, grid, keepsMirror, moveNode, selectedNode } from './draft';
 import { CORNERS, HEIGHT, kindAt, placeByKey, SIDE, toPlace, toPlane } from './triangle';
 
 const MARGIN = 9;
@@ -55,16 +56,16 @@ function goesAlong(index: number, { kind }: LayoutNode): boolean {
 }
 
 function NodeMark({ index, node, onDrag }: NodeProps) {
-  const stroke = useRef('');
+  const gesture = useRef('');
   const [x, y] = toPlane(node.place);
   const isSelected = selectedNode.value === index;
   const isTwin = goesAlong(index, node);
   const keys = (event: KeyboardEvent) => {
     if (!event.key.startsWith('Arrow')) return;
     event.preventDefault();
-    if (!event.repeat) stroke.current = newStroke();
+    if (!event.repeat) gesture.current = newGesture('node');
     const to = placeByKey(node, event.key, grid.peek());
-    if (to) moveNode(index, to, stroke.current);
+    if (to) moveNode(index, to, gesture.current);
   };
   return (
     <g class={`layout-node ${node.kind}${isSelected ? ' selected' : ''}${isTwin ? ' twin' : ''}`} data-node={index} tabIndex={0} role="button" aria-pressed={isSelected}
@@ -79,17 +80,17 @@ function NodeMark({ index, node, onDrag }: NodeProps) {
 
 export function TriangleView() {
   const svg = useRef<SVGSVGElement>(null);
-  const drag = useRef<{ node: number; pointer: number; stroke: string } | null>(null);
+  const drag = useRef<{ node: number; pointer: number; gesture: string } | null>(null);
   const begin = (node: number, event: PointerEvent) => {
     if (event.button !== 0 || drag.current) return;
     event.stopPropagation();
     svg.current?.setPointerCapture(event.pointerId);
-    drag.current = { node, pointer: event.pointerId, stroke: newStroke() };
+    drag.current = { node, pointer: event.pointerId, gesture: newGesture('node') };
     selectedNode.value = node;
   };
   const move = (event: PointerEvent) => {
     const now = drag.current;
-    if (now?.pointer === event.pointerId) moveNode(now.node, toPlace(pointAt(svg.current as SVGSVGElement, event)), now.stroke);
+    if (now?.pointer === event.pointerId) moveNode(now.node, toPlace(pointAt(svg.current as SVGSVGElement, event)), now.gesture);
   };
   const end = (event: PointerEvent) => {
     if (drag.current?.pointer === event.pointerId) drag.current = null;

@@ -14,12 +14,15 @@ const asked: string[] = [];
 const counts: { key: number; done: (patterns: number) => void; fail: (why: string) => void }[] = [];
 const served = {
   refuses: '',
+  /** What sends the answers that wait; null: none has to wait. */
+  waiting: null as (() => void)[] | null,
+  held: <T>(answer: T): Promise<T> => new Promise((done) => (served.waiting ? served.waiting.push(() => done(answer)) : done(answer))),
   ask(what: string, says: Record<string, never>): Promise<unknown> {
     asked.push(what);
     if (what === 'count_layout')
       return new Promise((done, fail) => counts.push({ key: says.key, done: (patterns) => done({ patterns, complete: true, samples: [] }), fail: (why) => fail(new Error(why)) }));
-    if (what === 'open_layout') return Promise.resolve({ ...look(file(['1/2'])), path: '/a/mine.json', hash: 'h1' });
-    if (what === 'save_layout') return Promise.resolve({ path: says.path, hash: 'h2' });
+    if (what === 'open_layout') return served.held({ ...look(file(['1/2'], says.from)), path: `/a/${says.from}.json`, hash: 'h1' });
+    if (what === 'save_layout') return served.held({ path: says.path, hash: 'h2' });
     if (served.refuses) return Promise.reject(new Error(served.refuses));
     const { layout, change } = says as unknown as { layout: LayoutFile; change?: { to?: number[]; remove?: number } };
     if (!change) return Promise.resolve({ ...look(layout), node: null });
@@ -41,8 +44,13 @@ const moved = async (share: number, stroke: string): Promise<void> => {
 
 store.hello.value = {} as NonNullable<typeof store.hello.value>;
 
+/** Sends the answers that wait, the newest first. */
+async function answerAll(): Promise<void> {
+  for (await settled(); served.waiting?.length; await settled()) served.waiting.pop()?.();
+}
+
 beforeEach(async () => {
-  served.refuses = '';
+  [served.refuses, served.waiting] = ['', null];
   draft.value = null;
   await openLayout('mine');
 });
@@ -57,6 +65,42 @@ it('a drag is one step of undo, and the next is another', async () => {
   await redo();
   await redo();
   expect([radial(), canRedo.value]).toEqual([['0.9'], false]);
+});
+
+it('undo and redo ask the program nothing', async () => {
+  await moved(0.7, 'drag');
+  asked.length = 0;
+  await undo();
+  await redo();
+  expect([radial(), asked.filter((what) => what === 'draw_layout')]).toEqual([['0.7'], []]);
+});
+
+it('of two layouts that are opened the one asked for last is shown', async () => {
+  served.waiting = [];
+  const opening = [openLayout('first'), openLayout('second')];
+  await answerAll();
+  await Promise.all(opening);
+  expect(draft.value?.layout.name).toBe('second');
+});
+
+it('a change of one layout is not made to the next', async () => {
+  served.waiting = [];
+  const opening = openLayout('other');
+  void removeNode(1);
+  await answerAll();
+  await opening;
+  expect([draft.value?.layout.name, radial()]).toEqual(['other', ['1/2']]);
+});
+
+it('a layout that is opened while another is saved keeps its own file', async () => {
+  await moved(0.7, 'drag');
+  served.waiting = [];
+  const saving = saveLayout();
+  await settled();
+  const both = [saving, openLayout('other')];
+  await answerAll();
+  await Promise.all(both);
+  expect([draft.value?.path, draft.value?.hash, isUnsaved.value]).toEqual(['/a/other.json', 'h1', false]);
 });
 
 it('of many moves the newest is asked for', async () => {
