@@ -67,11 +67,8 @@ Studio::Impl::Impl(const StudioOptions& options)
       server_({options.address, options.port, token_}, *this),
       pages_(server_),
       kept_(
-          options.state_folder,
-          [this](const std::string& warning) { pages_.broadcast(warning_event(warning)); },
-          [this](const std::string& error) {
-              server_.post([this, error] { pages_.broadcast(warning_event(error)); });
-          }),
+          options.state_folder, [this](const std::string& warning) { warn(warning); },
+          [this](const std::string& error) { server_.post([this, error] { warn(error); }); }),
       view_(pages_),
       jobs_(server_, pages_,
             [this](const LongJob& job) {

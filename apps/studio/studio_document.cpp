@@ -77,7 +77,7 @@ void Studio::Impl::hello(const Request& request) {
                    {"exports", exports_json()},
                    {"colours", {{"sizes", exports::scale_samples()}, {"signed", exports::signed_samples()}}},
                    {"recoverable", kept_.recoverable_json()}});
-    if (!kept_.trouble().empty()) pages_.send(request.client, warning_event(kept_.trouble()));
+    if (!kept_.trouble().empty()) pages_.send(request.client, warning_event(kept_.trouble(), revision()));
     if (!document_) return;
     pages_.send(request.client, document_event(*document_->now(), document_->status()));
     view_.send_beams(request.client);
@@ -85,6 +85,10 @@ void Studio::Impl::hello(const Request& request) {
     designs_.send(request.client);
     send_solution(request.client);
     errors_.send(request.client);
+}
+
+void Studio::Impl::warn(const std::string& text) {
+    pages_.broadcast(warning_event(text, revision()));
 }
 
 void Studio::Impl::show_fields(const Request& request) {

@@ -52,7 +52,10 @@ class Studio::Impl final : public Service {
     void redo(const Request& request);
     void select_load_case(const Request& request);
     [[nodiscard]] Document& document();
-    [[nodiscard]] std::int64_t next_revision() const { return document_ ? document_->revision() + 1 : 1; }
+    /// Of the document that is shown; 0: there is none.
+    [[nodiscard]] std::int64_t revision() const { return document_ ? document_->revision() : 0; }
+    [[nodiscard]] std::int64_t next_revision() const { return revision() + 1; }
+    void warn(const std::string& text);
     void show(Opened next);
     /// Show another document. The unsaved changes of the present one stay recoverable, or are given up if the
     /// request says so.

@@ -36,8 +36,8 @@ Json layout_file_json(const fs::path& path) {
     return answer;
 }
 
-Json found_event(const Json& key, std::uint64_t patterns) {
-    return {{"event", "layout_count"}, {"key", key}, {"patterns", patterns}};
+Json count_event(const Json& key, std::uint64_t patterns, std::int64_t revision) {
+    return {{"event", "layout_count"}, {"revision", revision}, {"key", key}, {"patterns", patterns}};
 }
 
 }  // namespace
@@ -70,7 +70,9 @@ void Studio::Impl::count_layout(const Request& request) {
     thread.cancel();
     pages_.in_background(thread, request, [this, request, key, layout](const base::Control& control) {
         const auto tell = [this, client = request.client, key](std::uint64_t patterns) {
-            server_.post([this, client, event = found_event(key, patterns)] { pages_.send(client, event); });
+            server_.post([this, client, key, patterns] {
+                pages_.send(client, count_event(key, patterns, revision()));
+            });
         };
         const auto found =
             std::make_shared<const Json>(count_json(*layout, counted(*layout, {}, control, tell)));

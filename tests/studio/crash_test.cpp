@@ -92,8 +92,10 @@ TEST(StudioProgram, StartsWithoutAutosaveWhereItsFolderCannotBeMade) {
         ASSERT_NE(program.address(), "");
         test::Client client(test::StudioAddress(program.address()));
         client.hello();
-        EXPECT_THAT(client.event({"warning"})["text"].get<std::string>(),
+        const base::Json warning = client.event({"warning"});
+        EXPECT_THAT(warning["text"].get<std::string>(),
                     testing::HasSubstr("changes that are not saved are lost"));
+        EXPECT_TRUE(warning["revision"].is_number_integer()) << warning;
         if (opens == Program::Opens::Nothing) continue;
         EXPECT_TRUE(client.ask("turn", {{"tiles", {1}}, {"by", 1}})["ok"].get<bool>());
         EXPECT_TRUE(client.ask("save")["ok"].get<bool>());

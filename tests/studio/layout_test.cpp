@@ -285,6 +285,15 @@ TEST_F(LayoutPage, ANewCountEndsTheOneBefore) {
     EXPECT_EQ(small["patterns"], 11) << small;
 }
 
+TEST_F(LayoutPage, ACountSaysWhatItHasFoundByNow) {
+    const Json large = opened("fifths12")["layout"];
+    client_.send_text(Json{{"id", 100}, {"do", "count_layout"}, {"layout", large}, {"key", 3}}.dump());
+    const Json event = client_.event({"layout_count"});
+    EXPECT_EQ(event["key"], 3);
+    EXPECT_EQ(event["revision"], 0) << "there is no document";
+    EXPECT_GT(event["patterns"].get<int>(), 0);
+}
+
 TEST_F(LayoutPage, RefusesWhatIsNoChangeOfALayout) {
     const Json layout = opened("paper7")["layout"];
     const auto refusal = [&](const Json& change) {

@@ -18,8 +18,8 @@ Outgoing message_of(const Json& json) {
 
 }  // namespace
 
-Json warning_event(const std::string& text) {
-    return {{"event", "warning"}, {"text", text}};
+Json warning_event(const std::string& text, std::int64_t revision) {
+    return {{"event", "warning"}, {"revision", revision}, {"text", text}};
 }
 
 BeamFields Pages::shown_fields() const {

@@ -7,6 +7,7 @@
 #include <studio/server/binary_messages.hpp>
 #include <studio/server/http_server.hpp>
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
@@ -22,7 +23,8 @@ struct Request {
 };
 
 /// The event that shows people a warning.
-base::Json warning_event(const std::string& text);
+/// @param revision  of the document that is shown
+base::Json warning_event(const std::string& text, std::int64_t revision);
 
 /// The pages that have said hello, with the fields of bars that each shows; and what is sent to them. Used on
 /// the server's thread, except in_background().

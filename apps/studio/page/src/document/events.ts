@@ -3,7 +3,7 @@
 
 import { batch } from '@preact/signals';
 import type { Beams, Solution } from '../protocol/binary';
-import type { LayoutFound, Reaction, ServerEvent, Solved, StudioDocument } from '../protocol/messages';
+import type { Reaction, ServerEvent, Solved, StudioDocument } from '../protocol/messages';
 import { designed, designing, takeDesigned, takeDesigning } from './design';
 import * as store from './store';
 import { target } from './target';
@@ -22,17 +22,13 @@ export function forgetAwaited(): void {
 }
 
 export function takeEvent(message: ServerEvent): void {
-  if (message.event === 'layout_count') {
-    store.layoutFound.value = message;
-    return;
-  }
   batch(() => {
     store.revision.value = Math.max(store.revision.value, message.revision);
     take(message);
   });
 }
 
-function take(message: Exclude<ServerEvent, LayoutFound>): void {
+function take(message: ServerEvent): void {
   switch (message.event) {
     case 'document':
       forget(message);
@@ -75,6 +71,9 @@ function take(message: Exclude<ServerEvent, LayoutFound>): void {
       break;
     case 'warning':
       tell(message.text, 'warning');
+      break;
+    case 'layout_count':
+      store.countSoFar.value = message;
       break;
   }
 }

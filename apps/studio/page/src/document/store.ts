@@ -3,7 +3,7 @@
 
 import { computed, signal } from '@preact/signals';
 import type { Beams, Solution } from '../protocol/binary';
-import type { EstimatedError, Hello, LayoutFound, Making, PatternTable, Recoverable, SentLoadCase, Solved, StudioDocument } from '../protocol/messages';
+import type { CountSoFar, EstimatedError, Hello, Making, PatternTable, Recoverable, SentLoadCase, Solved, StudioDocument } from '../protocol/messages';
 import type { LineState } from '../protocol/connection';
 import { sizeOf } from './section';
 import { W } from '../words';
@@ -63,7 +63,7 @@ export const estimated = signal<EstimatedError | null>(null);
 export const making = signal<Making | null>(null);
 
 /** The newest word of a count of a layout's patterns. */
-export const layoutFound = signal<LayoutFound | null>(null);
+export const countSoFar = signal<CountSoFar | null>(null);
 
 export const patternTable = signal<PatternTable | null>(null);
 

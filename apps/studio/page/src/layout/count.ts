@@ -2,7 +2,7 @@
 // How many valid patterns the drawn layout has. The program counts; a change of the layout ends the count before.
 
 import { batch, computed, effect, signal } from '@preact/signals';
-import { hello, layoutFound } from '../document/store';
+import { countSoFar, hello } from '../document/store';
 import { ask } from '../document/studio';
 import type { Vector } from '../protocol/messages';
 import type { LayoutCount, LayoutFile } from '../protocol/requests';
@@ -14,7 +14,7 @@ export const counted = signal<(LayoutCount & { places: readonly Vector[] }) | nu
 const under = signal<number | null>(null);
 export const isCounting = computed(() => under.value !== null);
 /** How many the count under way has found; null: it has said nothing yet. */
-export const foundNow = computed(() => (layoutFound.value && layoutFound.value.key === under.value ? layoutFound.value.patterns : null));
+export const foundNow = computed(() => (countSoFar.value?.key === under.value ? (countSoFar.value?.patterns ?? null) : null));
 export const countTrouble = signal<string | null>(null);
 
 let latest = 0;

@@ -264,6 +264,13 @@ export interface Making {
   places: MakingPlace[];
 }
 
+/** How many patterns a count of a layout has found by now. */
+export interface CountSoFar {
+  /** That of the request. */
+  key: number;
+  patterns: number;
+}
+
 export type ServerEvent =
   | ({ event: 'document'; revision: number } & StudioDocument)
   | ({ event: 'changed'; revision: number } & Partial<StudioDocument>)
@@ -277,15 +284,7 @@ export type ServerEvent =
   | ({ event: 'designed'; revision: number } & Designed)
   | ({ event: 'model_error'; revision: number; model: string } & EstimatedError)
   | { event: 'warning'; revision: number; text: string }
-  | LayoutFound;
-
-/** How many patterns a count of a layout has found by now. */
-export interface LayoutFound {
-  event: 'layout_count';
-  /** That of the request. */
-  key: number;
-  patterns: number;
-}
+  | ({ event: 'layout_count'; revision: number } & CountSoFar);
 
 /** A file that `save` would replace, and that nobody here has seen. */
 export interface SaveConflict {

@@ -122,6 +122,15 @@ describe('the document', () => {
   });
 });
 
+describe('a message about no document', () => {
+  it('is shown, and leaves the revision', () => {
+    takeEvent({ event: 'warning', revision: 1, text: 'the disk is full' });
+    expect(notes.value.at(-1)).toMatchObject({ text: 'the disk is full', tone: 'warning' });
+    takeEvent({ event: 'layout_count', revision: 0, key: 7, patterns: 5 });
+    expect([store.countSoFar.value?.patterns, store.revision.value]).toEqual([5, 1]);
+  });
+});
+
 describe('other tiles', () => {
   it('take the solution and all numbers of nodes and tiles away', () => {
     takeEvent(solved());

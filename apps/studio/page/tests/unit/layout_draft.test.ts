@@ -142,9 +142,9 @@ it('the newest count is shown, whatever comes late', async () => {
   await moved(0.7, 'b');
   const [old, newest] = counts.slice(-2);
   expect(newest.key).toBeGreaterThan(old.key);
-  store.layoutFound.value = { event: 'layout_count', key: old.key, patterns: 5 };
+  store.countSoFar.value = { key: old.key, patterns: 5 };
   expect(foundNow.value, 'of the old count').toBeNull();
-  store.layoutFound.value = { event: 'layout_count', key: newest.key, patterns: 6 };
+  store.countSoFar.value = { key: newest.key, patterns: 6 };
   expect(foundNow.value).toBe(6);
   old.fail('cancelled');
   await settled();
