@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "outlines/outlines.hpp"
 
+#include <fretwork/base/files/file.hpp>
 #include <fretwork/outlines/outline.hpp>
 
 #include <limits>
@@ -33,6 +34,21 @@ TEST(Outline, TheBoundaryTurnsLeftAndHolesTurnRightHoweverTheyCome) {
         EXPECT_DOUBLE_EQ(geometry::signed_area(outline.boundary), 1.0);
         EXPECT_NEAR(geometry::signed_area(outline.holes.at(0)), -0.04, 1e-15);
         EXPECT_EQ(outline.boundary.front(), boundary.front());
+    }
+}
+
+/// The area is that of the same file with the line ends of Unix; both are read by the same steps.
+TEST(Outline, FilesMayHaveTheLineEndsOfWindows) {
+    const TemporaryFolder folder;
+    for (const std::filesystem::path& path :
+         {data_file("slot.dxf"), data_file("square_with_window.obj"), data_file("quadrilateral.ply"),
+          data_file("two_triangles.off"), example_outline("specimen.svg")}) {
+        std::string text = base::read_text_file(path);
+        ASSERT_EQ(text.find('\r'), std::string::npos) << path;
+        for (std::size_t end = 0; (end = text.find('\n', end)) != std::string::npos; end += 2)
+            text.replace(end, 1, "\r\n");
+        const std::string name = "windows" + path.extension().string();
+        EXPECT_DOUBLE_EQ(area_of(read_outline(folder.file(name, text))), area_of(read_outline(path))) << path;
     }
 }
 
