@@ -79,7 +79,7 @@ Studio::Impl::Impl(const StudioOptions& options)
       errors_(server_, pages_, [this] { return document_->solver_input().situation; }),
       designs_(server_, pages_, [this](const DesignFound& found) { take_design(found); }),
       solver_(listener()) {
-    if (options.layout && !options.layout->empty()) (void)pattern::find_node_layout(*options.layout);
+    if (options.layout) (void)pattern::find_node_layout(*options.layout);
     if (options.project)
         show(read_document(*options.project));
     else
@@ -93,7 +93,7 @@ std::string Studio::Impl::address() const {
     const std::string host = is_version_6 ? "[" + options_.address + "]" : options_.address;
     const std::string page = "http://" + host + ":" + std::to_string(server_.port()) + "/?token=" + token_;
     if (!options_.layout) return page;
-    return page + "&page=layout" + (options_.layout->empty() ? "" : "&layout=" + escaped(*options_.layout));
+    return page + "&page=layout&layout=" + escaped(*options_.layout);
 }
 
 void Studio::Impl::connected(ClientId) {}  // it says hello first

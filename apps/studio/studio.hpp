@@ -10,8 +10,8 @@ namespace fretwork::studio {
 
 struct StudioOptions {
     std::optional<std::filesystem::path> project{};  ///< to begin with; none: the start screen
-    /// To draw node layouts, beginning with this one: the name of a layout or the path of a file; "": the
-    /// paper's. None: the studio of surfaces.
+    /// To draw node layouts, beginning with this one: the name of a layout or the path of a file. None: the
+    /// studio of surfaces.
     std::optional<std::string> layout{};
     std::string address = "127.0.0.1";
     std::optional<int> port{};           ///< none: 8080, or the next one that is free

@@ -27,12 +27,12 @@ Json shipped_json(const std::string& name) {
     return answer;
 }
 
-/// The hash is taken first: a change between the two is taken for one that the page does not know.
+/// The file is read once, so that the hash is that of the layout which the page gets.
 Json layout_file_json(const fs::path& path) {
-    const auto hash = hash_of_file(path);
-    Json answer = layout_json(pattern::read_node_layout(path));
+    const std::string text = base::read_text_file(path);
+    Json answer = layout_json(pattern::parse_node_layout(text, path.string()));
     answer["path"] = path.string();
-    answer["hash"] = base::or_null(hash);
+    answer["hash"] = base::sha256(text);
     return answer;
 }
 

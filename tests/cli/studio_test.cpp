@@ -15,6 +15,7 @@ TEST(StudioVerb, RefusesLayoutsThatCannotBeDrawn) {
     folder.file("frame.json", R"({"format": "fretwork/frame/1", "nodes": []})");
     folder.file("wrong.json", R"({"format": "fretwork/layout/1", "name": "wrong", "interface": ["1/3"]})");
     expect_refused("fretwork studio --no-browser --layout papr7", folder.path(), "'paper7'");
+    expect_refused("fretwork studio --no-browser --layout ''", folder.path(), "--layout '' is empty");
     expect_refused("fretwork studio --no-browser --layout none.json", folder.path(), "none.json");
     expect_refused("fretwork studio --no-browser --layout frame.json", folder.path(), "frame.json: /format");
     expect_refused("fretwork studio --no-browser --layout wrong.json", folder.path(),

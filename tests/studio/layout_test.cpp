@@ -4,6 +4,7 @@
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/file.hpp>
+#include <fretwork/base/files/sha256.hpp>
 #include <fretwork/base/random.hpp>
 #include <fretwork/pattern/enumerate.hpp>
 #include <studio/layouts/layout_change.hpp>
@@ -322,6 +323,22 @@ TEST_F(LayoutPage, SavesAFileThatIsReadAgain) {
     EXPECT_EQ(again["hash"], saved["hash"]);
 }
 
+TEST_F(LayoutPage, ReadsFilesWithTheLineEndsOfWindows) {
+    std::string text = pattern::node_layout_text(find_node_layout("doors6"));
+    for (std::size_t end = 0; (end = text.find('\n', end)) != std::string::npos; end += 2)
+        text.replace(end, 1, "\r\n");
+    base::write_file_atomically(file(), text);
+    const Json windows = opened(file());
+    ASSERT_TRUE(windows["ok"].get<bool>()) << windows;
+    EXPECT_EQ(windows["layout"]["interface"], opened("doors6")["layout"]["interface"]);
+    EXPECT_EQ(windows["hash"], base::sha256(text)) << "of the bytes in the file";
+    EXPECT_TRUE(
+        client_
+            .ask("save_layout",
+                 {{"layout", windows["layout"]}, {"path", file()}, {"replaces", windows["hash"]}})["ok"]
+            .get<bool>());
+}
+
 TEST_F(LayoutPage, ReplacesNoFileWithoutAQuestion) {
     const Json layout = opened("doors6")["layout"];
     const Json first = client_.ask("save_layout", {{"layout", layout}, {"path", file()}});
@@ -351,9 +368,9 @@ TEST(LayoutAddress, NamesThePageAndTheLayout) {
         const Studio studio({.layout = layout, .page = "page.html", .state_folder = folder.path()});
         return studio.address();
     };
-    EXPECT_THAT(address(""), testing::EndsWith("&page=layout"));
     EXPECT_THAT(address("paper8"), testing::EndsWith("&page=layout&layout=paper8"));
     EXPECT_THROW((void)address("no-such-layout"), base::InputError);
+    EXPECT_THROW((void)address(""), base::InputError);
 }
 
 }  // namespace THIS_TEST

@@ -70,10 +70,14 @@ void open_browser(std::string address) {
     ::posix_spawn_file_actions_destroy(&quiet);
 }
 
-/// A layout by its name, or the absolute path of its file, which the page asks for; "": the paper's.
+/// A layout by its name, or the absolute path of its file, which the page asks for.
 std::string layout_to_draw(const std::string& text) {
-    if (!text.empty()) (void)pattern::find_node_layout(text);  // the reason names it as it was typed
-    if (text.empty() || pattern::is_layout_name(text)) return text;
+    if (text.empty())
+        throw base::InputError(
+            "--layout '' is empty: give the name or the file of a layout, or --layout alone for " +
+            pattern::layout_names().front());
+    (void)pattern::find_node_layout(text);  // the reason names it as it was typed
+    if (pattern::is_layout_name(text)) return text;
     return std::filesystem::absolute(text).lexically_normal().string();
 }
 
@@ -112,8 +116,9 @@ void add_studio(CLI::App& app, ExitCode&) {
     const auto options = std::make_shared<StudioOptions>();
     verb->add_option("project", options->project, "Project file (default: a screen to choose one from)");
     verb->add_option("--layout", options->layout,
-                     "Draw a node layout instead: a layout's name or file (without: the paper's)")
+                     "Draw a node layout instead: the name of a layout, or its file")
         ->expected(0, 1)
+        ->default_str(pattern::layout_names().front())
         ->type_name("[LAYOUT]");
     verb->add_option("--address", options->studio.address, "Address to listen at")->capture_default_str();
     verb->add_option("--port", options->studio.port, "Port (default: 8080, or the next one that is free)")
