@@ -13,6 +13,7 @@
 #include <gmock/gmock.h>
 
 #include <set>
+#include <tuple>
 
 namespace fretwork::studio {
 namespace THIS_TEST {
@@ -155,6 +156,22 @@ TEST(LayoutByHand, AddedNodesLieWhereTheyAreWantedWithTheirTwins) {
     const auto radial =
         changed(spider, add(Region::LeftRadial, LayoutChange::Place{0.1, 0.0, 0.9}), {.steps = 10});
     EXPECT_THAT(radial.layout.description().radial, testing::Contains(Rational(9, 10)));
+}
+
+TEST(LayoutByHand, AnAddedInterfaceNodeIsTheOneThatWasPointedAtAndNotItsTwin) {
+    // A grid of fifths has no place in the middle, where the share 1/2 goes to 3/5.
+    for (const auto& [steps, wanted, share] :
+         {std::tuple(std::int64_t{10}, 0.8, Rational(4, 5)),
+          std::tuple(std::int64_t{10}, 0.2, Rational(1, 5)), std::tuple(std::int64_t{5}, 0.5, Rational(3, 5)),
+          std::tuple(std::int64_t{5}, 0.58, Rational(3, 5)),
+          std::tuple(std::int64_t{5}, 0.42, Rational(2, 5))}) {
+        const auto more =
+            changed(find_node_layout("paper7"),
+                    add(Region::Interface, LayoutChange::Place{0.0, 1.0 - wanted, wanted}), {.steps = steps});
+        ASSERT_TRUE(more.node);
+        EXPECT_EQ(more.layout.nodes()[*more.node].place[2], share) << wanted << " in steps of 1/" << steps;
+        EXPECT_EQ(more.layout.description().interface.size(), 3U) << "with its twin";
+    }
 }
 
 TEST(LayoutByHand, AMirrorImageThatIsThereIsNotAddedAgain) {

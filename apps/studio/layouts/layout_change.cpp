@@ -196,9 +196,9 @@ ChangedLayout with_interface(NodeLayoutDescription next, const LayoutChange& cha
                          [](const Rational& share) { return share <= kMiddle; });
     const double wanted =
         change.to ? share_of(*change.to, Region::Interface) : middle_of_gap(lower, {Rational(0), kMiddle});
-    const Rational share = grid_share(std::min(wanted, 1.0 - wanted), hand);
-    const std::size_t number = insert_share(shares, share);
+    const Rational share = grid_share(wanted, hand);
     if (share != kMiddle) insert_share(shares, Rational(1) - share);
+    const std::size_t number = insert_share(shares, share);  // the last, so that the twin moves it no more
     NodeLayout layout(std::move(next));
     const LayoutNodeIndex node = node_of(layout, Region::Interface, number);
     return {std::move(layout), node};
