@@ -11,6 +11,7 @@ import { target } from './document/target';
 import { drawsLayouts } from './layout/address';
 import { counted, isCounting } from './layout/count';
 import { draft, isUnsaved as isLayoutUnsaved } from './layout/draft';
+import { keepUnsaved } from './layout/kept';
 import { watchLayoutKeys } from './layout/keys';
 import { LayoutPage } from './layout/layout_page';
 import { watchClosing } from './manners/closing';
@@ -28,6 +29,7 @@ const host = document.getElementById('studio') as HTMLElement;
 if (drawsLayouts()) {
   render(<LayoutPage />, host);
   watchLayoutKeys();
+  keepUnsaved();
   watchClosing(() => isLayoutUnsaved.peek());
 } else {
   render(<App />, host);

@@ -800,6 +800,7 @@ export const W = {
     save: 'Save',
     undo: 'Undo',
     redo: 'Redo',
+    restored: 'Unsaved changes were restored. Undo discards them.',
     noFile: 'This layout has no file yet. Save it as a new file.',
     loading: 'Loading …',
     triangle: 'Base triangle. Tab goes from node to node, arrows move one, Delete removes it.',

@@ -110,6 +110,23 @@ export function openLayout(from: string): Promise<boolean> {
   });
 }
 
+/** What is left of a layout whose changes were not saved. */
+export type UnsavedLayout = Pick<Draft, 'layout' | 'saved' | 'path' | 'hash'>;
+
+/** Shows a layout with its unsaved changes again: undo gives back what was saved. Resolves to whether the program takes it. */
+export function recoverLayout({ layout, saved, path, hash }: UnsavedLayout): Promise<boolean> {
+  return inTurn(async () => {
+    try {
+      const before = await ask('draw_layout', { layout: JSON.parse(saved) as LayoutFile });
+      const now = await ask('draw_layout', { layout });
+      begin({ ...lookOf(now), path, hash, saved: textOf(before.layout) }, [lookOf(before)]);
+      return true;
+    } catch {
+      return false; // the page begins with another layout
+    }
+  });
+}
+
 /** The layout that was just written to a file. */
 export function savedAs(layout: LayoutFile, file: { path: string; hash: string }): void {
   const now = draft.peek();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page of node layouts: the triangle to drag nodes on, and what comes of it.
 
-import { computed } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import { hello } from '../document/store';
 import { ConflictSheet } from '../manners/conflict';
@@ -9,9 +8,9 @@ import { FolderSheet } from '../manners/folder_sheet';
 import { LineNotice, Notes } from '../manners/notes';
 import { Tooltip } from '../widgets/tooltip';
 import { W } from '../words';
-import { firstLayout } from './address';
 import { DiscardSheet } from './discard_sheet';
-import { draft, openLayout } from './draft';
+import { draft } from './draft';
+import { openFirst } from './kept';
 import { LayoutBar } from './layout_bar';
 import { LayoutPanel } from './layout_panel';
 import { LayoutTools } from './layout_tools';
@@ -22,14 +21,12 @@ import '../gallery/gallery.css';
 import '../app.css';
 import './layout.css';
 
-const isReady = computed(() => hello.value !== null);
-
 export function LayoutPage() {
-  const ready = isReady.value;
+  const line = hello.value;
   useEffect(() => {
     document.title = W.layouts.title;
-    if (ready && !draft.peek()) void openLayout(firstLayout());
-  }, [ready]);
+    if (line && !draft.peek()) void openFirst();
+  }, [line]);
   return (
     <div class="app">
       <LineNotice />

@@ -117,3 +117,25 @@ test('a file that somebody else has changed is not replaced without a question',
   assert.equal(JSON.parse(readFileSync(file, 'utf8')).radial.length, 2);
   assert.deepEqual(page.troubles, []);
 });
+
+test('a layout that was not saved is there again when the page is loaded again', async (t) => {
+  const { address } = await startStudio(t, '--layout', 'spider4');
+  const page = await openPage(t, address);
+  const asked = [];
+  page.on('dialog', (dialog) => {
+    asked.push(dialog.type());
+    void dialog.accept();
+  });
+  assert.deepEqual(await ready(page), ['5', '11']);
+  await page.click('#add-radial');
+  await page.waitForSelector('.layout-names .unsaved');
+  const { layout } = await draft(page);
+  await page.reload();
+  await page.waitForSelector('.layout-names .unsaved');
+  assert.deepEqual(asked, ['beforeunload']);
+  assert.deepEqual((await draft(page)).layout, layout);
+  await page.keyboard.press('Control+z');
+  await page.waitForSelector('.layout-names .unsaved', { state: 'detached' });
+  assert.deepEqual(await numbers(page), ['5', '11']);
+  assert.deepEqual(page.troubles, []);
+});
