@@ -7,5 +7,6 @@ export default defineConfig({
   plugins: [viteSingleFile()],
   build: { target: 'es2022', modulePreload: false, chunkSizeWarningLimit: 2000 },
   esbuild: { jsx: 'automatic', jsxImportSource: 'preact', legalComments: 'none' },
-  test: { include: ['tests/unit/**/*.test.ts'] },
+  // Tests read style sheets as text; what they import is left out.
+  test: { include: ['tests/unit/**/*.test.ts'], css: { include: [/[?&]raw/] } },
 });
