@@ -105,6 +105,73 @@ TEST_F(SurfaceDrawing, AMomentHasTwoHeads) {
     EXPECT_THAT(svg.words(), HasSubstr("moments, the largest 2 N mm"));
 }
 
+TEST_F(SurfaceDrawing, AFewMomentsAreNotLostAmongManyForces) {
+    const auto large = sample_surface(8, 6);
+    simulation::Conditions many;
+    for (std::size_t i = 0; i < large.tessellation.interface_nodes.size(); ++i)
+        many.loads.push_back({mechanics::NodeIndex(i), {0.0, 0.0, -1.0}});
+    many.loads.front().moment = {0.0, 0.002, 0.0};
+    const Svg setup(setup_svg(large, many));
+    EXPECT_EQ(children(setup.layer("loads"), "polygon"), 16U + 2U) << "sixteen forces, and a moment's heads";
+    EXPECT_THAT(setup.words(), HasSubstr("moments, the largest 2 N mm"));
+    EXPECT_THAT(setup.words(), HasSubstr("17 of " + std::to_string(many.loads.size() + 1) + " drawn"));
+}
+
+TEST_F(SurfaceDrawing, TheLoadsOfANodeAreOneArrow) {
+    conditions_.loads.assign(2, {mechanics::NodeIndex(0), {0.6, 0.0, 0.0}});
+    const Svg svg(surface_svg(surface_, &conditions_));
+    EXPECT_EQ(children(svg.layer("loads"), "polygon"), 1U);
+    EXPECT_THAT(svg.words(), HasSubstr("forces, the largest 1.2 N"));
+}
+
+TEST_F(SurfaceDrawing, TheLegendTellsWeightFromForces) {
+    conditions_.weights = 1;
+    EXPECT_THAT(Svg(surface_svg(surface_, &conditions_)).words(),
+                HasSubstr("forces and weight, the largest"));
+    conditions_.weights = conditions_.loads.size();
+    const std::string words = Svg(setup_svg(surface_, conditions_)).words();
+    EXPECT_THAT(words, HasSubstr("weight, the largest 1.08 N"));
+    EXPECT_THAT(words, Not(HasSubstr("forces")));
+}
+
+TEST_F(SurfaceDrawing, PrescribedDisplacementsAndRotationsAreDiamonds) {
+    using mechanics::Dof;
+    EXPECT_THAT(setup_svg(surface_, conditions_), Not(HasSubstr("prescribed")));
+    conditions_.prescribed = {{mechanics::NodeIndex(0), Dof::uz, -0.004},
+                              {mechanics::NodeIndex(0), Dof::ux, 0.001},
+                              {mechanics::NodeIndex(1), Dof::ry, 0.5 * std::numbers::pi}};
+    for (const std::string& text : {surface_svg(surface_, &conditions_), setup_svg(surface_, conditions_)}) {
+        const Svg svg(text);
+        EXPECT_EQ(children(svg.layer("prescribed-displacements"), "polygon"), 2U) << "one a node";
+        EXPECT_EQ(children(svg.layer("legend-of-conditions"), "polygon"), 2U) << "a diamond and a force";
+        EXPECT_THAT(
+            svg.words(),
+            HasSubstr("prescribed displacements, the largest 4 mm; rotations, the largest 90\xc2\xb0"));
+    }
+    conditions_.prescribed.erase(conditions_.prescribed.begin(), conditions_.prescribed.begin() + 2);
+    EXPECT_THAT(Svg(setup_svg(surface_, conditions_)).words(),
+                HasSubstr("prescribed rotations, the largest 90"));
+}
+
+TEST_F(SurfaceDrawing, ALongLegendGoesOnInTheNextLine) {
+    conditions_.prescribed = {{mechanics::NodeIndex(0), mechanics::Dof::uz, -0.004}};
+    conditions_.loads.resize(3);
+    conditions_.loads[1].force = {0.0, 0.0, 1.0};
+    conditions_.loads[2].force = {0.0, 0.0, -1.0};
+    for (mechanics::NodalLoad& load : conditions_.loads) load.moment = 0.1 * load.force;
+    const Svg svg(surface_svg(surface_, &conditions_));
+    std::set<std::string> lines;
+    for (const auto& text : svg.layer("legend-of-conditions").children("text")) {
+        const std::string words = text.child_value();
+        const double width =
+            0.64 * text.attribute("font-size").as_double() * static_cast<double>(words.size());
+        EXPECT_LT(text.attribute("x").as_double() + width, svg.width_mm()) << words;
+        EXPECT_LT(text.attribute("y").as_double(), svg.height_mm()) << words;
+        lines.insert(text.attribute("y").value());
+    }
+    EXPECT_GT(lines.size(), 1U);
+}
+
 TEST_F(SurfaceDrawing, DeformedStatesAreLayersWithTheirColoursAndLabels) {
     const auto drawn = layers();
     const Svg svg(deformed_svg(drawn, {.scale = 1.0, .rest = rim_lines(surface_)}));

@@ -84,6 +84,7 @@ TEST(Conditions, ATotalForceIsSharedAndAForceOnEachIsRepeated) {
     load_case.loads[0].amount = LoadCase::Amount::Each;
     const auto count = select_nodes(NodesAtSide{Side::Right}, surface.tessellation).size();
     EXPECT_NEAR(sum().z(), -2.0 * static_cast<double>(count), 1e-12);
+    EXPECT_EQ(resolve(load_case, surface).weights, 0U);
 }
 
 TEST(Conditions, GravityIsTheWeightOfAllBeams) {
@@ -99,7 +100,9 @@ TEST(Conditions, GravityIsTheWeightOfAllBeams) {
         length += std::hypot(a.x - b.x, a.y - b.y);
     }
     double weight = 0.0;
-    for (const auto& load : resolve(load_case, surface).loads) weight += load.force.z();
+    const Conditions conditions = resolve(load_case, surface);
+    for (const auto& load : conditions.loads) weight += load.force.z();
+    EXPECT_EQ(conditions.weights, conditions.loads.size());
     EXPECT_NEAR(weight, -length * surface.setting.section.area * 1240 * 9.81, 1e-12);
 }
 

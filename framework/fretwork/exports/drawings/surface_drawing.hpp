@@ -27,8 +27,9 @@ struct DrawnLabels {
 /// A surface seen from above at true scale, as in the paper's Figs. 12 to 14: tiles coloured by pattern,
 /// beams of true width, a legend and a scale bar. Tiles without a pattern are empty. If `conditions` is not
 /// null, the drawing also shows supports (red: all dofs are held; green: only translations; orange: other
-/// dofs) and loads (arrows; forces out of the plane are rings; those on one node are added up). Text is
-/// legible when the drawing is scaled to a journal's column.
+/// dofs), prescribed displacements (diamonds) and the loads of each node with its share of the weight
+/// (arrows; those out of the plane are rings; moments have two heads). Text is legible when the drawing is
+/// scaled to a journal's column.
 std::string surface_svg(const simulation::Surface& surface,
                         const simulation::Conditions* conditions = nullptr, const DrawnLabels& labels = {});
 
@@ -64,8 +65,8 @@ std::string displacement_svg(const DeformedLayer& layer, const DeformedViewOptio
 
 /// A figure as wide as a journal's column (84 mm), in the order of the paper's Figs. 12 to 14: the surface
 /// from above, beside it the beams of the reduced model (if `options` has them), the patterns, the surface
-/// with supports and loads, and the deformed states. Text is at least 6 pt high. Of many loads, some that are
-/// spread evenly are drawn, and the legend counts them.
+/// with supports and loads, and the deformed states. Text is at least 6 pt high. Of many forces and of many
+/// moments, some that are spread evenly are drawn, and the legend counts them.
 std::string figure_svg(const simulation::Surface& surface, const simulation::Conditions& conditions,
                        std::span<const DeformedLayer> layers, const DeformedViewOptions& options = {});
 

@@ -192,6 +192,7 @@ class Resolver {
             const Eigen::Vector3d share = masses_[t] / static_cast<double>(nodes.size()) * load_case_.gravity;
             for (const auto node : nodes)
                 conditions_.loads.push_back({NodeIndex(node.value), share, Eigen::Vector3d::Zero()});
+            conditions_.weights += nodes.size();
         }
     }
 

@@ -5,6 +5,7 @@
 #include <fretwork/simulation/load_cases/load_case.hpp>
 #include <fretwork/simulation/surface.hpp>
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct Conditions {
     std::vector<mechanics::PrescribedDisplacement> prescribed;  ///< components with given values
     std::vector<mechanics::NodalLoad> loads;  ///< loads of the load case, then the shares of the tiles'
                                               ///< weight
+    std::size_t weights = 0;                  ///< number of entries of `loads` that are shares of the weight
 };
 
 /// Apply a load case to the nodes of a surface. Throws InputError that names an entry of the load case which

@@ -1,38 +1,58 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// What the marks of supports and loads mean.
 #pragma once
 
 #include <fretwork/exports/drawings/detail/surface_parts.hpp>
 
-#include <optional>
-#include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace fretwork::exports::detail {
 
-/// What balls, arrows and rings mean, in as many lines as it takes.
+/// The marks of a load case that are drawn. There may be fewer marks than loads.
+struct ConditionMarks {
+    std::vector<SupportMark> supports;
+    std::vector<geometry::Point2> prescribed;
+    std::vector<LoadMark> loads;
+};
+
+/// The legend of a load case below a drawing: each kind of mark with what it means and the largest value, in
+/// as many lines as the drawing's width needs. What is not drawn is not in the legend.
 class ConditionLegend {
   public:
-    /// @param loads  those that are drawn: some of `conditions`, or all
-    ConditionLegend(std::span<const SupportMark> supports, std::span<const LoadMark> loads,
-                    const simulation::Conditions& conditions);
+    /// @param conditions  null: there is no legend
+    /// @param width       of the drawing, metres
+    ConditionLegend(const ConditionMarks& marks, const simulation::Conditions* conditions, double width);
 
-    /// The height of the legend in text of some height.
-    [[nodiscard]] double height(double width, double text) const;
-    void draw(SvgCanvas& canvas, const geometry::Point2& top_left, double width, double text) const;
+    /// The height of all lines; 0 without conditions.
+    [[nodiscard]] double height() const;
+    /// Draw it in a layer of its own.
+    /// @param start  where the text of the first line begins
+    void draw(SvgCanvas& canvas, const geometry::Point2& start) const;
 
   private:
-    /// A ball, or an arrow or ring, or neither; and what it means.
+    struct Prescribed {};
+    struct Words {};
+    /// A mark, or none, with what it means.
     struct Entry {
-        std::optional<SupportMark> support;
-        std::optional<LoadMark> load;
+        std::variant<SupportMark, Prescribed, LoadMark, Words> mark;
         std::string words;
+        double mark_width = 0.0;  ///< as multiples of the text's height
+        int line = 0;
+        double x = 0.0;  ///< from the start of the line
     };
-    void add_loads(LoadMark::Kind kind, std::span<const LoadMark> drawn, std::string words);
-    /// Where entries start, from the top left corner of the legend, in heights of the text.
-    [[nodiscard]] std::vector<geometry::Point2> places(double width) const;
 
+    void add_supports(const ConditionMarks& marks);
+    void add_prescribed(const simulation::Conditions& conditions);
+    void add_loads(const ConditionMarks& marks, const simulation::Conditions& conditions);
+    void add_load_kind(const ConditionMarks& marks, LoadMark::Kind kind, std::string words);
+    void place_entries(double width);
+    void draw_mark(SvgCanvas& canvas, const Entry& entry, const geometry::Point2& place) const;
+
+    double text_;  ///< height of the text, metres
     std::vector<Entry> entries_;
+    int lines_ = 0;
 };
 
 }  // namespace fretwork::exports::detail

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace fretwork::exports::detail {
 namespace {
@@ -21,20 +22,19 @@ using simulation::Surface;
 /// The surface with what is drawn on it, and the part of the plane that this takes.
 struct Subject {
     Projection projection;
-    std::vector<SupportMark> supports;
-    std::vector<LoadMark> loads;
+    ConditionMarks marks;
     Box box;
 };
 
 Subject make_subject(const Surface& surface, const Conditions* conditions, const Projection& projection,
                      double reach) {
-    Subject subject{projection, {}, {}, {}};
+    Subject subject{projection, {}, {}};
     std::vector<Point2> points = projection.all(surface.tessellation.vertices);
-    if (conditions != nullptr) {
-        subject.supports = support_marks(surface, *conditions, projection);
-        subject.loads = load_marks(surface, *conditions, projection, reach);
-    }
-    for (const LoadMark& mark : subject.loads) {
+    if (conditions != nullptr)
+        subject.marks = {support_marks(surface, *conditions, projection),
+                         prescribed_marks(surface, *conditions, projection),
+                         load_marks(surface, *conditions, projection, reach)};
+    for (const LoadMark& mark : subject.marks.loads) {
         points.push_back(mark.from);
         points.push_back(mark.to);
     }
@@ -68,14 +68,29 @@ std::vector<LoadMark> few_of(std::vector<LoadMark> marks) {
     return few;
 }
 
+/// Forces and moments are thinned out each for themselves, so that no kind is lost.
+std::vector<LoadMark> few_of_each_kind(const std::vector<LoadMark>& marks) {
+    std::vector<LoadMark> few;
+    for (const LoadMark::Kind kind : {LoadMark::Kind::Force, LoadMark::Kind::Moment}) {
+        std::vector<LoadMark> of_kind;
+        std::ranges::copy_if(marks, std::back_inserter(of_kind),
+                             [kind](const LoadMark& mark) { return mark.kind == kind; });
+        std::ranges::move(few_of(std::move(of_kind)), std::back_inserter(few));
+    }
+    return few;
+}
+
 void draw_subject(SvgCanvas& canvas, const Surface& surface, const Subject& subject) {
     draw_tiles(canvas, surface, subject.projection);
     draw_beams(canvas, surface, subject.projection);
     canvas.layer("loads");
-    for (const LoadMark& mark : subject.loads) draw_load(canvas, mark);
+    for (const LoadMark& mark : subject.marks.loads) draw_load(canvas, mark);
     canvas.layer("supports");
     const double radius = 0.16 * tiling::mean_tile_side(surface.tessellation);
-    for (const SupportMark& mark : subject.supports) draw_support(canvas, mark, radius);
+    for (const SupportMark& mark : subject.marks.supports) draw_support(canvas, mark, radius);
+    if (subject.marks.prescribed.empty()) return;
+    canvas.layer("prescribed displacements");
+    for (const Point2& place : subject.marks.prescribed) draw_prescribed(canvas, place, radius);
 }
 
 }  // namespace
@@ -86,17 +101,16 @@ SvgCanvas surface_panel(const Surface& surface, const Conditions* conditions, co
     const double text = text_height(subject.box.width());
     const double width = subject.box.width() - 2.0 * text;
     const PatternLegend patterns(surface, width, text);
-    const ConditionLegend marks(subject.supports, subject.loads,
-                                conditions != nullptr ? *conditions : Conditions{});
+    const ConditionLegend marks(subject.marks, conditions, subject.box.width());
     const double marks_top = subject.box.ymin - text - patterns.height() - 3.0 * text;
     Box box = subject.box;
-    box.ymin = marks_top - marks.height(width, text) - text;
+    box.ymin = marks_top - marks.height() - text;
     SvgCanvas canvas(box, 1.0);
     draw_subject(canvas, surface, subject);
     draw_labels(canvas, surface, labels);
     const double left = box.xmin + text;
     patterns.draw(canvas, {left, subject.box.ymin - text});
-    if (conditions != nullptr) marks.draw(canvas, {left, marks_top}, width, text);
+    if (conditions != nullptr) marks.draw(canvas, {left, marks_top - text});
     canvas.layer("scale");
     const double foot = marks_top + 0.9 * text;
     draw_scale_bar(canvas, {left, foot}, text);
@@ -138,15 +152,14 @@ SvgCanvas reduced_panel(const Surface& surface, const LineSet& beams, double tex
 SvgCanvas setup_panel(const Surface& surface, const Conditions& conditions, const ViewOptions& view) {
     Subject subject = make_subject(surface, &conditions, Projection(view),
                                    2.5 * tiling::mean_tile_side(surface.tessellation));
-    subject.loads = few_of(std::move(subject.loads));
+    subject.marks.loads = few_of_each_kind(subject.marks.loads);
     const double text = text_height(subject.box.width());
-    const double width = subject.box.width() - 2.0 * text;
-    const ConditionLegend marks(subject.supports, subject.loads, conditions);
+    const ConditionLegend marks(subject.marks, &conditions, subject.box.width());
     Box box = subject.box;
-    box.ymin -= marks.height(width, text) + text;
+    box.ymin -= marks.height() + text;
     SvgCanvas canvas(box, 1.0);
     draw_subject(canvas, surface, subject);
-    marks.draw(canvas, {box.xmin + text, subject.box.ymin - 0.5 * text}, width, text);
+    marks.draw(canvas, {box.xmin + text, subject.box.ymin - 1.5 * text});
     return canvas;
 }
 

@@ -7,8 +7,10 @@
 #include <fretwork/tiling/painting/tile_choice.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace fretwork::exports::detail {
 namespace {
@@ -19,6 +21,7 @@ using simulation::Surface;
 
 constexpr const char* kForceColour = "#20419a";
 constexpr const char* kMomentColour = "#7b3294";
+constexpr const char* kPrescribedColour = "#b2451f";
 
 /// The row of an interface node: these are the first nodes of every model.
 Point2 node_place(const Surface& surface, mechanics::NodeIndex node) {
@@ -147,25 +150,34 @@ std::vector<SupportMark> support_marks(const Surface& surface, const Conditions&
     return marks;
 }
 
-std::vector<mechanics::NodalLoad> loads_by_node(const Conditions& conditions) {
-    std::map<std::int32_t, mechanics::NodalLoad> sums;
+std::vector<Point2> prescribed_marks(const Surface& surface, const Conditions& conditions,
+                                     const Projection& projection) {
+    std::set<mechanics::NodeIndex> nodes;
+    for (const mechanics::PrescribedDisplacement& entry : conditions.prescribed) nodes.insert(entry.node);
+    std::vector<Point2> places;
+    for (const mechanics::NodeIndex node : nodes) places.push_back(projection(node_place(surface, node)));
+    return places;
+}
+
+std::vector<mechanics::NodalLoad> loads_of_nodes(const Conditions& conditions) {
+    std::map<mechanics::NodeIndex, mechanics::NodalLoad> sums;
     for (const mechanics::NodalLoad& load : conditions.loads) {
         mechanics::NodalLoad& sum =
-            sums.try_emplace(load.node.value, mechanics::NodalLoad{load.node}).first->second;
+            sums.try_emplace(load.node, mechanics::NodalLoad{load.node}).first->second;
         sum.force += load.force;
         sum.moment += load.moment;
     }
     std::vector<mechanics::NodalLoad> loads;
-    for (const auto& [node, load] : sums) loads.push_back(load);
+    for (const auto& [node, sum] : sums) loads.push_back(sum);
     return loads;
 }
 
 std::vector<LoadMark> load_marks(const Surface& surface, const Conditions& conditions,
                                  const Projection& projection, double reach) {
     using Kind = LoadMark::Kind;
-    const std::vector<mechanics::NodalLoad> loads = loads_by_node(conditions);
     double largest_force = 0.0;
     double largest_moment = 0.0;
+    const std::vector<mechanics::NodalLoad> loads = loads_of_nodes(conditions);
     for (const mechanics::NodalLoad& load : loads) {
         largest_force = std::max(largest_force, load.force.norm());
         largest_moment = std::max(largest_moment, load.moment.norm());
@@ -184,6 +196,14 @@ std::vector<LoadMark> load_marks(const Surface& surface, const Conditions& condi
 
 void draw_support(SvgCanvas& canvas, const SupportMark& mark, double radius) {
     canvas.ball(mark.place, radius, mark.colour);
+}
+
+void draw_prescribed(SvgCanvas& canvas, const Point2& place, double radius) {
+    const std::array<Point2, 4> corners = {{{place.x, place.y - radius},
+                                            {place.x + radius, place.y},
+                                            {place.x, place.y + radius},
+                                            {place.x - radius, place.y}}};
+    canvas.polygon(corners, {kPrescribedColour, "#ffffff", 0.15 * radius, 1.0});
 }
 
 void draw_load(SvgCanvas& canvas, const LoadMark& mark) {

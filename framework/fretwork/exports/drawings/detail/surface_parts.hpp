@@ -29,6 +29,14 @@ std::vector<SupportMark> support_marks(const simulation::Surface& surface,
                                        const simulation::Conditions& conditions,
                                        const Projection& projection);
 
+/// The nodes with prescribed displacements or rotations, each once.
+std::vector<geometry::Point2> prescribed_marks(const simulation::Surface& surface,
+                                               const simulation::Conditions& conditions,
+                                               const Projection& projection);
+
+/// The force and the moment on each node: all loads on it added up, with its shares of the weight.
+std::vector<mechanics::NodalLoad> loads_of_nodes(const simulation::Conditions& conditions);
+
 /// A force or a moment as it is drawn: an arrow, or, where it would point at the viewer or away, a ring.
 struct LoadMark {
     enum class Kind { Force, Moment };
@@ -39,8 +47,6 @@ struct LoadMark {
     geometry::Point2 to;    ///< head
     double size = 0.0;      ///< of the arrow in space, metres
 };
-/// The loads of a case with those on one node added up, by the nodes' numbers.
-std::vector<mechanics::NodalLoad> loads_by_node(const simulation::Conditions& conditions);
 /// Marks for the loads of all nodes, the largest force and the largest moment as large as `reach`. A force
 /// that comes from above or lies in the plane ends at its node; one that goes up starts there. A moment has
 /// its node in the middle.
@@ -48,6 +54,8 @@ std::vector<LoadMark> load_marks(const simulation::Surface& surface, const simul
                                  const Projection& projection, double reach);
 
 void draw_support(SvgCanvas& canvas, const SupportMark& mark, double radius);
+/// A diamond.
+void draw_prescribed(SvgCanvas& canvas, const geometry::Point2& place, double radius);
 void draw_load(SvgCanvas& canvas, const LoadMark& mark);
 
 }  // namespace fretwork::exports::detail
