@@ -67,12 +67,14 @@ export const prescribedMarks = computed<PrescribedMark[]>(() =>
 );
 
 export const size = ([x, y, z]: Vector): number => Math.hypot(x, y, z);
+/** What a load has of the two; the colours are named alike. */
+export const loadKinds = (mark: Pick<LoadMark, 'force' | 'moment'>): ('force' | 'moment')[] => (['force', 'moment'] as const).filter((kind) => size(mark[kind]) > 0);
 export const hasGravity = computed(() => size(loadCase.value?.gravity ?? [0, 0, 0]) > 0);
 export const isHeld = computed(() => heldNodes.value.length > 0);
 export const isLoaded = computed(
   () =>
     hasGravity.value ||
     (loadCase.value?.combines ?? []).length > 0 ||
-    loadMarks.value.some(({ force, moment }) => size(force) > 0 || size(moment) > 0) ||
+    loadMarks.value.some((mark) => loadKinds(mark).length > 0) ||
     prescribedMarks.value.some(({ value }) => value !== 0),
 );

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { beforeEach, describe, expect, it } from 'vitest';
-import { hasGravity, heldNodes, holdKind, isHeld, isLoaded, loadMarks, prescribedMarks } from '../../src/document/marks';
+import { hasGravity, heldNodes, holdKind, isHeld, isLoaded, loadKinds, loadMarks, prescribedMarks } from '../../src/document/marks';
 import { documentNow } from '../../src/document/store';
 import type { Marks } from '../../src/protocol/messages';
 import { documentWith } from './document_of_tests';
@@ -41,6 +41,12 @@ describe('what acts', () => {
     documentNow.value = documentWith({ name: 'none', loads: [{ nodes: [3], force: [0, 0, 0] }], gravity: [0, 0, 0], marks: { supports: [], loads: [share([0, 0, 0])], prescribed: [] } });
     expect(isLoaded.value).toBe(false);
     expect(hasGravity.value).toBe(false);
+  });
+  it('may be a force, a moment, or both', () => {
+    expect([loadKinds({ force: [0, 0, 1], moment: [0, 0, 0] }), loadKinds({ force: [0, 0, 0], moment: [0, 2, 0] })]).toEqual([['force'], ['moment']]);
+    expect(loadKinds({ force: [1, 0, 0], moment: [0, 2, 0] })).toEqual(['force', 'moment']);
+    documentNow.value = documentWith({ name: 'turn', loads: [{ nodes: [3], moment: [0, 2, 0] }], marks: { supports: [], loads: [{ ...share([0, 0, 0]), moment: [0, 2, 0] }], prescribed: [] } });
+    expect(isLoaded.value).toBe(true);
   });
   it('may be a weight, another load case, or a displacement', () => {
     documentNow.value = documentWith({ name: 'weight', gravity: [0, 0, -9.81] });

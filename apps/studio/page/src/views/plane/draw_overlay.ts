@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The upper layer: what is pointed at and chosen, supports and loads. Cheap, so that it keeps up with the pointer.
 
-import { HOLD_COLOURS, heldNodes, loadMarks, prescribedMarks } from '../../document/marks';
+import { HOLD_COLOURS, heldNodes, loadKinds, loadMarks, prescribedMarks, type LoadMark } from '../../document/marks';
 import type { Surface } from '../../document/surface';
 import { patternless } from '../../document/patterns_now';
 import { liveTarget } from '../../document/target';
@@ -81,11 +81,14 @@ function drawMarks(context: Context, place: (node: number) => Point, radius: num
   const raised = themeColour('--raised');
   for (const { node, kind } of heldNodes.value) dot(context, place(node), radius, themeColour(HOLD_COLOURS[kind]), raised);
   for (const mark of loadMarks.value) {
-    for (const node of mark.nodes) arrow(context, place(node), [mark.force[0], -mark.force[1]], radius);
-    for (const node of mark.nodes) dot(context, place(node), 0.62 * radius, themeColour('--force'), raised);
+    for (const kind of loadKinds(mark)) for (const node of mark.nodes) arrow(context, place(node), [mark[kind][0], -mark[kind][1]], radius, themeColour(`--${kind}`));
+    for (const node of mark.nodes) dot(context, place(node), 0.62 * radius, loadColour(mark), raised);
   }
   for (const mark of prescribedMarks.value) for (const node of mark.nodes) diamond(context, place(node), 0.95 * radius, themeColour('--move'));
 }
+
+/** Of a load that has both, that of its force. */
+const loadColour = (mark: LoadMark): string => themeColour(`--${loadKinds(mark)[0] ?? 'force'}`);
 
 function drawRings(context: Context, surface: Surface, place: (node: number) => Point, radius: number): void {
   for (const node of selectedNodes.value) ring(context, place(node), radius + 2.5, 2);
@@ -98,7 +101,7 @@ function drawRings(context: Context, surface: Surface, place: (node: number) => 
 /** While one paints or looks, marks are there but do not cover the patterns. */
 function drawFaintMarks(context: Context, place: (node: number) => Point, radius: number): void {
   for (const { node, kind } of heldNodes.value) dot(context, place(node), radius, themeColour(HOLD_COLOURS[kind]));
-  for (const mark of loadMarks.value) for (const node of mark.nodes) dot(context, place(node), 0.6 * radius, themeColour('--force'));
+  for (const mark of loadMarks.value) for (const node of mark.nodes) dot(context, place(node), 0.6 * radius, loadColour(mark));
   for (const mark of prescribedMarks.value) for (const node of mark.nodes) diamond(context, place(node), radius, themeColour('--move'));
 }
 
@@ -146,12 +149,12 @@ function ring(context: Context, at: Point, radius: number, width: number, colour
   context.stroke();
 }
 
-/** The part of a force that lies in the plane; one out of the plane shows as the dot alone. */
-function arrow(context: Context, at: Point, [x, y]: Point, radius: number): void {
+/** The part of a force or a moment that lies in the plane; one out of the plane shows as the dot alone. */
+function arrow(context: Context, at: Point, [x, y]: Point, radius: number, colour: string): void {
   const size = Math.hypot(x, y);
   if (size === 0) return;
   const [dx, dy] = [(x / size) * radius * 4, (y / size) * radius * 4];
-  context.strokeStyle = themeColour('--force');
+  context.strokeStyle = colour;
   context.lineWidth = 2;
   context.beginPath();
   context.moveTo(at[0], at[1]);
