@@ -8,9 +8,9 @@ import { W } from '../words';
 import './help.css';
 
 const POINTER: [string, string][] = [
-  [W.help.dragInD, 'turn'],
-  [W.help.rightDragInD, 'move'],
-  [W.help.wheel, 'zoom'],
+  [W.help.dragInD, W.help.turn],
+  [W.help.rightDragInD, W.help.move],
+  [W.help.wheel, W.help.zoom],
   [W.help.dragAnArrowTip, W.help.changeTheForceShift],
   [W.help.middleDragOrSpace, W.help.panInD],
   [W.help.fingers, W.help.fingersDo],
