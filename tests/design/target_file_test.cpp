@@ -47,6 +47,20 @@ TEST(TargetFile, IsTheSameAfterWritingAndReading) {
     EXPECT_EQ(read, target);
 }
 
+TEST(TargetFile, KeepsCirclesInItsSecondFormat) {
+    std::string text = R"({"format": "fretwork/target/2", "goals": [
+        {"select": {"circle": {"center": [0.1, 0.2], "radius": 0.05}}, "displacement": [null, null, 0.01]}]})";
+    const Target target = parse_target(text, "target.json");
+    EXPECT_EQ(std::get<FormulaGoal>(target.goals[0].what).where,
+              simulation::Selection(simulation::NodesInCircle{{0.1, 0.2}, 0.05}));
+    EXPECT_THAT(target_text(target), HasSubstr("fretwork/target/2"));
+    EXPECT_EQ(parse_target(target_text(target), "again"), target);
+    text.replace(text.find("target/2"), 8, "target/1");
+    EXPECT_THAT(complaint_of([&] { (void)parse_target(text, "target.json"); }),
+                HasSubstr("no circle; fretwork/target/2 has"));
+    EXPECT_THAT(target_text(parse_target(kEveryKind, "target.json")), HasSubstr("fretwork/target/1"));
+}
+
 std::string complaint_about(const std::string& goals) {
     return complaint_of([&] {
         (void)parse_target(R"({"format": "fretwork/target/1", "goals": [)" + goals + "]}", "t.json");

@@ -81,6 +81,7 @@ FRAME = {"format": "fretwork/frame/2", "nodes": [[0, 0, 0], [1, 0, 0], [1, 1, 0]
 LOAD_CASES = {
     "cantilever": {"format": "fretwork/load-case/1", "name": "cantilever", "supports": [{"side": "left", "fixed": ["ux", "uy", "uz", "rx", "ry", "rz"]}],
                    "loads": [{"side": "right", "force": [0, 0, -0.005]}]},
+    "circle": {"format": "fretwork/load-case/4", "name": "circle", "supports": [{"circle": {"center": [0.05, 0.05], "radius": 0.03}, "fixed": ["uz"]}]},
     "hang": {"format": "fretwork/load-case/1", "name": "hang", "gravity": [0, 0, -9.81]}}
 TARGET = {"format": "fretwork/target/1", "name": "arc", "description": "half of a circle", "goals": [
     {"nodes": [0, 2], "displacements": [[None, None, 0.01], [0, 0, 0.02]], "weight": 2}, {"nodes": [1], "positions": [[0.1, 0.2, None]], "case": "hang"},

@@ -25,6 +25,11 @@ FRAME = {"format": "fretwork/frame/2", "nodes": [[0, 0, 0], [1, 0, 0]], "materia
          "beams": [{"nodes": [0, 1], "section": "s", "material": "m"}], "supports": [{"node": 0, "fixed": ["ux", "uy", "uz", "rx", "ry", "rz"]}],
          "loads": [{"node": 1, "force": [0, 0, -1]}]}
 PAINTING = {"format": "fretwork/painting/1", "layout": "paper7", "patterns": ["0-1+1-6"], "tiles": [0]}
+CIRCLE = {"circle": {"center": [0.1, 0.1], "radius": 0.05}}
+CIRCLE_CASE = {"format": "fretwork/load-case/4", "name": "push", "supports": [{**CIRCLE, "fixed": ["uz"]}], "loads": [{**CIRCLE, "force": [0, 0, -1]}, {**CIRCLE, "per_area": [0, 0, -1]}],
+               "prescribed": [{**CIRCLE, "ux": 0.001}]}
+CIRCLE_TARGET = {"format": "fretwork/target/2", "goals": [{"select": CIRCLE, "displacement": [None, None, 0.01]}]}
+CIRCLE_STAGES = {"format": "fretwork/stages/2", "stages": [{"name": "clip", "keep": [{**CIRCLE, "fixed": ["uz"]}], "free": [{**CIRCLE, "fixed": ["ux"]}], "prescribed": [{**CIRCLE, "uy": 0.001}]}]}
 STAGES = {"format": "fretwork/stages/1", "stages": [{"name": "pull", "loads": [{"load_case": "cantilever", "factor": 1}]}]}
 
 
@@ -54,7 +59,8 @@ def made_documents():
     case = str(ROOT / "experiments" / "cases" / "cantilever.json")
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        for file, document in (("frame.json", FRAME), ("painting.json", PAINTING), ("stages.json", STAGES)):
+        for file, document in (("frame.json", FRAME), ("painting.json", PAINTING), ("stages.json", STAGES),
+                               ("circle_case.json", CIRCLE_CASE), ("circle_target.json", CIRCLE_TARGET), ("circle_stages.json", CIRCLE_STAGES)):
             (folder / file).write_text(json.dumps(document))
         (folder / "square.json").write_text(json.dumps({"format": "fretwork/outline/1", "boundary": [[0, 0], [0.2, 0], [0.2, 0.2], [0, 0.2]]}))
         commands = (("solve", "frame.json", "--steps", "2", "--modes", "1", "--buckling", "1", "--out", "frame_result.json"),
@@ -95,6 +101,16 @@ class Schemas(unittest.TestCase):
         for name, document in self.documents:
             errors = [f"{'/'.join(map(str, error.absolute_path))}: {error.message}" for error in validator(kind_of(document)).iter_errors(document)]
             self.assertEqual(errors, [], name)
+
+    def test_a_circle_needs_its_format_and_a_radius(self):
+        for document in (CIRCLE_CASE, CIRCLE_TARGET, CIRCLE_STAGES):
+            check = validator(kind_of(document))
+            self.assertTrue(check.is_valid(document), document["format"])
+            kind, number = document["format"].rsplit("/", 1)
+            for older in range(1, int(number)):
+                self.assertFalse(check.is_valid({**document, "format": f"{kind}/{older}"}), f"{kind}/{older}")
+            without = json.loads(json.dumps(document).replace("0.05", "0"))
+            self.assertFalse(check.is_valid(without), "radius 0")
 
     def test_an_unknown_key_is_refused_wherever_it_stands(self):
         for name, document in self.documents:

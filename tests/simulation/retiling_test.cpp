@@ -78,7 +78,7 @@ TEST(Retiling, OnTheSameTilesNothingIsAnother) {
     }
 }
 
-/// One of each kind: by side, box, nearest points and tiles, and each by number.
+/// One of each kind: by side, box, circle, nearest points and tiles, and each by number.
 LoadCase every_kind() {
     LoadCase load_case;
     load_case.name = "every kind";
@@ -86,6 +86,7 @@ LoadCase every_kind() {
                           {NodesById{{3, 4}}, mechanics::DofSet::translations()}};
     load_case.loads = {
         {NodesInBox{{0.2, -1, 1, 1}}, {0, 0, -1}, Eigen::Vector3d::Zero(), LoadCase::Amount::Total},
+        {NodesInCircle{{0.1, 0.1}, 0.1}, {0, 0, -1}, Eigen::Vector3d::Zero(), LoadCase::Amount::Total},
         {NodesById{{9}}, {0, 0, -1}, Eigen::Vector3d::Zero(), LoadCase::Amount::Each}};
     load_case.prescribed = {{NodesNearest{{{0.3, 0.1}}}, mechanics::Dof::uz, 0.01},
                             {NodesById{{1, 2}}, mechanics::Dof::ux, 0.01},
@@ -105,7 +106,7 @@ TEST(Retiling, SelectionsByPlaceStayAndThoseByNumberGo) {
     const LoadCase& after = carried.project.load_cases.front();
     const LoadCase old = every_kind();
     EXPECT_EQ(after.supports, std::vector{old.supports.front()});
-    EXPECT_EQ(after.loads, std::vector{old.loads.front()});
+    EXPECT_EQ(after.loads, (std::vector{old.loads[0], old.loads[1]}));
     EXPECT_EQ(after.prescribed, std::vector{old.prescribed.front()});
     ASSERT_EQ(after.area_loads.size(), 1U);
     const auto& tiles = std::get<LoadCase::AreaLoad::Tiles>(after.area_loads.front().where).numbers;

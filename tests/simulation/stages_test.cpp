@@ -82,6 +82,20 @@ TEST(Stages, AreReadBackFromTheirTextAsTheyWere) {
     EXPECT_TRUE(again[3].free[0].fixed.contains[3]);
 }
 
+TEST(Stages, KeepCirclesInTheirSecondFormat) {
+    const auto text_of_format = [](const char* format) {
+        return std::string(R"({"format": "fretwork/stages/)") + format +
+               R"(", "stages": [{"name": "clip",
+            "keep": [{"circle": {"center": [0.1, 0.2], "radius": 0.05}, "fixed": ["uz"]}]}]})";
+    };
+    const auto stages = parse_stages(text_of_format("2"), "stages.json");
+    EXPECT_EQ(stages[0].keep[0].where, Selection(NodesInCircle{{0.1, 0.2}, 0.05}));
+    EXPECT_THAT(stages_text(stages), HasSubstr("fretwork/stages/2"));
+    EXPECT_EQ(stages_text(parse_stages(stages_text(stages), "again")), stages_text(stages));
+    EXPECT_THAT(complaint_of([&] { (void)parse_stages(text_of_format("1"), "stages.json"); }),
+                HasSubstr("no circle; fretwork/stages/2 has"));
+}
+
 TEST(Stages, NameThePlaceOfAWrongEntry) {
     const auto complaint = [](const char* stage) {
         return complaint_of([&] {

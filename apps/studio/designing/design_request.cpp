@@ -22,7 +22,7 @@ constexpr const char* kFirstPalette = "sample:64";
 /// Formats are of files: a message has the newest one.
 design::Target read_target(const JsonReader& json) {
     base::Json value = base::Json::parse(json.text());
-    if (value.is_object() && !value.contains("format")) value["format"] = "fretwork/target/1";
+    if (value.is_object() && !value.contains("format")) value["format"] = design::kTargetFormat;
     return base::located(kMessageSource, "/target", [&] { return design::parse_target(value.dump(), ""); });
 }
 

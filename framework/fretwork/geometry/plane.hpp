@@ -73,4 +73,12 @@ inline double perimeter(const Polygon& polygon) {
     return sum;
 }
 
+/// A circle with its inside.
+struct Circle {
+    Point2 center;        ///< m
+    double radius = 0.0;  ///< m
+    /// True for a point inside the circle or on it.
+    [[nodiscard]] bool contains(Point2 point) const { return distance(center, point) <= radius; }
+};
+
 }  // namespace fretwork::geometry

@@ -41,20 +41,31 @@ Json stage_json(const LoadStage& stage) {
     return json;
 }
 
+bool has_circle(const LoadStage& stage) {
+    const auto on_circle = [](const auto& entry) { return is_circle(entry.where); };
+    return std::ranges::any_of(stage.prescribed, on_circle) || std::ranges::any_of(stage.keep, on_circle) ||
+           std::ranges::any_of(stage.free, on_circle);
+}
+
 }  // namespace
 
 std::vector<LoadStage> parse_stages(std::string_view text, const std::string& source) {
     const JsonReader json = JsonReader::from_text(text, source);
-    json.expect_format("stages");
+    json.expect_format("stages", 2);
     json.allow_only({"format", "stages"});
     std::vector<LoadStage> stages;
     for (const JsonReader& stage : json.at("stages").elements()) stages.push_back(read_stage(stage));
     if (stages.empty()) json.at("stages").fail("is empty, where at least one stage is needed");
+    if (json.at("format").string() == "fretwork/stages/1" && std::ranges::any_of(stages, has_circle))
+        json.fail("is of fretwork/stages/1, which has no circle; fretwork/stages/2 has");
     return stages;
 }
 
 std::string stages_text(std::span<const LoadStage> stages) {
-    Json json = {{"format", "fretwork/stages/1"}, {"stages", Json::array()}};
+    // Older programs read all but circles.
+    const bool is_second = std::ranges::any_of(stages, has_circle);
+    Json json = {{"format", is_second ? "fretwork/stages/2" : "fretwork/stages/1"},
+                 {"stages", Json::array()}};
     for (const LoadStage& stage : stages) json["stages"].push_back(stage_json(stage));
     return base::json_text(json);
 }

@@ -42,7 +42,8 @@ struct LoadStage {
 ///         { "name": "push",   "prescribed": [{ "nearest": [[0.1, 0.2]], "uz": -0.01 }] },
 ///         { "name": "let go", "free": [{ "side": "right", "fixed": ["uz"] }] } ] }
 ///
-/// Nodes are selected as in load cases. Throws InputError with source and place.
+/// Nodes are selected as in load cases; by a circle only in the format "fretwork/stages/2". Throws InputError
+/// with source and place.
 std::vector<LoadStage> parse_stages(std::string_view text, const std::string& source);
 /// The text of a file of load stages.
 std::string stages_text(std::span<const LoadStage> stages);

@@ -6,6 +6,7 @@
 #include <fretwork/design/target/target_file.hpp>
 #include <fretwork/simulation/internal/load_case_json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -76,7 +77,7 @@ FormulaGoal read_formula_goal(const simulation::Selection& where, const JsonRead
 
 void read_selected_goal(const JsonReader& json, Goal& goal) {
     const JsonReader select = json.at("select");
-    select.allow_only({"nodes", "box", "nearest", "side"});
+    select.allow_only(simulation::kSelectionKeys);
     const simulation::Selection where = simulation::read_selection(select);
     const auto displacement = json.find("displacement");
     const auto surface = json.find("surface");
@@ -109,14 +110,28 @@ Goal read_goal(const JsonReader& json) {
     return goal;
 }
 
+/// True if a goal selects nodes by a circle, which the first format does not have.
+bool has_circle(const Target& target) {
+    const auto is_on_circle = [](const auto& what) {
+        if constexpr (requires { what.where; })
+            return simulation::is_circle(what.where);
+        else
+            return false;
+    };
+    return std::ranges::any_of(target.goals,
+                               [&](const Goal& goal) { return std::visit(is_on_circle, goal.what); });
+}
+
 Target read_target_json(const JsonReader& json) {
-    json.expect_format("target");
+    json.expect_format("target", 2);
     json.allow_only({"format", "name", "description", "goals"});
     Target target;
     if (const auto name = json.find("name")) target.name = name->string();
     if (const auto description = json.find("description")) target.description = description->string();
     for (const JsonReader& goal : json.at("goals").elements()) target.goals.push_back(read_goal(goal));
     if (target.goals.empty()) json.at("goals").fail("is empty, where at least one goal is needed");
+    if (json.at("format").string() != kTargetFormat && has_circle(target))
+        json.fail("is of fretwork/target/1, which has no circle; fretwork/target/2 has");
     return target;
 }
 
@@ -184,7 +199,8 @@ Target parse_target(std::string_view text, const std::string& source) {
 std::string target_text(const Target& target) {
     Json goals = Json::array();
     for (const Goal& goal : target.goals) goals.push_back(goal_json(goal));
-    return base::json_text({{"format", "fretwork/target/1"},
+    // Older programs read all but circles.
+    return base::json_text({{"format", has_circle(target) ? kTargetFormat : "fretwork/target/1"},
                             {"name", target.name},
                             {"description", target.description},
                             {"goals", goals}});

@@ -7,7 +7,10 @@
 
 namespace fretwork::design {
 
-/// Parse a target in the format "fretwork/target/1", which README.md describes. Throws InputError with source
+/// The newest format of target files, which can express every target.
+inline constexpr std::string_view kTargetFormat = "fretwork/target/2";
+
+/// Parse a target in a format up to kTargetFormat, which README.md describes. Throws InputError with source
 /// and JSON pointer.
 Target parse_target(std::string_view text, const std::string& source);
 /// The text of a target. Paths of meshes are written unchanged.

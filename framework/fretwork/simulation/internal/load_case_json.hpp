@@ -9,6 +9,8 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 namespace fretwork::simulation {
@@ -19,10 +21,18 @@ inline const char* side_name(Side side) {
     return kSideNames[static_cast<std::size_t>(side)];
 }
 
+/// The keys by which an entry selects interface nodes.
+inline constexpr std::array<std::string_view, 5> kSelectionKeys = {"nodes", "box", "circle", "nearest",
+                                                                   "side"};
+/// True if the selection has a key that the first formats of load cases, targets and stages do not know.
+inline bool is_circle(const Selection& selection) {
+    return std::holds_alternative<NodesInCircle>(selection);
+}
+
 /// Read a load case as it stands in its own file. Throws InputError with the JSON pointer.
 LoadCase read_load_case(const base::JsonReader& json);
-/// Read a selection of interface nodes as the entries of a load case hold it: exactly one of nodes, box,
-/// nearest, side. Other keys are the caller's to refuse. Throws InputError with the JSON pointer.
+/// Read a selection of interface nodes as the entries of a load case hold it: exactly one of
+/// kSelectionKeys. Other keys are the caller's to refuse. Throws InputError with the JSON pointer.
 Selection read_selection(const base::JsonReader& json);
 /// Add the key of a selection to an entry.
 void write_selection(const Selection& selection, base::Json& json);

@@ -50,6 +50,12 @@ NodesInBox read_box(const JsonReader& json) {
     return {{box[0], box[1], box[2], box[3]}};
 }
 
+NodesInCircle read_circle(const JsonReader& json) {
+    json.allow_only({"center", "radius"});
+    const std::vector<double> center = json.at("center").numbers(2);
+    return {{center[0], center[1]}, json.at("radius").positive_number()};
+}
+
 NodesNearest read_nearest(const JsonReader& json) {
     NodesNearest selection;
     for (const JsonReader& point : json.elements()) {
@@ -71,13 +77,15 @@ NodesAtSide read_side(const JsonReader& json) {
 Selection read_selection(const JsonReader& json) {
     const auto nodes = json.find("nodes");
     const auto box = json.find("box");
+    const auto circle = json.find("circle");
     const auto nearest = json.find("nearest");
     const auto side = json.find("side");
-    if (nodes.has_value() + box.has_value() + nearest.has_value() + side.has_value() != 1) {
-        json.fail("picks its nodes by exactly one of nodes, box, nearest, side");
-    }
+    const auto has_key = [&](std::string_view key) { return json.find(key).has_value(); };
+    if (std::ranges::count_if(kSelectionKeys, has_key) != 1)
+        json.fail("picks its nodes by exactly one of nodes, box, circle, nearest, side");
     if (nodes) return read_ids(*nodes);
     if (box) return read_box(*box);
+    if (circle) return read_circle(*circle);
     if (nearest) return read_nearest(*nearest);
     return read_side(*side);
 }
@@ -85,6 +93,8 @@ Selection read_selection(const JsonReader& json) {
 void write_selection(const Selection& selection, Json& json) {
     if (const auto* ids = std::get_if<NodesById>(&selection)) json["nodes"] = ids->ids;
     if (const auto* box = std::get_if<NodesInBox>(&selection)) json["box"] = box->box;
+    if (const auto* circle = std::get_if<NodesInCircle>(&selection))
+        json["circle"] = {{"center", {circle->center.x, circle->center.y}}, {"radius", circle->radius}};
     if (const auto* side = std::get_if<NodesAtSide>(&selection)) json["side"] = side_name(side->side);
     if (const auto* nearest = std::get_if<NodesNearest>(&selection)) {
         for (const geometry::Point2& point : nearest->points) json["nearest"].push_back({point.x, point.y});
@@ -104,9 +114,9 @@ std::optional<Dof> dof_of(const std::string& name) {
 void allow_beside_selection(const JsonReader& json, std::initializer_list<std::string_view> own) {
     if (json.find("select"))
         json.fail(
-            "has \"select\", which goals of targets have: an entry of a load case has nodes, box, nearest or "
-            "side itself");
-    std::vector<std::string_view> keys{"nodes", "box", "nearest", "side"};
+            "has \"select\", which goals of targets have: an entry of a load case has nodes, box, circle, "
+            "nearest or side itself");
+    std::vector<std::string_view> keys(kSelectionKeys.begin(), kSelectionKeys.end());
     keys.insert(keys.end(), own);
     json.allow_only(keys);
 }
@@ -236,6 +246,18 @@ std::vector<JsonReader> elements_of(const JsonReader& json, std::string_view key
     return list ? list->elements() : std::vector<JsonReader>{};
 }
 
+bool needs_fourth_format(const LoadCase& load_case) {
+    const auto on_circle = [](const auto& entry) { return is_circle(entry.where); };
+    const auto area_on_circle = [](const LoadCase::AreaLoad& load) {
+        const auto* where = std::get_if<Selection>(&load.where);
+        return where != nullptr && is_circle(*where);
+    };
+    return std::ranges::any_of(load_case.supports, on_circle) ||
+           std::ranges::any_of(load_case.loads, on_circle) ||
+           std::ranges::any_of(load_case.prescribed, on_circle) ||
+           std::ranges::any_of(load_case.area_loads, area_on_circle);
+}
+
 bool needs_third_format(const LoadCase& load_case) {
     return std::ranges::any_of(load_case.loads, [](const LoadCase::Load& load) {
         return load.amount == LoadCase::Amount::PerLength;
@@ -244,6 +266,28 @@ bool needs_third_format(const LoadCase& load_case) {
 
 bool needs_second_format(const LoadCase& load_case) {
     return !load_case.area_loads.empty() || !load_case.combines.empty();
+}
+
+/// A format of load cases, and what the formats before it lack.
+struct FormatOfCase {
+    std::string_view name;
+    std::string_view lacking;
+};
+
+FormatOfCase oldest_format(const LoadCase& load_case) {
+    if (needs_fourth_format(load_case)) return {"fretwork/load-case/4", "no circle"};
+    if (needs_third_format(load_case)) return {"fretwork/load-case/3", "no per_length"};
+    if (needs_second_format(load_case)) return {"fretwork/load-case/2", "neither per_area nor combines"};
+    return {"fretwork/load-case/1", ""};
+}
+
+/// The formats' names are in the order of their numbers, which have one digit.
+void check_format(const JsonReader& json, const LoadCase& load_case) {
+    const std::string format = json.at("format").string();
+    const FormatOfCase needed = oldest_format(load_case);
+    if (format >= needed.name) return;
+    json.fail("is of " + format + ", which has " + std::string(needed.lacking) + "; " +
+              std::string(needed.name) + " has");
 }
 
 }  // namespace
@@ -269,7 +313,7 @@ Json prescribed_json(std::span<const LoadCase::PrescribedDisplacement> prescribe
 }
 
 LoadCase read_load_case(const JsonReader& json) {
-    json.expect_format("load-case", 3);
+    json.expect_format("load-case", 4);
     json.allow_only(
         {"format", "name", "description", "supports", "loads", "prescribed", "gravity", "combines"});
     LoadCase load_case;
@@ -289,21 +333,14 @@ LoadCase read_load_case(const JsonReader& json) {
     load_case.gravity = read_vector(json.find("gravity"), base::kAccelerationLimits);
     for (const JsonReader& share : elements_of(json, "combines"))
         load_case.combines.push_back(read_share(share));
-    if (json.at("format").string() == "fretwork/load-case/1" && needs_second_format(load_case))
-        json.fail(
-            "is of fretwork/load-case/1, which has neither per_area nor combines; fretwork/load-case/2 has");
-    if (json.at("format").string() != "fretwork/load-case/3" && needs_third_format(load_case))
-        json.fail("is of " + json.at("format").string() +
-                  ", which has no per_length; fretwork/load-case/3 has");
+    check_format(json, load_case);
     return load_case;
 }
 
 Json load_case_json(const LoadCase& load_case) {
     Json json;
     // A load case that the first format can express is written in it: other programs read it.
-    json["format"] = needs_third_format(load_case)    ? "fretwork/load-case/3"
-                     : needs_second_format(load_case) ? "fretwork/load-case/2"
-                                                      : "fretwork/load-case/1";
+    json["format"] = oldest_format(load_case).name;
     json["name"] = load_case.name;
     json["description"] = load_case.description;
     json["supports"] = supports_json(load_case.supports);

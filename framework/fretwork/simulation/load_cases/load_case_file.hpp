@@ -10,7 +10,7 @@
 namespace fretwork::simulation {
 
 /// The newest format of load case files, which can express every load case.
-inline constexpr std::string_view kLoadCaseFormat = "fretwork/load-case/3";
+inline constexpr std::string_view kLoadCaseFormat = "fretwork/load-case/4";
 
 /// Parse a load case. Throws InputError with source and JSON pointer.
 LoadCase parse_load_case(std::string_view text, const std::string& source);

@@ -31,6 +31,10 @@ struct SelectionText {
         return "box " + geometry::place_text({in.box[0], in.box[1]}) + " to " +
                geometry::place_text({in.box[2], in.box[3]});
     }
+    std::string operator()(const NodesInCircle& in) const {
+        return "circle of radius " + geometry::short_number(1e3 * in.radius) + " mm around " +
+               geometry::place_text(in.center);
+    }
     std::string operator()(const NodesNearest& near) const {
         return "nearest to " + geometry::place_text(near.points.front()) +
                (near.points.size() > 1 ? " and others" : "");

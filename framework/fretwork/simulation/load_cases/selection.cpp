@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/geometry/plane.hpp>
 #include <fretwork/simulation/load_cases/selection.hpp>
 
 #include <algorithm>
@@ -79,6 +80,21 @@ class Picker {
         if (picked.empty()) {
             throw base::InputError("no interface node lies in the box from " +
                                    exact_place_text({xmin, ymin}) + " to " + exact_place_text({xmax, ymax}));
+        }
+        return picked;
+    }
+
+    std::vector<InterfaceIndex> operator()(const NodesInCircle& selection) const {
+        if (!(selection.radius > 0.0) || !std::isfinite(selection.radius))
+            throw base::InputError("the radius of the circle is " + base::format_number(selection.radius) +
+                                   ", where a length above 0 m is needed");
+        const geometry::Circle circle{selection.center, selection.radius};
+        auto picked = nodes_where(
+            tessellation_, [&](std::size_t i) { return circle.contains(tessellation_.interface_nodes[i]); });
+        if (picked.empty()) {
+            throw base::InputError("no interface node lies in the circle of radius " +
+                                   base::format_number(selection.radius) + " m around " +
+                                   exact_place_text(selection.center));
         }
         return picked;
     }

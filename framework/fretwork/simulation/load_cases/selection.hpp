@@ -27,6 +27,12 @@ struct NodesInBox {
     std::array<double, 4> box{};  ///< xmin, ymin, xmax, ymax, m
     friend bool operator==(const NodesInBox&, const NodesInBox&) = default;
 };
+/// All interface nodes in a circle, whose line belongs to the circle.
+struct NodesInCircle {
+    geometry::Point2 center;  ///< m
+    double radius = 0.0;      ///< above zero, m
+    friend bool operator==(const NodesInCircle&, const NodesInCircle&) = default;
+};
 /// The interface nodes nearest to given points, one for each point.
 struct NodesNearest {
     std::vector<geometry::Point2> points;  ///< m
@@ -38,10 +44,10 @@ struct NodesAtSide {
     friend bool operator==(const NodesAtSide&, const NodesAtSide&) = default;
 };
 /// A selection of interface nodes for a support or a load.
-using Selection = std::variant<NodesById, NodesInBox, NodesNearest, NodesAtSide>;
+using Selection = std::variant<NodesById, NodesInBox, NodesInCircle, NodesNearest, NodesAtSide>;
 
-/// The interface nodes of a selection, ascending, each once. Throws InputError if no node is selected, or if
-/// an id is out of range.
+/// The interface nodes of a selection, ascending, each once. Throws InputError if no node is selected, if an
+/// id is out of range, or if a radius is not above zero.
 std::vector<tiling::InterfaceIndex> select_nodes(const Selection& selection,
                                                  const tiling::Tessellation& tessellation);
 
