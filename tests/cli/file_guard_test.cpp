@@ -22,12 +22,12 @@ using testing::HasSubstr;
 /// Options whose value is a text and no file. One that is in neither list is a mistake: declare it with
 /// `declare_files` if it names a file.
 const std::set<std::string> kOtherTexts = {
-    "--edges",      "--min-angle", "--max-valence", "--filter",   "--tile-side", "--beam-width",
-    "--require",    "--forbid",    "--edge-length", "--shard",    "--model",     "--optimizer",
-    "--tiles",      "--box",       "--polygon",     "--property", "--range",     "--clearance",
-    "--strength",   "--deck-for",  "name",          "new_name",   "--name",      "--problems",
-    "--optimizers", "--policy",    "--solver",      "--branch",   "--masses",    "pattern",
-    "--address",    "--part",      "--narrow",      "--scale",    "--angle",     "--command"};
+    "--edges",  "--min-angle",   "--max-valence", "--filter",   "--tile-side",  "--beam-width", "--require",
+    "--forbid", "--edge-length", "--shard",       "--model",    "--optimizer",  "--tiles",      "--box",
+    "--circle", "--polygon",     "--property",    "--range",    "--clearance",  "--strength",   "--deck-for",
+    "name",     "new_name",      "--name",        "--problems", "--optimizers", "--policy",     "--solver",
+    "--branch", "--masses",      "pattern",       "--address",  "--part",       "--narrow",     "--scale",
+    "--angle",  "--command"};
 
 /// The --patterns of these verbs may be a file.
 bool takes_painting(const CLI::App& verb) {

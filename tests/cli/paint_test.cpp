@@ -6,6 +6,7 @@
 #include <fretwork/simulation/project/project_file.hpp>
 #include <fretwork/tiling/painting/tile_choice.hpp>
 
+#include <algorithm>
 #include <map>
 
 namespace fretwork::app {
@@ -137,6 +138,26 @@ TEST_F(PaintCommand, NumbersOfABoxArePartedByCommasOrBlanks) {
     for (const std::string box : {"0,0,1,1", "'0,0 1,1'", "'0 0 1 1'"}) {
         const Outcome painted = run("fretwork paint p.json --patterns 0-5+5-6 --box " + box);
         EXPECT_EQ(painted.exit_code, 0) << box << painted.err;
+    }
+}
+
+TEST_F(PaintCommand, ACircleTakesTheTilesWhoseMiddleLiesInIt) {
+    const Outcome painted = run("fretwork paint p.json --patterns 0-5+5-6 --circle 60mm,50mm,40mm");
+    ASSERT_EQ(painted.exit_code, 0) << painted.err;
+    const auto centers = tiling::tile_centers(project().tessellation);
+    const auto list = patterns();
+    for (const tiling::TileIndex tile : centers.indices()) {
+        const double dx = centers[tile].x - 0.06;
+        const double dy = centers[tile].y - 0.05;
+        EXPECT_EQ(list[static_cast<std::size_t>(tile.value)] == "0-5+5-6", dx * dx + dy * dy <= 0.04 * 0.04)
+            << tile.value;
+    }
+    EXPECT_GT(std::ranges::count(list, std::string("0-5+5-6")), 0);
+    for (const std::string bad : {"0,0", "0,0,0", "0,0,-10mm", "0,0,nan", "0,0,1,1"}) {
+        const Outcome refused = run("fretwork paint p.json --patterns 0-5+5-6 --circle " + bad);
+        EXPECT_EQ(refused.exit_code, 2) << bad;
+        EXPECT_THAT(refused.err, AllOf(testing::StartsWith("fretwork: "), HasSubstr("--circle"))) << bad;
+        EXPECT_EQ(std::ranges::count(refused.err, '\n'), 1) << refused.err;
     }
 }
 

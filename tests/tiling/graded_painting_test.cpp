@@ -182,6 +182,8 @@ TEST(TileChoice, NumbersAndRangesAreTilesOnce) {
 TEST(TileChoice, ATileLiesWhereItsMiddleDoes) {
     const Tessellation row = row_of_squares(4);
     EXPECT_THAT(tiles_in(geometry::Box{0.6, 0, 2.5, 1}, row), ElementsAre(1, 2));
+    EXPECT_THAT(tiles_in(geometry::Circle{{1, 0.5}, 0.6}, row), ElementsAre(0, 1));
+    EXPECT_TRUE(tiles_in(geometry::Circle{{1, 0.5}, 0.4}, row).empty());
     EXPECT_THAT(tiles_in(geometry::Polygon{{0, 0}, {2, 0}, {2, 1}, {0, 1}}, row), ElementsAre(0, 1));
     EXPECT_THAT(tiles_in(geometry::Polygon{{0, 1}, {2, 1}, {2, 0}, {0, 0}}, row), ElementsAre(0, 1))
         << "clockwise means the same";

@@ -33,6 +33,7 @@ struct PaintOptions {
     std::string library;
     std::vector<std::string> tiles;
     std::vector<std::string> boxes;
+    std::vector<std::string> circles;
     std::vector<std::string> polygons;
     typed::PaintingText painting;
     int turn = 0;
@@ -61,6 +62,16 @@ geometry::Box parse_box(const std::string& text) {
             throw base::InputError("'" + text + "' is not a box: its " + name +
                                    " is less than its minimum (XMIN,YMIN,XMAX,YMAX)");
     return {sides[0], sides[1], sides[2], sides[3]};
+}
+
+geometry::Circle parse_circle(const std::string& text) {
+    const auto lengths = parse_lengths(text);
+    if (lengths.size() != 3)
+        throw base::InputError("'" + text +
+                               "' is not a circle: expected X,Y,RADIUS, such as 100mm,50mm,20mm");
+    if (!(lengths[2] > 0.0))
+        throw base::InputError("'" + text + "' is not a circle: its RADIUS is not above zero (X,Y,RADIUS)");
+    return {{lengths[0], lengths[1]}, lengths[2]};
 }
 
 geometry::Polygon parse_polygon(const std::string& text) {
@@ -92,9 +103,12 @@ std::vector<TileIndex> chosen_tiles(const PaintOptions& options, const tiling::T
               [&](const std::string& text) { return tiling::parse_tiles(text, tessellation); });
     add_tiles(chosen, "--box", options.boxes,
               [&](const std::string& text) { return tiling::tiles_in(parse_box(text), tessellation); });
+    add_tiles(chosen, "--circle", options.circles,
+              [&](const std::string& text) { return tiling::tiles_in(parse_circle(text), tessellation); });
     add_tiles(chosen, "--polygon", options.polygons,
               [&](const std::string& text) { return tiling::tiles_in(parse_polygon(text), tessellation); });
-    if (options.tiles.empty() && options.boxes.empty() && options.polygons.empty()) {
+    if (options.tiles.empty() && options.boxes.empty() && options.circles.empty() &&
+        options.polygons.empty()) {
         for (std::size_t t = 0; t < tessellation.tiles.size(); ++t) chosen.insert(TileIndex(t));
     }
     return {chosen.begin(), chosen.end()};
@@ -188,6 +202,10 @@ void add_paint(CLI::App& app, ExitCode& exit_code) {
     verb->add_option("--box", options->boxes,
                      "Tiles whose middle lies in a box, such as 0,0,100mm,50mm (repeatable)")
         ->type_name("XMIN,YMIN,XMAX,YMAX")
+        ->allow_extra_args(false);
+    verb->add_option("--circle", options->circles,
+                     "Tiles whose middle lies in a circle, such as 100mm,50mm,20mm (repeatable)")
+        ->type_name("X,Y,RADIUS")
         ->allow_extra_args(false);
     verb->add_option("--polygon", options->polygons,
                      "Tiles whose middle lies in a polygon, such as '0,0 0.1,0 0.1,0.2' (repeatable)")

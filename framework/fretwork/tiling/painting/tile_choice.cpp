@@ -63,6 +63,10 @@ std::vector<TileIndex> tiles_in(const geometry::Box& box, const Tessellation& te
     });
 }
 
+std::vector<TileIndex> tiles_in(const geometry::Circle& circle, const Tessellation& tessellation) {
+    return tiles_where(tessellation, [&](Point2 center) { return circle.contains(center); });
+}
+
 std::vector<TileIndex> tiles_in(const geometry::Polygon& polygon, const Tessellation& tessellation) {
     return tiles_where(tessellation,
                        [&](Point2 center) { return geometry::winding_number(polygon, center) != 0; });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fretwork/geometry/box.hpp>
+#include <fretwork/geometry/plane.hpp>
 #include <fretwork/tiling/tessellation.hpp>
 
 #include <string_view>
@@ -12,7 +13,7 @@ namespace fretwork::tiling {
 /// The smallest box around all tiles.
 geometry::Box bounding_box(const Tessellation& tessellation);
 
-/// The centroid of each tile. A tile lies in a box or a polygon if its centroid does.
+/// The centroid of each tile. A tile lies in a box, a circle or a polygon if its centroid does.
 base::IndexVector<TileIndex, geometry::Point2> tile_centers(const Tessellation& tessellation);
 
 /// The tiles in a list of numbers and ranges ("3,7-11"), each tile once, ascending. Throws InputError that
@@ -21,6 +22,8 @@ std::vector<TileIndex> parse_tiles(std::string_view text, const Tessellation& te
 
 /// The tiles in a box, whose edge belongs to the box; empty if there are none.
 std::vector<TileIndex> tiles_in(const geometry::Box& box, const Tessellation& tessellation);
+/// The tiles in a circle, whose line belongs to the circle; empty if there are none.
+std::vector<TileIndex> tiles_in(const geometry::Circle& circle, const Tessellation& tessellation);
 /// The tiles in a polygon; empty if there are none.
 std::vector<TileIndex> tiles_in(const geometry::Polygon& polygon, const Tessellation& tessellation);
 
