@@ -12,6 +12,29 @@ import fretwork as fw
 import support
 
 
+class Selections(unittest.TestCase):
+    def test_a_circle_selects_what_lies_in_it(self):
+        tessellation = support.surface().tessellation
+        nodes = np.asarray(tessellation.interface_nodes)
+        center, radius = nodes.mean(axis=0), 0.6 * np.ptp(nodes, axis=0).min()
+        inside = np.flatnonzero(((nodes - center) ** 2).sum(axis=1) <= radius ** 2)
+        self.assertGreater(len(inside), 0)
+        self.assertEqual(list(fw.select_nodes(fw.NodesInCircle(center, radius), tessellation)), list(inside))
+        middles = np.asarray(tessellation.tile_centers)
+        tiles = np.flatnonzero(((middles - center) ** 2).sum(axis=1) <= radius ** 2)
+        self.assertEqual(list(fw.tiles_in(fw.Circle(center, radius), tessellation)), list(tiles))
+
+    def test_a_circle_is_written_and_read(self):
+        case = fw.LoadCase(name="push", supports=[fw.LoadCase.Support(fw.NodesInCircle([0.1, 0.2], 0.05), "uz")])
+        self.assertEqual(fw.parse_load_case(fw.load_case_text(case)), case)
+        self.assertEqual(case.supports[0].where.radius, 0.05)
+
+    def test_a_radius_has_to_be_above_zero(self):
+        for radius in (0, -1, float("nan"), float("inf")):
+            with self.assertRaisesRegex(fw.InputError, "above 0 m"):
+                fw.select_nodes(fw.NodesInCircle([0, 0], radius), support.surface().tessellation)
+
+
 class Sessions(unittest.TestCase):
     def test_outlive_their_surface(self):
         surface = support.surface()

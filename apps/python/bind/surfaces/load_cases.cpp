@@ -23,6 +23,10 @@ void bind_selections(py::module_& m) {
     Record<NodesInBox>(m, "NodesInBox", "All interface nodes in a box, its rim included.")
         .field("box", &NodesInBox::box, "xmin ymin xmax ymax, m")
         .done();
+    Record<NodesInCircle>(m, "NodesInCircle", "All interface nodes in a circle, its line included.")
+        .field("center", &NodesInCircle::center, "x y, m")
+        .field("radius", &NodesInCircle::radius, "above zero, m")
+        .done();
     Record<NodesNearest>(m, "NodesNearest", "The interface node nearest to each of some points.")
         .field("points", &NodesNearest::points, "n x 2 floats, m")
         .done();

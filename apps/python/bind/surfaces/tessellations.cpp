@@ -190,11 +190,17 @@ void bind_choices(py::module_& m) {
         .field("xmax", &geometry::Box::xmax, "m")
         .field("ymax", &geometry::Box::ymax, "m")
         .done();
+    Record<geometry::Circle>(m, "Circle", "A circle with its inside.")
+        .field("center", &geometry::Circle::center, "x y, m")
+        .field("radius", &geometry::Circle::radius, "m")
+        .done();
     m.def("bounding_box", &bounding_box, "tessellation"_a);
     m.def("parse_tiles", &parse_tiles, "text"_a, "tessellation"_a,
           "The tiles in a list of numbers and ranges: '3,7-11'.");
     m.def("tiles_in", py::overload_cast<const geometry::Box&, const Tessellation&>(&tiles_in), "box"_a,
           "tessellation"_a, "The tiles whose centroid lies in a box.");
+    m.def("tiles_in", py::overload_cast<const geometry::Circle&, const Tessellation&>(&tiles_in), "circle"_a,
+          "tessellation"_a, "The tiles whose centroid lies in a circle.");
     m.def("tiles_in", py::overload_cast<const geometry::Polygon&, const Tessellation&>(&tiles_in),
           "polygon"_a, "tessellation"_a, "The tiles whose centroid lies in a polygon (n x 2, m).");
     m.def("expression_values", &expression_values, "expression"_a, "box"_a, "points"_a,
