@@ -129,7 +129,7 @@ const replaced = <T>(list: readonly T[] | undefined, index: number, entry: T): T
   (list ?? []).map((old, i) => (i === index ? entry : old));
 const without = <T>(list: readonly T[] | undefined, index: number): T[] => (list ?? []).filter((_, i) => i !== index);
 
-/** Hold nodes; what held them before, lets them go. A support on a side or in a box stays that where the new one fixes as much. */
+/** Hold nodes; what held them before, lets them go. A support on a side, in a box or in a circle stays that where the new one fixes as much. */
 export function hold({ where, nodes }: { where: Selection; nodes: readonly number[] }, fixed: Support['fixed'], held: readonly number[][]): void {
   const taken = new Set(nodes);
   const isWithin = (support: Support) => isRule(support) && support.fixed.every((dof) => fixed.includes(dof));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the selected nodes were picked. A side or a box goes into a load case as such, so that it means the right nodes
+// How the selected nodes were picked. A side, a box or a circle goes into a load case as such, so that it means the right nodes
 // on other tiles, too; nodes that were clicked go into it by their numbers.
 
 import { computed, signal } from '@preact/signals';
-import type { Point, Selection } from '../protocol/messages';
+import type { Circle, Point, Selection } from '../protocol/messages';
 import { surface } from './surface';
 import { selectedNodes } from './ui';
 
@@ -28,9 +28,10 @@ export const chosenNodes = (): number[] => [...selectedNodes.peek()].sort((a, b)
 export const whereChosen = (): Selection => pickedBy.peek() ?? { nodes: chosenNodes() };
 
 /** Select what an entry of a load case is on, by its rule if it has one that selects nodes. */
-export function selectAgain({ box, nearest, side, between }: Selection, nodes: readonly number[]): void {
+export function selectAgain({ box, circle, nearest, side, between }: Selection, nodes: readonly number[]): void {
   if (side && !between) selectBy({ side }, nodes);
   else if (box) selectBy({ box }, nodes);
+  else if (circle) selectBy({ circle }, nodes);
   else if (nearest) selectBy({ nearest }, nodes);
   else selectedNodes.value = new Set(nodes);
 }
@@ -44,6 +45,14 @@ const up = (value: number): number => Math.ceil(value * MICROMETRES) / MICROMETR
 /** The box between two corners, in whole micrometres, not smaller: files are read by people. */
 export function boxBetween([x, y]: Point, [u, v]: Point): [number, number, number, number] {
   return [down(Math.min(x, u)), down(Math.min(y, v)), up(Math.max(x, u)), up(Math.max(y, v))];
+}
+
+const near = (value: number): number => Math.round(value * MICROMETRES) / MICROMETRES;
+
+/** The circle around a point through another one, in whole micrometres, not smaller. */
+export function circleThrough([x, y]: Point, [u, v]: Point): Circle {
+  const center: Point = [near(x), near(y)];
+  return { center, radius: up(Math.hypot(u - center[0], v - center[1])) };
 }
 
 /** A box around the whole surface, with room for tiles of another size. */

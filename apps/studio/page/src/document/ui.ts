@@ -22,8 +22,8 @@ export const sideViewOpen = signal(false);
 export const choosesNodes = computed(() => mode.value === 'hold' || mode.value === 'load' || (mode.value === 'design' && designPicks.value === 'nodes'));
 export const choosesTiles = computed(() => mode.value === 'paint' || (mode.value === 'design' && designPicks.value === 'tiles'));
 
-export type PaintTool = 'brush' | 'fill' | 'replace' | 'pick' | 'gradient' | 'select' | 'lasso';
-export type NodeTool = 'select' | 'lasso' | 'rim';
+export type PaintTool = 'brush' | 'fill' | 'replace' | 'pick' | 'gradient' | 'select' | 'circle' | 'lasso';
+export type NodeTool = 'select' | 'circle' | 'lasso' | 'rim';
 export const paintTool = signal<PaintTool>('brush');
 export const nodeTool = signal<NodeTool>('select');
 /** How many rings of tiles around the one below the pointer a brush paints. */

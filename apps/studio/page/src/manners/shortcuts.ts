@@ -69,6 +69,7 @@ export const SHORTCUTS: Shortcut[] = [
   { keys: 'T', words: W.shortcuts.rotateTheSelectedTiles, group: W.shortcuts.paint, run: () => selectedTiles.value.size && turn([...selectedTiles.value], 1) },
   { keys: 'C', words: W.shortcuts.patternChart, group: W.shortcuts.paint, run: () => (galleryWide.value = !galleryWide.value) },
   { keys: 'V', words: W.shortcuts.selectByClickOr, group: W.shortcuts.select, run: chooseWith('select') },
+  { keys: 'K', words: W.shortcuts.selectWithACircle, group: W.shortcuts.select, run: chooseWith('circle') },
   { keys: 'L', words: W.shortcuts.selectWithALasso, group: W.shortcuts.select, run: chooseWith('lasso') },
   { keys: 'E', words: W.shortcuts.selectAlongTheEdge, group: W.shortcuts.select, run: () => (nodeTool.value = 'rim') },
   { keys: 'Escape', words: W.shortcuts.clearSelection, group: W.shortcuts.select, run: letGo },

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which tiles a tool means.
 
-import type { Point } from '../protocol/messages';
+import type { Circle, Point } from '../protocol/messages';
 import { inside } from '../document/surface';
 
 /** The tiles within some rings of neighbours around one. */
@@ -40,3 +40,7 @@ export function inBox(places: readonly Point[], a: Point, b: Point): number[] {
   const [y0, y1] = [Math.min(a[1], b[1]), Math.max(a[1], b[1])];
   return places.flatMap(([x, y], index) => (x >= x0 && x <= x1 && y >= y0 && y <= y1 ? [index] : []));
 }
+
+/** The square roots are those of the program, so that both find the same places. */
+export const inCircle = (places: readonly Point[], { center, radius }: Circle): number[] =>
+  places.flatMap(([x, y], index) => (Math.sqrt((x - center[0]) * (x - center[0]) + (y - center[1]) * (y - center[1])) <= radius ? [index] : []));

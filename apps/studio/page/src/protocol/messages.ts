@@ -7,10 +7,16 @@ export type Dof = 'ux' | 'uy' | 'uz' | 'rx' | 'ry' | 'rz';
 export const DOFS: readonly Dof[] = ['ux', 'uy', 'uz', 'rx', 'ry', 'rz'];
 
 export type Side = 'left' | 'right' | 'bottom' | 'top';
+/** A circle with its inside, m. */
+export interface Circle {
+  center: Point;
+  radius: number;
+}
 /** Which interface nodes an entry of a load case is on: one of these keys. */
 export interface Selection {
   nodes?: number[];
   box?: [number, number, number, number];
+  circle?: Circle;
   nearest?: Point[];
   side?: Side;
   /** All nodes of these tiles; of loads on areas only. */

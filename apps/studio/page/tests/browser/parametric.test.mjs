@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Supports and loads that were put on a side or in a box stay that.
+// Supports and loads that were put on a side, in a box or in a circle stay that.
 
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -59,6 +59,34 @@ for (const theme of ['light', 'dark']) {
     assert.deepEqual(page.troubles, []);
   });
 }
+
+test('a circle that is dragged from its middle is shown, saved and found again as such', async (t) => {
+  const project = makeProject('40mm');
+  const { address } = await startStudio(t, project);
+  const page = await openPage(t, address);
+  await solved(page);
+  await page.click('[data-value=load]');
+  await page.keyboard.press('k');
+  const view = await page.locator('#plane').boundingBox();
+  const middle = [view.x + 0.5 * view.width, view.y + 0.5 * view.height];
+  await drag(page, middle, [middle[0] + 0.2 * Math.min(view.width, view.height), middle[1]]);
+  assert.match(await page.textContent('#kept-as'), /in a circle, \d+.nodes?/);
+  const chosen = Number((await page.textContent('#nodes-chosen')).match(/\d+/)[0]);
+  assert.ok(chosen > 0);
+  await edit(page, () => page.click('#add-force'));
+  const after = (await read(page, 'load_cases'))[0];
+  assert.ok(after.loads.at(-1).circle.radius > 0);
+  assert.equal(after.marks.loads.at(-1).nodes.length, chosen, 'the program finds the nodes that were shown');
+  await edit(page, () => page.keyboard.press('Control+s'));
+  const saved = JSON.parse(readFileSync(project, 'utf8')).load_cases[0];
+  assert.equal(saved.format, 'fretwork/load-case/4');
+  assert.deepEqual(saved.loads.at(-1).circle, after.loads.at(-1).circle);
+  await page.click('[data-value=paint]');
+  await page.keyboard.press('k');
+  await drag(page, middle, [middle[0] + 0.2 * Math.min(view.width, view.height), middle[1]]);
+  assert.match(await page.textContent('#tiles-chosen'), /tiles? selected/);
+  assert.deepEqual(page.troubles, []);
+});
 
 test('nodes that were picked one by one are saved by number, and the page says so', async (t) => {
   const { address } = await startStudio(t, makeProject('40mm'));

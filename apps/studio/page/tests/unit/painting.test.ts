@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it } from 'vitest';
 import { alongLine } from '../../src/painting/gradient';
-import { allWith, inBox, ringsAround, sameRegion, within } from '../../src/painting/regions';
+import { allWith, inBox, inCircle, ringsAround, sameRegion, within } from '../../src/painting/regions';
 
 // Five tiles in a row.
 const ROW = [[1], [0, 2], [1, 3], [2, 4], [3]];
@@ -15,9 +15,11 @@ describe('regions', () => {
     expect(sameRegion(0, (tile) => patterns[tile], ROW).sort()).toEqual([0, 1]);
     expect(allWith('a', patterns)).toEqual([0, 1, 3, 4]);
   });
-  it('a box takes what lies in it, whichever corner is first; a lasso what it encloses', () => {
+  it('a box takes what lies in it, whichever corner is first, and a circle, with its line; a lasso what it encloses', () => {
     const places: [number, number][] = [[0, 0], [1, 1], [3, 3]];
     expect(inBox(places, [2, 2], [-1, -1])).toEqual([0, 1]);
+    expect(inCircle(places, { center: [1, 0], radius: 1 })).toEqual([0, 1]);
+    expect(inCircle(places, { center: [1, 0], radius: 0.999 })).toEqual([]);
     expect(within(places, [[0.5, 0.5], [2, 0.5], [2, 2], [0.5, 2]])).toEqual([1]);
   });
 });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A selection by a rule is known as that until another selection is made.
 import { beforeEach, expect, it } from 'vitest';
-import { boxBetween, pickedBy, selectAgain, selectBy, whereChosen } from '../../src/document/picked';
+import { boxBetween, circleThrough, pickedBy, selectAgain, selectBy, whereChosen } from '../../src/document/picked';
 import { selectedNodes } from '../../src/document/ui';
 import { selectionWords } from '../../src/panels/selection_words';
 
@@ -32,6 +32,15 @@ it('an entry that is selected again keeps its rule, and nothing else of it', () 
 it('a box is never smaller than what was drawn, by a micrometre at most larger', () => {
   const [xmin, ymin, xmax, ymax] = boxBetween([0.1234567, 0.3], [0.01, -0.2000004]);
   expect([xmin, ymin, xmax, ymax]).toEqual([0.01, -0.200001, 0.123457, 0.3]);
+});
+it('a circle is kept as such, and goes through the point that it was drawn to or beyond it', () => {
+  const circle = circleThrough([0.1234567, 0.3], [0.1, 0.2999]);
+  expect(circle.center).toEqual([0.123457, 0.3]);
+  expect(circle.radius).toBeGreaterThanOrEqual(Math.hypot(0.023457, 0.0001));
+  expect(circle.radius).toBeLessThan(Math.hypot(0.023457, 0.0001) + 2e-6);
+  selectAgain({ circle }, [4, 2]);
+  expect(whereChosen()).toEqual({ circle });
+  expect(selectionWords({ circle }, 2)).toMatch(/^in a circle, 2.nodes$/);
 });
 it('a box is called so', () => {
   expect(selectionWords({ box: [0, 0, 1, 1] }, 2)).toMatch(/^in a box, 2.nodes$/);

@@ -1,24 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Choose things by click, box or lasso; with Shift they are added to what is chosen, and taken away if they all are.
+// Choose things by click, box, circle or lasso; with Shift they are added to what is chosen, and taken away if they all are.
 
-import type { Point } from '../../protocol/messages';
-import { boxBetween } from '../../document/picked';
-import { inBox, within } from '../../painting/regions';
+import type { Point, Selection } from '../../protocol/messages';
+import { boxBetween, circleThrough } from '../../document/picked';
+import { inBox, inCircle, within } from '../../painting/regions';
 import type { Gesture, PlanePointer } from './gesture';
-import { drawing } from './overlay_state';
+import { drawing, type Shape } from './overlay_state';
+
+export type Area = 'box' | 'circle' | 'lasso';
+
+/** The area that a tool draws: a box where it draws none of its own. */
+export const areaOf = (tool: string): Area => (tool === 'lasso' || tool === 'circle' ? tool : 'box');
 
 interface Choosable {
   places: readonly Point[];
   /** The one that a click means, or -1. */
   under(pointer: PlanePointer): number;
   chosen: { peek(): ReadonlySet<number>; value: ReadonlySet<number> };
-  /** Takes what a box selects, with the box, where that is remembered. */
-  takeBox?(box: [number, number, number, number], found: readonly number[]): void;
+  /** Takes what a box or a circle selects, with this rule, where that is remembered. */
+  takeBy?(rule: Selection, found: readonly number[]): void;
 }
 
 const far = (a: PlanePointer, b: PlanePointer): boolean => Math.hypot(a.at[0] - b.at[0], a.at[1] - b.at[1]) > 0.4 * a.reach;
 
-export function areaGesture(start: PlanePointer, how: 'box' | 'lasso', things: Choosable): Gesture {
+export function areaGesture(start: PlanePointer, how: Area, things: Choosable): Gesture {
   const points: Point[] = [start.at];
   let dragged = false;
   return {
@@ -26,19 +31,34 @@ export function areaGesture(start: PlanePointer, how: 'box' | 'lasso', things: C
       dragged ||= far(start, pointer);
       if (!dragged) return;
       points.push(pointer.at);
-      drawing.value = how === 'box' ? { kind: 'box', from: start.at, to: pointer.at } : { kind: 'lasso', points: [...points] };
+      drawing.value = shapeOf(how, points);
     },
     end(pointer) {
       drawing.value = null;
-      if (dragged && how === 'box' && !start.more && things.takeBox) {
-        const box = boxBetween(start.at, pointer.at);
-        things.takeBox(box, inBox(things.places, [box[0], box[1]], [box[2], box[3]]));
+      const rule = dragged ? ruleOf(how, start.at, pointer.at) : null;
+      if (rule && !start.more && things.takeBy) {
+        things.takeBy(rule, foundBy(rule, things.places));
         return;
       }
-      const found = dragged ? (how === 'box' ? inBox(things.places, start.at, pointer.at) : within(things.places, points)) : [things.under(start)];
+      const found = rule ? foundBy(rule, things.places) : dragged ? within(things.places, points) : [things.under(start)];
       choose(found.filter((one) => one >= 0), start.more, things);
     },
   };
+}
+
+function shapeOf(how: Area, points: readonly Point[]): Shape {
+  return how === 'lasso' ? { kind: 'lasso', points: [...points] } : { kind: how, from: points[0], to: points[points.length - 1] };
+}
+
+/** Of a box its corners, of a circle its middle and a point on it; a lasso is no rule. */
+function ruleOf(how: Area, from: Point, to: Point): Selection | null {
+  if (how === 'box') return { box: boxBetween(from, to) };
+  return how === 'circle' ? { circle: circleThrough(from, to) } : null;
+}
+
+function foundBy({ box, circle }: Selection, places: readonly Point[]): number[] {
+  if (circle) return inCircle(places, circle);
+  return box ? inBox(places, [box[0], box[1]], [box[2], box[3]]) : [];
 }
 
 function choose(found: readonly number[], more: boolean, { chosen }: Choosable): void {

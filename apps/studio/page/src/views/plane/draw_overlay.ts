@@ -184,6 +184,7 @@ function drawShape(context: Context, view: Viewport): void {
   else {
     const [a, b] = [toScreen(view, shape.from), toScreen(view, shape.to)];
     if (shape.kind === 'box') context.rect(a[0], a[1], b[0] - a[0], b[1] - a[1]);
+    else if (shape.kind === 'circle') context.arc(a[0], a[1], Math.hypot(b[0] - a[0], b[1] - a[1]), 0, 2 * Math.PI);
     else {
       context.moveTo(...a);
       context.lineTo(...b);

@@ -3,7 +3,7 @@
 import { nearestNode, surface } from '../../document/surface';
 import { selectBy } from '../../document/picked';
 import { mode, nodeTool, probed, selectedNodes } from '../../document/ui';
-import { areaGesture } from './area_gesture';
+import { areaGesture, areaOf } from './area_gesture';
 import type { PlanePointer, Tool } from './gesture';
 import { hoveredNode, hoveredNodes } from './overlay_state';
 import { rimStretch } from './rim_stretch';
@@ -41,11 +41,11 @@ export const nodesTool: Tool = {
       return null;
     }
     if (nodeTool.peek() === 'rim') return rimGesture(pointer);
-    return areaGesture(pointer, nodeTool.peek() === 'lasso' ? 'lasso' : 'box', {
+    return areaGesture(pointer, areaOf(nodeTool.peek()), {
       places: surface.peek()?.nodes ?? [],
       under: nodeUnder,
       chosen: selectedNodes,
-      takeBox: (box, found) => selectBy({ box }, found),
+      takeBy: selectBy,
     });
   },
 };

@@ -4,7 +4,8 @@
 import { signal } from '@preact/signals';
 import type { Point } from '../../protocol/messages';
 
-export type Shape = { kind: 'box'; from: Point; to: Point } | { kind: 'lasso'; points: Point[] } | { kind: 'line'; from: Point; to: Point };
+/** A circle goes around `from` and through `to`. */
+export type Shape = { kind: 'box' | 'circle' | 'line'; from: Point; to: Point } | { kind: 'lasso'; points: Point[] };
 
 export const hoveredTiles = signal<readonly number[]>([]);
 export const hoveredNode = signal(-1);

@@ -8,7 +8,7 @@ import { brush, brushOrFirst, brushRings, nodeTool, paintTool, pending, selected
 import { orderedPalette } from '../../gallery/order';
 import { alongLine } from '../../painting/gradient';
 import { allWith, ringsAround, sameRegion } from '../../painting/regions';
-import { areaGesture } from './area_gesture';
+import { areaGesture, areaOf, type Area } from './area_gesture';
 import type { Gesture, PlanePointer, Tool } from './gesture';
 import { drawing, hoveredTiles } from './overlay_state';
 
@@ -82,7 +82,7 @@ function gradient(start: PlanePointer): Gesture {
   };
 }
 
-function chooseTiles(pointer: PlanePointer, how: 'box' | 'lasso'): Gesture {
+function chooseTiles(pointer: PlanePointer, how: Area): Gesture {
   return areaGesture(pointer, how, { places: surface.peek()?.centers ?? [], under: tileUnder, chosen: selectedTiles });
 }
 
@@ -109,8 +109,9 @@ export const tilesTool: Tool = {
       case 'gradient':
         return gradient(pointer);
       case 'select':
+      case 'circle':
       case 'lasso':
-        return chooseTiles(pointer, paintTool.peek() === 'lasso' ? 'lasso' : 'box');
+        return chooseTiles(pointer, areaOf(paintTool.peek()));
     }
   },
 };
@@ -121,5 +122,5 @@ export const choosingTool: Tool = {
     const tile = pointer ? tileUnder(pointer) : -1;
     if (tile !== (hoveredTiles.peek()[0] ?? -1)) hoveredTiles.value = tile < 0 ? [] : [tile];
   },
-  press: (pointer) => chooseTiles(pointer, nodeTool.peek() === 'lasso' ? 'lasso' : 'box'),
+  press: (pointer) => chooseTiles(pointer, areaOf(nodeTool.peek())),
 };

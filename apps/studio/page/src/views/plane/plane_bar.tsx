@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tools of the plane, at its top.
 
-import { BoxSelect, Brush, Hexagon, Lasso, Maximize, PaintBucket, Pipette, Replace, Spline, SquareDashedMousePointer, TrendingUp } from 'lucide-preact';
+import { BoxSelect, Brush, CircleDashed, Hexagon, Lasso, Maximize, PaintBucket, Pipette, Replace, Spline, SquareDashedMousePointer, TrendingUp } from 'lucide-preact';
 import { brushRings, choosesNodes, choosesTiles, designPicks, mode, nodeTool, paintTool, type NodeTool, type PaintTool } from '../../document/ui';
 import { retileOpen, toggleRetile } from '../../tiles/retile';
 import { Button, Segments } from '../../widgets/widgets';
@@ -15,10 +15,12 @@ const PAINT_TOOLS: { value: PaintTool; title: string; shortcut: string; icon: ty
   { value: 'pick', title: W.planeBar.pickThePatternOf, shortcut: 'I', icon: Pipette },
   { value: 'gradient', title: W.planeBar.gradientDragFromSoft, shortcut: 'D', icon: TrendingUp },
   { value: 'select', title: W.planeBar.selectTilesByClick, shortcut: 'V', icon: BoxSelect },
+  { value: 'circle', title: W.planeBar.selectTilesInACircle, shortcut: 'K', icon: CircleDashed },
   { value: 'lasso', title: W.planeBar.selectTilesWithA, shortcut: 'L', icon: Lasso },
 ];
 const NODE_TOOLS: { value: NodeTool; title: string; shortcut: string; icon: typeof Brush }[] = [
   { value: 'select', title: W.planeBar.selectNodesByClick, shortcut: 'V', icon: SquareDashedMousePointer },
+  { value: 'circle', title: W.planeBar.selectNodesInACircle, shortcut: 'K', icon: CircleDashed },
   { value: 'lasso', title: W.planeBar.selectNodesWithA, shortcut: 'L', icon: Lasso },
   { value: 'rim', title: W.planeBar.selectAlongTheEdge, shortcut: 'E', icon: Spline },
 ];
