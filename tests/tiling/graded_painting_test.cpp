@@ -140,6 +140,9 @@ TEST(Field, AGreyRampIsReadFromWhiteToBlackAcrossTheBox) {
     // A pixel is 1/256 of the width, a grey 1/255 of the way to black.
     for (std::size_t i = 0; i < values.size(); ++i)
         EXPECT_NEAR(values[i], (static_cast<double>(i) + 0.5) / 40, 2.0 / 255) << i;
+    EXPECT_EQ(image_values(base::read_text_file(ramp), "ramp", {0, 0, 40, 1}, middles(row)), values);
+    EXPECT_THAT(complaint_of([] { (void)image_values("no image", "my.png", {}, {}); }),
+                HasSubstr("my.png: cannot be read as a PNG image"));
 }
 
 const std::vector<GradedPattern> kFromLightToDark = {{{"a"}, 0.0}, {{"b"}, 0.4}, {{"c"}, 0.6}, {{"d"}, 1.0}};
@@ -226,6 +229,14 @@ TEST(ColouredDrawing, ShowsTheColourThatIsPaintedLast) {
     EXPECT_EQ(drawing.colour_at({0.21, 0.05}), "#0000ff");
     EXPECT_EQ(drawing.colour_at({0.25, 0.05}), "#ff0000") << "seen through the hole";
     EXPECT_EQ(drawing.colour_at({0.5, 0.05}), std::nullopt);
+}
+
+TEST(ColouredDrawing, IsTheSameFromItsText) {
+    const outlines::ColouredDrawing drawing = outlines::ColouredDrawing::parse(kDrawing, "regions.svg");
+    const TemporaryFolder folder;
+    EXPECT_EQ(drawing.colours(), outlines::ColouredDrawing(folder.file("regions.svg", kDrawing)).colours());
+    EXPECT_THAT(complaint_of([] { (void)outlines::ColouredDrawing::parse("<svg", "my.svg"); }),
+                HasSubstr("my.svg"));
 }
 
 TEST(ColouredDrawing, ColoursAreThoseOfCss) {

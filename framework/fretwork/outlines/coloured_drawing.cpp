@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/files/file.hpp>
 #include <fretwork/outlines/coloured_drawing.hpp>
 #include <fretwork/outlines/detail/coloured_picture.hpp>
 #include <fretwork/outlines/svg/css.hpp>
 #include <fretwork/outlines/svg/shown.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace fretwork::outlines {
 
@@ -22,9 +24,14 @@ struct ColouredDrawing::Impl {
     detail::ColouredPicture drawn;
 };
 
+ColouredDrawing::ColouredDrawing(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 ColouredDrawing::ColouredDrawing(const std::filesystem::path& path)
-    : impl_(base::located<base::GeometryError>(
-          path.string(), "", [&] { return std::make_unique<Impl>(Impl{detail::read_svg_colours(path)}); })) {}
+    : ColouredDrawing(parse(base::read_text_file(path), path.string())) {}
+ColouredDrawing ColouredDrawing::parse(std::string_view text, const std::string& source) {
+    return base::located<base::GeometryError>(source, "", [&] {
+        return ColouredDrawing(std::make_unique<Impl>(Impl{detail::parse_svg_colours(text, source)}));
+    });
+}
 ColouredDrawing::~ColouredDrawing() = default;
 ColouredDrawing::ColouredDrawing(ColouredDrawing&&) noexcept = default;
 ColouredDrawing& ColouredDrawing::operator=(ColouredDrawing&&) noexcept = default;

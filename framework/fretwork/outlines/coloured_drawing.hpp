@@ -22,6 +22,8 @@ class ColouredDrawing {
   public:
     /// Read a drawing. Throws InputError or GeometryError with file and place.
     explicit ColouredDrawing(const std::filesystem::path& path);
+    /// Parse a drawing; `source` names it in messages. Throws as the constructor.
+    static ColouredDrawing parse(std::string_view text, const std::string& source);
     ~ColouredDrawing();
     ColouredDrawing(ColouredDrawing&&) noexcept;
     ColouredDrawing& operator=(ColouredDrawing&&) noexcept;
@@ -34,6 +36,7 @@ class ColouredDrawing {
 
   private:
     struct Impl;
+    explicit ColouredDrawing(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
 };
 

@@ -9,6 +9,24 @@
 #include <variant>
 #include <vector>
 
+namespace pybind11::detail {
+
+/// The content of a file: bytes.
+template <>
+struct type_caster<fretwork::simulation::FileContent> {
+    PYBIND11_TYPE_CASTER(fretwork::simulation::FileContent, const_name("bytes"));
+    bool load(handle source, bool) {
+        if (!isinstance<bytes>(source)) return false;
+        value.bytes = source.cast<std::string>();
+        return true;
+    }
+    static handle cast(const fretwork::simulation::FileContent& content, return_value_policy, handle) {
+        return bytes(content.bytes).release();
+    }
+};
+
+}  // namespace pybind11::detail
+
 namespace fretwork::python {
 
 /// How tiles are painted, as Python gives it: a text as the command line has it, ids to choose from at

@@ -43,7 +43,8 @@ void bind_painting_choices(py::module_& m) {
         .field("text", &FieldExpression::text, "")
         .done();
     Record<FieldImage>(m, "FieldImage", "The darkness of a PNG image that is stretched over the surface.")
-        .field("file", &FieldImage::file, "")
+        .field("file", &FieldImage::file, "with a content, its name in messages")
+        .field("content", &FieldImage::content, "bytes of the file; None: it is read from `file`")
         .done();
     Record<PaintByField>(m, "PaintByField", "Paint along a palette, by a field that goes from 0 to 1.")
         .field("field", &PaintByField::field, "")
@@ -54,8 +55,9 @@ void bind_painting_choices(py::module_& m) {
         .field("dithering", &PaintByField::dithering, "")
         .done();
     Record<PaintByColours>(m, "PaintByColours", "Paint by the colour of a drawing at each tile.")
-        .field("drawing", &PaintByColours::drawing, "SVG")
+        .field("drawing", &PaintByColours::drawing, "SVG; with a content, its name in messages")
         .field("palette", &PaintByColours::palette, "colours '#rrggbb', each with an id")
+        .field("content", &PaintByColours::content, "bytes of the drawing; None: it is read from `drawing`")
         .done();
 }
 

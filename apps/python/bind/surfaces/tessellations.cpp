@@ -205,8 +205,10 @@ void bind_choices(py::module_& m) {
           "polygon"_a, "tessellation"_a, "The tiles whose centroid lies in a polygon (n x 2, m).");
     m.def("expression_values", &expression_values, "expression"_a, "box"_a, "points"_a,
           "The values of an expression of x, y (m) and u, v (0 to 1 across the box) at points (n x 2).");
-    m.def("image_values", &image_values, "image"_a, "box"_a, "points"_a,
-          "The darkness of a PNG image: 0 is white, 1 is black.");
+    m.def("image_values",
+          py::overload_cast<const std::filesystem::path&, const geometry::Box&,
+                            const std::vector<geometry::Point2>&>(&image_values),
+          "image"_a, "box"_a, "points"_a, "The darkness of a PNG image: 0 is white, 1 is black.");
 }
 
 }  // namespace

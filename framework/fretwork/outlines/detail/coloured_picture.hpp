@@ -3,8 +3,8 @@
 
 #include <fretwork/outlines/regions/filled_region.hpp>
 
-#include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fretwork::outlines::detail {
@@ -16,7 +16,7 @@ struct ColouredPicture {
     std::vector<std::string> colours;
 };
 
-/// Read the filled shapes of an SVG file. Throws as read_outline_file.
-ColouredPicture read_svg_colours(const std::filesystem::path& path);
+/// The filled shapes of the text of an SVG, which `source` names in messages. Throws as read_outline_file.
+ColouredPicture parse_svg_colours(std::string_view text, const std::string& source);
 
 }  // namespace fretwork::outlines::detail

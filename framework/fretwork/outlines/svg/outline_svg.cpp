@@ -126,8 +126,8 @@ OutlineFile read_svg_outlines(const std::filesystem::path& path) {
     return SvgReader(path).run();
 }
 
-ColouredPicture read_svg_colours(const std::filesystem::path& path) {
-    return SvgReader(path).run_for_colours();
+ColouredPicture parse_svg_colours(std::string_view text, const std::string& source) {
+    return SvgReader(std::string(text), source).run_for_colours();
 }
 
 }  // namespace fretwork::outlines::detail

@@ -36,7 +36,9 @@ bool is_one_of(const std::array<std::string_view, n>& names, std::string_view na
 }  // namespace
 
 SvgReader::SvgReader(const std::filesystem::path& path)
-    : source_(path.string()), document_(source_, base::read_text_file(path)) {}
+    : SvgReader(base::read_text_file(path), path.string()) {}
+SvgReader::SvgReader(std::string text, std::string source)
+    : source_(std::move(source)), document_(source_, std::move(text)) {}
 
 void SvgReader::read() {
     const pugi::xml_node root = document_.root();

@@ -17,6 +17,7 @@ namespace fretwork::outlines::detail {
 class SvgReader {
   public:
     explicit SvgReader(const std::filesystem::path& path);
+    SvgReader(std::string text, std::string source);
 
     OutlineFile run();
     ColouredPicture run_for_colours();

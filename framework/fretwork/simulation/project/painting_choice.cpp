@@ -75,9 +75,12 @@ class Painter {
     }
     /// Tiles on other colours are left out.
     Painting operator()(const PaintByColours& choice) {
-        const outlines::ColouredDrawing drawing(choice.drawing);
+        const std::string name = choice.drawing.string();
+        const outlines::ColouredDrawing drawing =
+            choice.content ? outlines::ColouredDrawing::parse(choice.content->bytes, name)
+                           : outlines::ColouredDrawing(choice.drawing);
         const auto palette = detail::coloured_palette(choice, ground_);
-        check_colours(palette, drawing, choice.drawing.string());
+        check_colours(palette, drawing, name);
         const auto seen_at = places();
         Painting painting;
         std::vector<int> places_of_patterns;  // several colours may stand for one pattern
@@ -107,7 +110,9 @@ class Painter {
     }
 
     [[nodiscard]] std::vector<double> values_of(const FieldImage& image) const {
-        return tiling::image_values(image.file, tiling::bounding_box(tessellation_), places());
+        const geometry::Box box = tiling::bounding_box(tessellation_);
+        if (!image.content) return tiling::image_values(image.file, box, places());
+        return tiling::image_values(image.content->bytes, image.file.string(), box, places());
     }
     [[nodiscard]] std::vector<double> values_of(const FieldExpression& expression) const {
         return base::located("patterns", "", [&] {
@@ -134,16 +139,19 @@ class Painter {
 
 }  // namespace
 
-void paint(Tessellation& tessellation, const PaintingChoice& choice, const PaintingGround& ground) {
-    if (std::holds_alternative<std::monostate>(choice)) return;
+std::vector<TileIndex> paint(Tessellation& tessellation, const PaintingChoice& choice,
+                             const PaintingGround& ground) {
+    if (std::holds_alternative<std::monostate>(choice)) return {};
     const auto tiles = all_tiles(tessellation);
     Painter painter(tessellation, tiles, ground);
     const Painting painting = std::visit(painter, choice);
     // If every tile is painted again, the palette keeps the given order, without the patterns that are not in
     // use.
     if (painter.tiles().size() == tiles.size() && !std::holds_alternative<PaintByField>(choice))
-        return tiling::paint(tessellation, painting);
-    tiling::paint_tiles(tessellation, painter.tiles(), painting);
+        tiling::paint(tessellation, painting);
+    else
+        tiling::paint_tiles(tessellation, painter.tiles(), painting);
+    return painter.tiles();
 }
 
 std::vector<TileIndex> paint(Tessellation& tessellation, std::span<const TileIndex> tiles,

@@ -24,16 +24,19 @@ namespace fretwork::simulation {
 struct PaletteChoice {
     std::vector<std::string> ids{};  ///< ids of patterns
     std::filesystem::path file{};    ///< painting file, used if `ids` is empty
+    friend bool operator==(const PaletteChoice&, const PaletteChoice&) = default;
 };
 
 /// Paint all tiles with one pattern.
 struct PaintOnePattern {
     std::string id;  ///< id of the pattern
+    friend bool operator==(const PaintOnePattern&, const PaintOnePattern&) = default;
 };
 
 /// Paint as in a painting file.
 struct PaintFromFile {
     std::filesystem::path file;  ///< painting file
+    friend bool operator==(const PaintFromFile&, const PaintFromFile&) = default;
 };
 
 /// Paint at random.
@@ -42,16 +45,26 @@ struct PaintAtRandom {
     PaletteChoice palette{};  ///< the palette
     /// Weights of the palette's patterns, above zero; empty: all patterns are equally likely.
     std::vector<double> weights{};
+    friend bool operator==(const PaintAtRandom&, const PaintAtRandom&) = default;
 };
 
 /// A field over the surface: an expression of x and y (m), and of u and v (0 to 1 across the surface).
 struct FieldExpression {
     std::string text;  ///< expression, such as `u` or `sin(30*x)^2`
+    friend bool operator==(const FieldExpression&, const FieldExpression&) = default;
+};
+
+/// The bytes of a file, for choices that need no file.
+struct FileContent {
+    std::string bytes;  ///< content of the file
+    friend bool operator==(const FileContent&, const FileContent&) = default;
 };
 /// A field over the surface: the darkness of a PNG image that is stretched over the surface (white 0, black
 /// 1).
 struct FieldImage {
-    std::filesystem::path file;  ///< PNG file
+    std::filesystem::path file;            ///< PNG file; with a content, its name in messages
+    std::optional<FileContent> content{};  ///< content of the file; none: it is read from `file`
+    friend bool operator==(const FieldImage&, const FieldImage&) = default;
 };
 
 /// Paint by a field with values from 0 to 1, which selects patterns along a palette.
@@ -65,19 +78,31 @@ struct PaintByField {
     /// of the palette.
     std::optional<std::pair<double, double>> range{};
     tiling::Dithering dithering = tiling::Dithering::None;  ///< whether tiles pass their errors to neighbours
+    friend bool operator==(const PaintByField&, const PaintByField&) = default;
 };
 
 /// Paint each tile by the colour of a drawing at the tile's place. Tiles on a colour that is not in `palette`
 /// keep their patterns.
 struct PaintByColours {
-    std::filesystem::path drawing;                             ///< SVG file
+    std::filesystem::path drawing;  ///< SVG file; with a content, its name in messages
     std::vector<std::pair<std::string, std::string>> palette;  ///< pairs of a colour "#rrggbb" and a pattern
                                                                ///< id
+    std::optional<FileContent> content{};  ///< content of the drawing; none: it is read from `drawing`
+    friend bool operator==(const PaintByColours&, const PaintByColours&) = default;
 };
 
 /// The way in which tiles are painted; monostate: they are not painted.
 using PaintingChoice =
     std::variant<std::monostate, PaintOnePattern, PaintFromFile, PaintAtRandom, PaintByField, PaintByColours>;
+
+/// A choice that gives patterns by place or by chance, and the tiles that it has painted. A project keeps it,
+/// so that the tiles are painted by it again when they are others (painting_recipe.hpp). It needs no file:
+/// palettes list ids, and images and drawings come with their content.
+struct PaintingRecipe {
+    PaintingChoice choice;                 ///< by a field, by colours, or at random
+    std::vector<tiling::TileIndex> tiles;  ///< its tiles, ascending
+    friend bool operator==(const PaintingRecipe&, const PaintingRecipe&) = default;
+};
 
 /// The layout, setting and library that pattern ids refer to. `library` may be null.
 struct PaintingGround {
@@ -86,9 +111,10 @@ struct PaintingGround {
     const library::Library* library = nullptr;   ///< library that has properties; may be null
 };
 
-/// Paint all tiles by a choice. Throws InputError that names a file, or an invalid entry of the choice:
-/// "patterns", "palette", "property", "range" or "library".
-void paint(tiling::Tessellation& tessellation, const PaintingChoice& choice, const PaintingGround& ground);
+/// Paint all tiles by a choice. Returns the painted tiles. Throws InputError that names a file, or an invalid
+/// entry of the choice: "patterns", "palette", "property", "range" or "library".
+std::vector<tiling::TileIndex> paint(tiling::Tessellation& tessellation, const PaintingChoice& choice,
+                                     const PaintingGround& ground);
 /// Paint some tiles by a choice; other tiles keep their patterns. Random paintings and fields paint the tiles
 /// in the order of `tiles`. With a painting file, each tile takes the pattern that the file gives this tile.
 /// With colours, tiles on a colour that is not in the palette keep their patterns. Returns the painted tiles.

@@ -47,13 +47,12 @@ bool has_png_end(std::string_view bytes) {
     return false;
 }
 
-GreyImage read_image(const std::filesystem::path& path) {
-    const std::string bytes = base::read_text_file(path);
+GreyImage parse_image(std::string_view bytes, const std::string& source) {
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
     const auto fail = [&](const std::string& what) {
         png_image_free(&image);
-        throw base::InputError(path.string(), "", "cannot be read as a PNG image: " + what);
+        throw base::InputError(source, "", "cannot be read as a PNG image: " + what);
     };
     if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0) fail(image.message);
     if (std::size_t{image.width} * image.height > kMostPixels)
@@ -64,7 +63,7 @@ GreyImage read_image(const std::filesystem::path& path) {
     const png_color white{255, 255, 255};  // background of transparent pixels
     if (png_image_finish_read(&image, &white, read.grey.data(), 0, nullptr) == 0) fail(image.message);
     if (!has_png_end(bytes))
-        throw base::InputError(path.string(), "", "cannot be read as a PNG image: its end is missing");
+        throw base::InputError(source, "", "cannot be read as a PNG image: its end is missing");
     return read;
 }
 
@@ -106,7 +105,12 @@ std::vector<double> expression_values(const std::string& expression, const geome
 
 std::vector<double> image_values(const std::filesystem::path& image, const geometry::Box& box,
                                  const std::vector<Point2>& points) {
-    const GreyImage grey = read_image(image);
+    return image_values(base::read_text_file(image), image.string(), box, points);
+}
+
+std::vector<double> image_values(std::string_view png, const std::string& source, const geometry::Box& box,
+                                 const std::vector<Point2>& points) {
+    const GreyImage grey = parse_image(png, source);
     const auto pixel = [](double share, std::size_t count) {
         const double place = std::floor(share * static_cast<double>(count));
         return static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(count - 1)));

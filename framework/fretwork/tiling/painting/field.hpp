@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fretwork::tiling {
@@ -19,6 +20,9 @@ std::vector<double> expression_values(const std::string& expression, const geome
 /// The darkness of a PNG image, stretched over the box, at some points: 0 is white, 1 is black, and
 /// transparent counts as white. Throws InputError if the image cannot be read.
 std::vector<double> image_values(const std::filesystem::path& image, const geometry::Box& box,
+                                 const std::vector<geometry::Point2>& points);
+/// The same of a PNG image in memory; `source` names it in messages.
+std::vector<double> image_values(std::string_view png, const std::string& source, const geometry::Box& box,
                                  const std::vector<geometry::Point2>& points);
 
 }  // namespace fretwork::tiling
