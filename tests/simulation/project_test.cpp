@@ -148,7 +148,7 @@ TEST(ProjectFile, RefusesInconsistentContentWithItsPlace) {
                 HasSubstr("/tessellation"));
     EXPECT_THAT(complaint_after("\"other\"", "\"cantilever\""), HasSubstr("the name of two load cases"));
     EXPECT_THAT(complaint_after("fretwork/project/2", "fretwork/project/9"),
-                HasSubstr("\"fretwork/project/3\" or \"fretwork/project/2\""));
+                HasSubstr("\"fretwork/project/4\" or \"fretwork/project/3\" or \"fretwork/project/2\""));
     EXPECT_THAT(complaint_after("\"1/3\"", "\"1/0\""), HasSubstr("/layout"));
 }
 

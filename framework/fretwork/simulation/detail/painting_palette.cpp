@@ -27,12 +27,6 @@ std::vector<NamedPattern> calibrated_patterns(const library::Library* library) {
     return palette;
 }
 
-std::vector<NamedPattern> palette_of(const PaletteChoice& palette, const PaintingGround& ground) {
-    if (!palette.ids.empty()) return checked_palette(kPaletteEntry, ground.layout, palette.ids);
-    if (!palette.file.empty()) return tiling::read_painting(palette.file, ground.layout).patterns;
-    return calibrated_patterns(ground.library);
-}
-
 using Properties = std::vector<std::pair<std::string, double>>;
 
 /// Those that the library keeps; else they are computed.
@@ -63,6 +57,12 @@ double property_of(const NamedPattern& pattern, const std::string& property, con
 std::vector<NamedPattern> checked_palette(const std::string& entry, const pattern::NodeLayout& layout,
                                           const std::vector<std::string>& ids) {
     return base::located(entry, "", [&] { return tiling::make_palette(layout, ids); });
+}
+
+std::vector<NamedPattern> palette_of(const PaletteChoice& palette, const PaintingGround& ground) {
+    if (!palette.ids.empty()) return checked_palette(kPaletteEntry, ground.layout, palette.ids);
+    if (!palette.file.empty()) return tiling::read_painting(palette.file, ground.layout).patterns;
+    return calibrated_patterns(ground.library);
 }
 
 std::vector<tiling::WeightedPattern> weighted_palette(const PaintAtRandom& choice,

@@ -15,6 +15,8 @@ std::vector<pattern::NamedPattern> checked_palette(const std::string& entry,
                                                    const pattern::NodeLayout& layout,
                                                    const std::vector<std::string>& ids);
 
+/// The patterns of a palette: those that it lists, its file's, or the library's calibrated ones.
+std::vector<pattern::NamedPattern> palette_of(const PaletteChoice& palette, const PaintingGround& ground);
 /// The patterns that are chosen from, with their weights.
 std::vector<tiling::WeightedPattern> weighted_palette(const PaintAtRandom& choice,
                                                       const PaintingGround& ground);

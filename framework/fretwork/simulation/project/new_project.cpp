@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/simulation/project/new_project.hpp>
+#include <fretwork/simulation/project/painting_recipe.hpp>
 #include <fretwork/simulation/project/project_library.hpp>
 #include <fretwork/tiling/tessellate.hpp>
 
@@ -77,7 +78,7 @@ NewProject make_project(const std::vector<outlines::Outline>& parts, const NewPr
     made.edge_length = is_mesh ? result.report.mean_side : options.edge_length.value_or(setting.tile_side);
     made.report = result.report;
     made.project.tessellation = std::move(result.tessellation);
-    paint(made.project.tessellation, options.painting, {made.project.layout, setting, library});
+    paint(made.project, options.painting, library);
     return made;
 }
 

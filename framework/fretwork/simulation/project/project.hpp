@@ -5,6 +5,7 @@
 #include <fretwork/pattern/node_layout.hpp>
 #include <fretwork/reduction/scenarios/setting.hpp>
 #include <fretwork/simulation/load_cases/load_case.hpp>
+#include <fretwork/simulation/project/painting_choice.hpp>
 #include <fretwork/tiling/tessellation.hpp>
 
 #include <optional>
@@ -31,6 +32,9 @@ struct Project {
         std::vector<tiling::TileIndex> tiles;  ///< tiles with this tile model
     };
     std::vector<TileModelChoice> tile_models{};  ///< tile models of tiles that have their own
+    /// Recipes of tiles that were painted by place or by chance; a tile has one at most. Other tiles were
+    /// painted by hand. The patterns of all tiles are in the tessellation.
+    std::vector<PaintingRecipe> recipes{};
     /// Path of the library relative to the project file; empty: no library.
     std::string library_path;
     std::string library_hash;  ///< content hash of the library when the project was made

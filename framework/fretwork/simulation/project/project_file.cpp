@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/files/base64.hpp>
 #include <fretwork/base/files/file.hpp>
+#include <fretwork/base/quantity.hpp>
+#include <fretwork/outlines/coloured_drawing.hpp>
 #include <fretwork/pattern/internal/layout_json.hpp>
 #include <fretwork/reduction/internal/setting_json.hpp>
 #include <fretwork/simulation/internal/load_case_json.hpp>
 #include <fretwork/simulation/load_cases/combination.hpp>
 #include <fretwork/simulation/project/project_file.hpp>
 #include <fretwork/tiling/tessellation.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <cstdint>
+#include <utility>
 
 namespace fretwork::simulation {
 namespace {
@@ -158,10 +166,138 @@ void read_tile_models(const JsonReader& json, Project& project) {
     }
 }
 
+// ---- recipes of the painting ----
+
+FileContent read_content(const JsonReader& file) {
+    file.allow_only({"name", "content_base64"});
+    const JsonReader content = file.at("content_base64");
+    return content.located([&] { return FileContent{base::decode_base64(content.string(), "")}; });
+}
+
+Json content_json(const std::filesystem::path& name, const std::optional<FileContent>& content) {
+    return {{"name", name.string()},
+            {"content_base64", base::encode_base64(content.value_or(FileContent{}).bytes)}};
+}
+
+PaletteChoice read_palette(const JsonReader& json, const pattern::NodeLayout& layout) {
+    PaletteChoice palette;
+    for (const JsonReader& id : json.elements()) palette.ids.push_back(read_pattern(id, layout).id);
+    if (palette.ids.empty()) json.fail("is empty, where at least one pattern is needed");
+    return palette;
+}
+
+PaintAtRandom read_random(const JsonReader& json, const pattern::NodeLayout& layout) {
+    json.allow_only({"random", "palette", "weights", "tiles"});
+    const JsonReader seed = json.at("random");
+    const auto number = base::read_number<std::uint64_t>(seed.string());
+    if (!number) seed.fail("is " + seed.text() + ", where a whole number as a text is needed");
+    PaintAtRandom choice{.seed = *number, .palette = read_palette(json.at("palette"), layout)};
+    if (const auto weights = json.find("weights")) {
+        for (const JsonReader& weight : weights->elements(choice.palette.ids.size()))
+            choice.weights.push_back(weight.positive_number());
+    }
+    return choice;
+}
+
+PaintByField read_field(const JsonReader& json, const pattern::NodeLayout& layout) {
+    json.allow_only({"field", "image", "palette", "property", "range", "dither", "tiles"});
+    PaintByField choice;
+    if (const auto field = json.find("field")) choice.field = FieldExpression{field->string()};
+    if (const auto image = json.find("image"))
+        choice.field = FieldImage{image->at("name").string(), read_content(*image)};
+    choice.palette = read_palette(json.at("palette"), layout);
+    if (const auto property = json.find("property")) choice.property = property->string();
+    if (const auto range = json.find("range")) {
+        if (choice.property.empty()) range->fail("is a range of the property, which is not given");
+        const std::vector<double> ends = range->numbers(2);
+        choice.range = std::pair(ends[0], ends[1]);
+    }
+    if (const auto dither = json.find("dither"); dither && dither->boolean())
+        choice.dithering = tiling::Dithering::ErrorDiffusion;
+    return choice;
+}
+
+PaintByColours read_colours(const JsonReader& json, const pattern::NodeLayout& layout) {
+    json.allow_only({"drawing", "colours", "tiles"});
+    const JsonReader drawing = json.at("drawing");
+    PaintByColours choice{drawing.at("name").string(), {}, read_content(drawing)};
+    for (const JsonReader& pair : json.at("colours").elements()) {
+        const auto parts = pair.elements(2);
+        const std::string colour = parts[0].string();
+        choice.palette.emplace_back(parts[0].located([&] { return outlines::parse_colour(colour); }),
+                                    read_pattern(parts[1], layout).id);
+    }
+    if (choice.palette.empty()) json.at("colours").fail("is empty, where at least one colour is needed");
+    return choice;
+}
+
+PaintingChoice read_recipe_choice(const JsonReader& json, const pattern::NodeLayout& layout) {
+    const bool is_random = json.find("random").has_value();
+    const bool is_coloured = json.find("drawing").has_value();
+    if (json.find("field").has_value() + json.find("image").has_value() + is_random + is_coloured != 1)
+        json.fail("paints by exactly one of field, image, drawing, random");
+    if (is_random) return read_random(json, layout);
+    if (is_coloured) return read_colours(json, layout);
+    return read_field(json, layout);
+}
+
+void read_recipes(const JsonReader& json, Project& project) {
+    std::vector<bool> has_recipe(project.tessellation.tiles.size(), false);
+    for (const JsonReader& element : json.elements()) {
+        PaintingRecipe recipe{read_recipe_choice(element, project.layout), {}};
+        for (const JsonReader& number : element.at("tiles").elements()) {
+            const tiling::TileIndex tile(number.integer(0, std::ssize(project.tessellation.tiles) - 1));
+            if (has_recipe[tile]) number.fail("is a tile of two recipes");
+            has_recipe[tile] = true;
+            recipe.tiles.push_back(tile);
+        }
+        if (recipe.tiles.empty()) element.at("tiles").fail("is empty, where at least one tile is needed");
+        std::ranges::sort(recipe.tiles);
+        project.recipes.push_back(std::move(recipe));
+    }
+}
+
+/// Adds the keys of a choice to a recipe.
+struct ChoiceWriter {
+    Json& json;
+
+    void operator()(const PaintAtRandom& choice) const {
+        json["random"] = std::to_string(choice.seed);
+        json["palette"] = choice.palette.ids;
+        if (!choice.weights.empty()) json["weights"] = choice.weights;
+    }
+    void operator()(const PaintByField& choice) const {
+        if (const auto* field = std::get_if<FieldExpression>(&choice.field)) json["field"] = field->text;
+        if (const auto* image = std::get_if<FieldImage>(&choice.field))
+            json["image"] = content_json(image->file, image->content);
+        json["palette"] = choice.palette.ids;
+        if (!choice.property.empty()) json["property"] = choice.property;
+        if (choice.range) json["range"] = {choice.range->first, choice.range->second};
+        if (choice.dithering == tiling::Dithering::ErrorDiffusion) json["dither"] = true;
+    }
+    void operator()(const PaintByColours& choice) const {
+        json["drawing"] = content_json(choice.drawing, choice.content);
+        json["colours"] = Json::array();
+        for (const auto& [colour, id] : choice.palette) json["colours"].push_back(Json::array({colour, id}));
+    }
+    /// Others are no recipes.
+    template <class Other>
+    void operator()(const Other&) const {
+        assert(false);
+    }
+};
+
+Json recipe_json(const PaintingRecipe& recipe) {
+    Json json;
+    std::visit(ChoiceWriter{json}, recipe.choice);
+    json["tiles"] = indices_json(recipe.tiles);
+    return json;
+}
+
 Project project_from_json(const JsonReader& json) {
-    json.expect_format("project", 3, 2);
-    json.allow_only(
-        {"format", "layout", "setting", "library", "outline", "tessellation", "load_cases", "tile_models"});
+    json.expect_format("project", 4, 2);
+    json.allow_only({"format", "layout", "setting", "library", "outline", "tessellation", "load_cases",
+                     "tile_models", "recipes"});
     Project project;
     project.layout = pattern::read_node_layout(json.at("layout"));
     if (const auto setting = json.find("setting")) project.setting = reduction::read_setting(*setting);
@@ -175,6 +311,9 @@ Project project_from_json(const JsonReader& json) {
     json.at("tessellation").located([&] { tiling::validate(project.tessellation, project.layout); });
     read_load_cases(json.at("load_cases"), project);
     if (const auto models = json.find("tile_models")) read_tile_models(*models, project);
+    if (const auto recipes = json.find("recipes")) read_recipes(*recipes, project);
+    if (!project.recipes.empty() && json.at("format").string() != "fretwork/project/4")
+        json.fail("is of " + json.at("format").string() + ", which has no recipes; fretwork/project/4 has");
     return project;
 }
 
@@ -190,8 +329,10 @@ Project read_project(const std::filesystem::path& path) {
 
 std::string project_text(const Project& project) {
     Json json;
-    // Older programs read all but surfaces of several parts.
-    json["format"] = project.further_outlines.empty() ? "fretwork/project/2" : "fretwork/project/3";
+    // Older programs read all but surfaces of several parts and recipes.
+    json["format"] = !project.recipes.empty()            ? "fretwork/project/4"
+                     : !project.further_outlines.empty() ? "fretwork/project/3"
+                                                         : "fretwork/project/2";
     json["layout"] = pattern::node_layout_json(project.layout);
     if (project.setting) json["setting"] = reduction::setting_json(*project.setting);
     if (!project.library_path.empty())
@@ -203,6 +344,7 @@ std::string project_text(const Project& project) {
     json["tessellation"] = tessellation_json(project.tessellation);
     for (const Project::TileModelChoice& choice : project.tile_models)
         json["tile_models"].push_back({{"model", choice.model}, {"tiles", indices_json(choice.tiles)}});
+    for (const PaintingRecipe& recipe : project.recipes) json["recipes"].push_back(recipe_json(recipe));
     return base::json_text(json);
 }
 

@@ -3,6 +3,7 @@
 #include <fretwork/reduction/scenarios/setting_file.hpp>
 #include <fretwork/simulation/load_cases/conditions.hpp>
 #include <fretwork/simulation/project/new_project.hpp>
+#include <fretwork/simulation/project/painting_recipe.hpp>
 #include <fretwork/simulation/project/project_library.hpp>
 #include <fretwork/simulation/project/retiling.hpp>
 #include <fretwork/tiling/painting/tile_choice.hpp>
@@ -128,6 +129,22 @@ std::vector<Project::TileModelChoice> carried_models(const Project& project, con
     return tile_model_choices(carried);
 }
 
+std::vector<PaintingRecipe> carried_recipes(const Project& project, const FromTiles& from) {
+    constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+    base::IndexVector<TileIndex, std::size_t> recipe_of_old(project.tessellation.tiles.size(), kNone);
+    std::vector<PaintingRecipe> carried;
+    for (const PaintingRecipe& recipe : project.recipes) {
+        for (const TileIndex tile : recipe.tiles) recipe_of_old[tile] = carried.size();
+        carried.push_back({recipe.choice, {}});
+    }
+    for (const TileIndex tile : from.indices()) {
+        const std::size_t recipe = recipe_of_old[from[tile]];
+        if (recipe != kNone) carried[recipe].tiles.push_back(tile);
+    }
+    std::erase_if(carried, [](const PaintingRecipe& recipe) { return recipe.tiles.empty(); });
+    return carried;
+}
+
 }  // namespace
 
 NewTiles new_tiles(const Project& project, const RetilingOptions& options) {
@@ -156,7 +173,9 @@ CarriedOver carry_over(const Project& project, const NewTiles& tiles) {
         next.tessellation.patterns = project.tessellation.patterns;
         for (const TileIndex tile : carried.from.indices())
             next.tessellation.tiles[tile].pattern = project.tessellation.tiles[carried.from[tile]].pattern;
+        next.recipes = carried_recipes(project, carried.from);
     } else {
+        next.recipes.clear();
         next.library_path.clear();
         next.library_hash.clear();
     }
@@ -175,8 +194,11 @@ RetiledProject retile(const Project& project, const RetilingOptions& options,
     if (library != nullptr) library->check_layout(tiles.layout);
     CarriedOver carried = carry_over(project, tiles);
     Project& next = carried.project;
-    const reduction::Setting setting = setting_of(next, library);
-    paint(next.tessellation, options.painting, {next.layout, setting, library});
+    // Colours of a drawing leave tiles as they are that lie beside them.
+    const bool leaves_tiles = std::holds_alternative<std::monostate>(options.painting) ||
+                              std::holds_alternative<PaintByColours>(options.painting);
+    if (leaves_tiles) apply_recipes(next, library);
+    paint(next, options.painting, library);
     return {std::move(next), tiles.report, carried.dropped};
 }
 

@@ -20,7 +20,8 @@ struct RetilingOptions {
     tiling::Narrow narrow = tiling::Narrow::Refine;  ///< treatment of places narrower than a tile
     /// The node layout of the new tiles. None: the layout of the project.
     std::optional<pattern::NodeLayout> layout{};
-    /// The way in which retile() paints the new tiles. Without one, patterns are carried over by place.
+    /// The way in which retile() paints the new tiles. Without one, patterns are carried over by place, and
+    /// the recipes of the painting are applied again.
     PaintingChoice painting{};
     base::Control control{};  ///< progress and stop
 };
@@ -53,11 +54,12 @@ struct CarriedOver {
     DroppedEntries dropped;  ///< entries of load cases that were left out
 };
 
-/// Put new tiles into a project. By place: each tile takes the pattern and the tile model of the old tile
-/// whose centroid is nearest, and a load on tiles goes to the new tiles that come from these tiles. Supports
-/// and loads by side, box, nearest points and along the rim are kept as they are. With another layout all
-/// tiles are left without a pattern, because its patterns are others, and the link to the library goes. A
-/// fan has the same bars if its tile is turned by a vertex, so new tiles are not turned.
+/// Put new tiles into a project. By place: each tile takes the pattern, the tile model
+/// and the recipe of the old tile whose centroid is nearest, and a load on tiles goes to the new tiles that
+/// come from these tiles. Supports and loads by side, box, nearest points and along the rim are kept as they
+/// are. With another layout all tiles are left without a pattern and a recipe, because its patterns are
+/// others, and the link to the library goes. A fan has the same bars if its tile is turned by a vertex, so
+/// new tiles are not turned.
 ///
 /// Throws InputError, with the load case and the entry, if an entry selects no node of the new tiles.
 CarriedOver carry_over(const Project& project, const NewTiles& tiles);
@@ -69,9 +71,9 @@ struct RetiledProject {
     DroppedEntries dropped;             ///< entries of load cases that were left out
 };
 
-/// Cover the outline of a project with other tiles: new_tiles(), carry_over() and, if options.painting says
-/// how, paint(). A painting finds patterns and their properties in `library`, which may be null. Throws as
-/// these three, and InputError if the library has another layout than the new tiles.
+/// Cover the outline of a project with other tiles: new_tiles(), carry_over(), and apply_recipes() or, if
+/// options.painting says how, paint(). A painting finds patterns and their properties in `library`, which may
+/// be null. Throws as these four, and InputError if the library has another layout than the new tiles.
 RetiledProject retile(const Project& project, const RetilingOptions& options,
                       const library::Library* library);
 
