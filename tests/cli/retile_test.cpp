@@ -105,6 +105,18 @@ TEST_F(RetileCommand, PaintsWhereItIsAskedTo) {
     EXPECT_EQ(id_at(right), "0-5+5-6");
 }
 
+TEST_F(RetileCommand, PaintsAFieldOfTheProjectAgain) {
+    const std::string field = "--patterns field:u --palette 0-1+1-6,2-4+4-6,0-5+5-6";
+    ASSERT_EQ(run("fretwork paint p.json " + field).exit_code, 0);
+    ASSERT_EQ(run("fretwork retile p.json --edge-length 20mm --out again.json").exit_code, 0);
+    ASSERT_EQ(run("fretwork retile p.json --edge-length 20mm " + field + " --out said.json").exit_code, 0);
+    EXPECT_EQ(base::read_text_file(folder_.path() / "again.json"),
+              base::read_text_file(folder_.path() / "said.json"));
+    EXPECT_THAT(run("fretwork check again.json").out, HasSubstr("valid fretwork/project/4"));
+    ASSERT_EQ(run("fretwork paint p.json --patterns 0-1+1-6").exit_code, 0);
+    EXPECT_TRUE(project("p.json").recipes.empty()) << "painted by hand";
+}
+
 TEST_F(RetileCommand, LeavesTilesOfAnotherLayoutBareUnlessTheyArePainted) {
     const Outcome bare = run("fretwork retile p.json --layout paper8 --out bare.json");
     ASSERT_EQ(bare.exit_code, 0) << bare.err;

@@ -10,10 +10,12 @@
 #include <fretwork/base/files/file_lock.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/simulation/project/painting_recipe.hpp>
 #include <fretwork/simulation/project/project_file.hpp>
 #include <fretwork/simulation/project/project_library.hpp>
 #include <fretwork/tiling/painting/tile_choice.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -126,18 +128,30 @@ std::optional<library::Library> open_library(const Project& project, const Paint
 std::vector<TileIndex> paint_project(Project& project, std::vector<TileIndex> tiles,
                                      const simulation::PaintingChoice& choice, const PaintOptions& options,
                                      const library::Library* library) {
-    tiling::Tessellation& tessellation = project.tessellation;
     if (!options.painting.patterns.empty()) {
-        const reduction::Setting setting = simulation::setting_of(project, library);
         try {
-            tiles = simulation::paint(tessellation, tiles, choice, {project.layout, setting, library});
+            tiles = simulation::paint(project, tiles, choice, library);
         } catch (const base::InputError& error) {
             throw with_option_name(error);
         }
     }
-    if (options.mirror) simulation::mirror(tessellation, tiles, project.layout);
-    for (const TileIndex tile : tiles) tiling::turn(tessellation.tiles[tile], options.turn);
+    if (options.mirror) {
+        simulation::mirror(project.tessellation, tiles, project.layout);
+        simulation::end_recipes(project, tiles);
+    }
+    for (const TileIndex tile : tiles) tiling::turn(project.tessellation.tiles[tile], options.turn);
     return tiles;
+}
+
+/// Large images and drawings stay outside of projects.
+void warn_of_large_file(const Project& project, const std::vector<TileIndex>& tiles,
+                        const PaintOptions& options) {
+    const std::string& patterns = options.painting.patterns;
+    if (options.mirror || !(patterns.starts_with("image:") || patterns.starts_with("colours:"))) return;
+    for (const simulation::PaintingRecipe& recipe : project.recipes)
+        if (std::ranges::binary_search(recipe.tiles, tiles.front())) return;
+    warn("the project does not keep the file of --patterns, which has more than " +
+         std::to_string(simulation::kLargestKeptFile >> 20U) + " MiB: retile will paint by place alone");
 }
 
 /// How many of these tiles have each pattern.
@@ -186,6 +200,7 @@ ExitCode run(const PaintOptions& options) {
     simulation::move_library_path(project, options.project, target);
     simulation::write_project(project, target);
     print(project, tiles, options);
+    warn_of_large_file(project, tiles, options);
     warn_of_close_bars(project, given, options.clearance);
     return ExitCode::Done;
 }

@@ -63,7 +63,7 @@ std::optional<library::Library> painting_library(const RetileOptions& options, c
     return simulation::open_project_library(options.project, project, options.library);
 }
 
-/// Errors of the outline and of load cases name the project, those of the painting their options.
+/// Errors of the outline, of load cases and of recipes name the project, those of the painting their options.
 RetiledProject retiled_project(const RetileOptions& options, const Project& project,
                                const RetilingOptions& wanted, const library::Library* library) {
     try {
@@ -72,8 +72,11 @@ RetiledProject retiled_project(const RetileOptions& options, const Project& proj
         throw base::within(options.project, "", error);
     } catch (const base::InputError& error) {
         const auto& where = error.data().where;
-        const bool is_load_case = !where.empty() && where.front().source.starts_with("load case");
-        throw is_load_case ? base::within(options.project, "", error) : with_option_name(error);
+        const auto is_about = [&](const char* part) {
+            return !where.empty() && where.front().source.starts_with(part);
+        };
+        throw is_about("load case") || is_about("recipe ") ? base::within(options.project, "", error)
+                                                           : with_option_name(error);
     }
 }
 
@@ -87,7 +90,8 @@ void warn_of_dropped(const DroppedEntries& dropped) {
     add(dropped.prescribed, "prescribed displacement");
     if (parts.empty()) return;
     warn("left out of the load cases: " + base::join(parts, ", ") +
-         "; they name nodes or tiles by number, which are others now. Those on sides, in boxes and at places "
+         "; they name nodes or tiles by number, which are others now. Those on sides, in boxes, in circles "
+         "and at places "
          "stay");
 }
 
@@ -160,8 +164,9 @@ void add_retile(CLI::App& app, ExitCode&) {
     verb->footer(
         "Example: fretwork retile project.json --edge-length 15mm --out finer.json\n"
         "         fretwork retile project.json --layout paper8 --patterns 0-1+1-7 --out other.json\n"
-        "Without --patterns, a tile takes the pattern of the old tile whose middle is nearest. Supports and "
-        "loads on interface nodes by number are left out: their nodes lie elsewhere.");
+        "Without --patterns, a tile takes the pattern of the old tile whose middle is nearest, and fields, "
+        "images, colours and chance paint again what they have painted. Supports and loads on interface "
+        "nodes by number are left out: their nodes lie elsewhere.");
     verb->callback([options, verb] {
         require_change(*verb);
         if (verb->count("--patterns") == 0) refuse_given(*verb, {"--library"}, "is for --patterns");

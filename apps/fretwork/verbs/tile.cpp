@@ -140,6 +140,7 @@ Project write(Project tiled, const TileOptions& options, const Library* library)
     project.outline = std::move(tiled.outline);
     project.further_outlines = std::move(tiled.further_outlines);
     project.tessellation = std::move(tiled.tessellation);
+    project.recipes = std::move(tiled.recipes);
     project.setting = std::move(tiled.setting);
     name_library(project, options, library);
     check_what_stays(project, options);

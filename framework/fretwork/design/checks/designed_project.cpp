@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/design/checks/designed_project.hpp>
+#include <fretwork/simulation/project/painting_recipe.hpp>
+#include <fretwork/tiling/tessellation.hpp>
 
 #include <algorithm>
 
@@ -21,12 +23,25 @@ void write_section(const Trials& trials, const Point& point, DesignReport& repor
         {"the designed project names no library: its bars have another section than the library's"});
 }
 
+/// The tiles with another pattern than before leave the recipes of the painting.
+void write_painting(const tiling::Tessellation& designed, simulation::Project& project) {
+    std::vector<tiling::TileIndex> changed;
+    for (const tiling::TileIndex tile : designed.tiles.indices()) {
+        const auto* before = tiling::pattern_of(project.tessellation, tile);
+        const auto* now = tiling::pattern_of(designed, tile);
+        const bool is_same = before != nullptr && now != nullptr && before->id == now->id;
+        if (!is_same) changed.push_back(tile);
+    }
+    simulation::end_recipes(project, changed);
+    project.tessellation = designed;
+}
+
 }  // namespace
 
 void write_point(const Trials& trials, const Point& point, const std::vector<std::string>& names,
                  DesignReport& report) {
     simulation::Project& project = report.project;
-    project.tessellation = trials.surface_at(point).tessellation;
+    write_painting(trials.surface_at(point).tessellation, project);
     for (const pattern::NamedPattern& own : project.tessellation.patterns) report.patterns.push_back(own.id);
     std::ranges::sort(report.patterns);
     report.load_cases = names;
