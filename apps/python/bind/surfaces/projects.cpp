@@ -8,6 +8,7 @@
 #include <fretwork/simulation/load_cases/conditions.hpp>
 #include <fretwork/simulation/project/new_project.hpp>
 #include <fretwork/simulation/project/painting_choice.hpp>
+#include <fretwork/simulation/project/painting_recipe.hpp>
 #include <fretwork/simulation/project/project_file.hpp>
 #include <fretwork/simulation/project/project_library.hpp>
 #include <fretwork/simulation/project/retiling.hpp>
@@ -61,6 +62,15 @@ void bind_painting_choices(py::module_& m) {
         .done();
 }
 
+void bind_recipes(py::module_& m) {
+    Record<PaintingRecipe>(m, "PaintingRecipe",
+                           "A choice by a field, by colours or at random, and the tiles that it has painted. "
+                           "It needs no file.")
+        .field("choice", &PaintingRecipe::choice, "")
+        .field("tiles", &PaintingRecipe::tiles, "")
+        .done();
+}
+
 Tiles tiles_or_all(const tiling::Tessellation& tessellation, const std::optional<Tiles>& tiles) {
     const auto count = tessellation.tiles.size();
     if (!tiles) return Tiles(tessellation.tiles.indices().begin(), tessellation.tiles.indices().end());
@@ -76,9 +86,7 @@ Tiles paint_project(Project& project, const PaintingGiven& given, const std::opt
     if (!others.empty())
         throw py::type_error("paint() does not take " + py::cast<std::string>(py::str(py::list(others))));
     return with_library(library, [&](const library::Library* opened) {
-        const reduction::Setting setting = setting_of(project, opened);
-        return paint(project.tessellation, tiles_or_all(project.tessellation, tiles), choice,
-                     {project.layout, setting, opened});
+        return paint(project, tiles_or_all(project.tessellation, tiles), choice, opened);
     });
 }
 
@@ -106,6 +114,8 @@ void bind_project(py::module_& m) {
         .field("setting", &Project::setting,
                "setting, as a copy; None: the setting of the library, or the paper's setting")
         .field("tile_models", &Project::tile_models, "")
+        .constant("recipes", &Project::recipes,
+                  "how tiles were painted by place or by chance, which retile() applies again")
         .field("library_path", &Project::library_path, "library, relative to the project file; empty: none")
         .field("library_hash", &Project::library_hash, "")
         .done(Made::ByFunctions)
@@ -126,6 +136,7 @@ void bind_project(py::module_& m) {
                     if (entry != -1)
                         checked_index(entry, painting.patterns.size(), "pattern of the painting");
                 paint(self.tessellation, painting);
+                self.recipes.clear();
             },
             "painting"_a, "Paint every tile with the pattern that a painting gives it.")
         .def(
@@ -139,9 +150,24 @@ void bind_project(py::module_& m) {
         .def(
             "mirror",
             [](Project& self, const Tiles& tiles) {
-                mirror(self.tessellation, tiles_or_all(self.tessellation, tiles), self.layout);
+                const Tiles mirrored = tiles_or_all(self.tessellation, tiles);
+                mirror(self.tessellation, mirrored, self.layout);
+                end_recipes(self, mirrored);
             },
             "tiles"_a, "Replace the patterns of tiles by their mirror images.")
+        .def(
+            "end_recipes",
+            [](Project& self, const std::optional<Tiles>& tiles) {
+                end_recipes(self, tiles_or_all(self.tessellation, tiles));
+            },
+            "tiles"_a = py::none(),
+            "Take tiles (None: all) out of their recipes: retile() then keeps their patterns by place.")
+        .def(
+            "apply_recipes",
+            [](Project& self, const LibraryPointer& library) {
+                with_library(library, [&](const library::Library* opened) { apply_recipes(self, opened); });
+            },
+            "library"_a = py::none(), "Paint the tiles of every recipe again, such as in another setting.")
         .def(
             "find_load_case",
             [](const Project& self, const std::string& name) { return find_load_case(self, name); },
@@ -233,7 +259,8 @@ void bind_retiling(py::module_& m) {
         },
         "project"_a, "patterns"_a = py::none(), "library"_a = py::none(),
         "Cover the outline of a project with other tiles. Without `patterns`, a tile takes pattern and tile "
-        "model of the old tile whose centroid is nearest; with them, it is painted as make_project does. "
+        "model of the old tile whose centroid is nearest, and the recipes of the painting are applied again; "
+        "with them, it is painted as make_project does. "
         "Supports and loads stay by side, box, places and rim; those on interface nodes by number are left "
         "out, and counted. With another layout the tiles are bare without `patterns`, and the project leaves "
         "its library.\n\n"
@@ -315,6 +342,7 @@ void bind_surface(py::module_& m) {
 
 void bind_projects(py::module_& m) {
     bind_painting_choices(m);
+    bind_recipes(m);
     bind_project(m);
     bind_making(m);
     bind_retiling(m);
