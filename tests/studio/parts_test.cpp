@@ -96,7 +96,8 @@ TEST(StudioHistory, MemoryStaysBoundedUnderRandomEdits) {
 
 TEST(StudioHistory, CountsTheFilesOfPaintings) {
     constexpr std::size_t kFile = 300'000;
-    const auto painted_by = [](const State& state, const std::shared_ptr<const PaintingRecipe>& recipe) {
+    const auto painted_by = [](const State& state,
+                               const std::shared_ptr<const simulation::PaintingChoice>& recipe) {
         Painting painting = *state.painting;
         painting.recipes.assign(painting.recipes.size(), recipe);
         State next = state;
@@ -104,8 +105,9 @@ TEST(StudioHistory, CountsTheFilesOfPaintings) {
         return next;
     };
     const auto recipe = [] {
-        return std::make_shared<const PaintingRecipe>(
-            PaintingRecipe{{}, SentFile{"a.png", std::string(kFile, 'x')}});
+        const simulation::FileContent content{std::string(kFile, 'x')};
+        return std::make_shared<const simulation::PaintingChoice>(
+            simulation::PaintByField{.field = simulation::FieldImage{"a.png", content}});
     };
     const State first = first_state();
     const auto one = recipe();

@@ -4,6 +4,7 @@
 
 #include <fretwork/base/files/base64.hpp>
 #include <fretwork/simulation/project/new_project.hpp>
+#include <fretwork/simulation/project/retiling.hpp>
 
 #include <gmock/gmock.h>
 
@@ -130,6 +131,34 @@ TEST(StudioRetiling, AFieldIsPaintedAgainWhereItWasPainted) {
     EXPECT_EQ(id_of(after, TileIndex(0)), "0-1+1-6");
 }
 
+/// What is saved and opened again is the text that is downloaded.
+TEST(StudioRetiling, AFieldOfAFileThatIsOpenedIsPaintedAgain) {
+    std::string saved;
+    {
+        const RunningStudio studio(plate());
+        Client client(studio.address());
+        client.hello();
+        ASSERT_TRUE(client.ask("paint", {{"patterns", "field:u"}, {"palette", kPalette}})["ok"].get<bool>());
+        ASSERT_TRUE(client.ask("paint", {{"tiles", {0}}, {"pattern", "0-6"}})["ok"].get<bool>());
+        saved = client.ask("download")["text"].get<std::string>();
+    }
+    const Project opened = simulation::parse_project(saved, "saved");
+    ASSERT_EQ(opened.recipes.size(), 1U);
+    EXPECT_EQ(opened.recipes[0].tiles.size() + 1, opened.tessellation.tiles.size());
+    const RunningStudio studio(opened);
+    Client client(studio.address());
+    client.hello();
+    EXPECT_EQ(simulation::project_text(shown(client)), saved) << "to open changes nothing";
+    const Json answer = client.ask("retile", {{"tile_size", 0.02}});
+    ASSERT_TRUE(answer["ok"].get<bool>()) << answer;
+    EXPECT_GT(answer["painted_again"]["field"].get<int>(), 0);
+    const Project after = shown(client);
+    const Project expected = simulation::retile(opened, {.edge_length = 0.02}, nullptr).project;
+    for (const TileIndex tile : after.tessellation.tiles.indices())
+        EXPECT_EQ(id_of(after, tile), id_of(expected, tile)) << tile.value;
+    EXPECT_EQ(after.recipes, expected.recipes);
+}
+
 TEST(StudioRetiling, OnePatternForAllAndAnotherLayout) {
     const RunningStudio studio(plate());
     Client client(studio.address());
@@ -137,6 +166,7 @@ TEST(StudioRetiling, OnePatternForAllAndAnotherLayout) {
     ASSERT_TRUE(client.ask("retile", {{"tile_size", 0.03}, {"patterns", "0-5+5-6"}, {"angle", 0.2}})["ok"]);
     for (const Project project = shown(client); const TileIndex tile : project.tessellation.tiles.indices())
         EXPECT_EQ(id_of(project, tile), "0-5+5-6");
+    EXPECT_TRUE(shown(client).recipes.empty());
     const Json other =
         client.ask("retile", {{"tile_size", 0.05}, {"layout", "paper8"}, {"patterns", "made:one"}});
     ASSERT_TRUE(other["ok"].get<bool>()) << other;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A page's request to paint.
 #include <fretwork/base/error.hpp>
+#include <fretwork/simulation/project/painting_recipe.hpp>
 #include <fretwork/tiling/painting/painting.hpp>
 #include <studio/document/painting_request.hpp>
 #include <studio/server/sent_file.hpp>
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
-#include <tuple>
 
 namespace fretwork::studio {
 namespace {
@@ -87,46 +87,44 @@ std::vector<TileIndex> chosen_tiles(const State& state, const JsonReader& reques
     return {numbers.begin(), numbers.end()};
 }
 
+using simulation::PaintingChoice;
+
+/// True if the patterns or their properties are in a library.
+bool looks_up(const PaintingChoice& choice) {
+    const auto is_open = [](const simulation::PaletteChoice& palette) {
+        return palette.ids.empty() && palette.file.empty();
+    };
+    if (const auto* random = std::get_if<simulation::PaintAtRandom>(&choice)) return is_open(random->palette);
+    const auto* field = std::get_if<simulation::PaintByField>(&choice);
+    return field != nullptr && (is_open(field->palette) || !field->property.empty());
+}
+
 /// Only where something is looked up in it: to see whether it has changed takes as long as it is large.
-std::optional<library::Library> library_for(const PaintingText& text, const State& state) {
-    if (!text.palette.empty() && text.property.empty()) return std::nullopt;
+std::optional<library::Library> library_for(const PaintingChoice& choice, const State& state) {
+    if (!looks_up(choice)) return std::nullopt;
     auto library = open_library(state);
     if (library) library->check_layout(state.ground->layout);
     return library;
 }
 
-/// Paintings that say by place, or by chance, which pattern a tile gets.
-bool is_recipe(const simulation::PaintingChoice& choice) {
-    return std::holds_alternative<simulation::PaintByField>(choice) ||
-           std::holds_alternative<simulation::PaintByColours>(choice) ||
-           std::holds_alternative<simulation::PaintAtRandom>(choice);
-}
-
-bool is_same(const PaintingRecipe& one, const PaintingRecipe& other) {
-    const auto words_of = [](const PaintingText& text) {
-        return std::tie(text.patterns, text.palette, text.property, text.range, text.dither);
-    };
-    return words_of(one.text) == words_of(other.text) && one.file == other.file;
-}
-
 /// One that a tile has already, if it says the same: to paint twice alike changes nothing.
-std::shared_ptr<const PaintingRecipe> known_or_new(const Painting& painting, const PaintingRecipe& wanted) {
+std::shared_ptr<const PaintingChoice> known_or_new(const Painting& painting, const PaintingChoice& wanted) {
     for (const auto& recipe : painting.recipes) {
-        if (recipe && is_same(*recipe, wanted)) return recipe;
+        if (recipe && *recipe == wanted) return recipe;
     }
-    return std::make_shared<const PaintingRecipe>(wanted);
+    return std::make_shared<const PaintingChoice>(wanted);
 }
 
-Painted by_choice(const State& state, const std::vector<TileIndex>& tiles, const PaintingText& text,
-                  const PaintingRecipe& recipe) {
-    const simulation::PaintingChoice choice = typed::read_painting(text);
-    const auto library = library_for(text, state);
+Painted by_choice(const State& state, const std::vector<TileIndex>& tiles, const PaintingChoice& choice) {
+    const auto library = library_for(choice, state);
+    const simulation::PaintingGround ground{state.ground->layout, *state.setting,
+                                            library ? &*library : nullptr};
     tiling::Tessellation tessellation = make_project(state, "/").tessellation;
-    const auto done = simulation::paint(
-        tessellation, tiles, choice, {state.ground->layout, *state.setting, library ? &*library : nullptr});
+    const auto done = simulation::paint(tessellation, tiles, choice, ground);
+    const auto recipe = simulation::recipe_of(choice, ground);
+    const auto kept = recipe ? known_or_new(*state.painting, *recipe) : nullptr;
     Painted result{*state.painting, done.size()};
     PaletteWriter palette(result.painting, state.ground->layout);
-    const auto kept = is_recipe(choice) ? known_or_new(*state.painting, recipe) : nullptr;
     for (const TileIndex tile : done) {
         result.painting.patterns[tile] = palette.place_of(*tiling::pattern_of(tessellation, tile));
         result.painting.recipes[tile] = kept;
@@ -134,13 +132,16 @@ Painted by_choice(const State& state, const std::vector<TileIndex>& tiles, const
     return result;
 }
 
-Painted by_recipe(const State& state, const std::vector<TileIndex>& tiles, const PaintingRecipe& recipe) {
-    if (!recipe.file) return by_choice(state, tiles, recipe.text, recipe);
-    return read_sent(*recipe.file, [&](const std::filesystem::path& path) {
-        PaintingText text = recipe.text;
-        text.patterns += path.string();
-        return by_choice(state, tiles, text, recipe);
-    });
+/// The choice with the file that came with the request, in place of a path.
+PaintingChoice with_file(PaintingChoice choice, const SentFile& sent) {
+    const simulation::FileContent content{sent.content};
+    if (auto* field = std::get_if<simulation::PaintByField>(&choice))
+        field->field = simulation::FieldImage{shown_name(sent.name), content};
+    if (auto* colours = std::get_if<simulation::PaintByColours>(&choice)) {
+        colours->drawing = shown_name(sent.name);
+        colours->content = content;
+    }
+    return choice;
 }
 
 /// The file that the choice reads may come with the request.
@@ -150,12 +151,13 @@ Painted chosen(const State& state, const JsonReader& request) {
     const PaintingText text = read_painting_text(request);
     const auto tiles = chosen_tiles(state, request);
     const auto file = request.find("file");
-    if (!file) return by_recipe(state, tiles, {text});
+    if (!file) return by_choice(state, tiles, typed::read_painting(text));
     file->allow_only({"name", "text_base64"});
     if (text.patterns != "image:" && text.patterns != "colours:")
         file->fail("is what the patterns 'image:' and 'colours:' read, and these are '" + text.patterns +
                    "'");
-    return by_recipe(state, tiles, {text, parse_sent_file(*file)});
+    const SentFile sent = parse_sent_file(*file);
+    return by_choice(state, tiles, with_file(typed::read_painting(text), sent));
 }
 
 }  // namespace
@@ -183,23 +185,18 @@ PaintingText read_painting_text(const JsonReader& request) {
             .prefix = ""};
 }
 
-std::string kind_of(const PaintingRecipe& recipe) {
-    return recipe.text.patterns.substr(0, recipe.text.patterns.find(':'));
+std::string kind_of(const simulation::PaintingChoice& recipe) {
+    if (std::holds_alternative<simulation::PaintAtRandom>(recipe)) return "random";
+    const auto* field = std::get_if<simulation::PaintByField>(&recipe);
+    if (field == nullptr) return "colours";
+    return std::holds_alternative<simulation::FieldImage>(field->field) ? "image" : "field";
 }
 
 Painting painted_again(const State& state) {
-    std::vector<std::shared_ptr<const PaintingRecipe>> recipes;
-    std::map<const PaintingRecipe*, std::vector<TileIndex>> tiles;
-    for (std::size_t t = 0; t < state.tile_count(); ++t) {
-        const auto& recipe = state.painting->recipes[t];
-        if (!recipe) continue;
-        if (!tiles.contains(recipe.get())) recipes.push_back(recipe);
-        tiles[recipe.get()].emplace_back(t);
-    }
     State painted = state;
-    for (const auto& recipe : recipes)
+    for (const simulation::PaintingRecipe& recipe : make_project(state, "/").recipes)
         painted.painting =
-            std::make_shared<const Painting>(by_recipe(painted, tiles.at(recipe.get()), *recipe).painting);
+            std::make_shared<const Painting>(by_choice(painted, recipe.tiles, recipe.choice).painting);
     return *painted.painting;
 }
 

@@ -3,9 +3,8 @@
 
 #include <fretwork/base/json_reader.hpp>
 #include <studio/document/state.hpp>
-#include <studio/server/sent_file.hpp>
 
-#include <optional>
+#include <string>
 #include <typed/painting_text.hpp>
 #include <vector>
 
@@ -18,15 +17,8 @@ std::vector<std::size_t> read_tiles(const base::JsonReader& json, const State& s
 /// `fretwork paint`; each may be left out.
 typed::PaintingText read_painting_text(const base::JsonReader& request);
 
-/// A choice that says by the place of a tile which pattern it gets: a field, an image or the colours of a
-/// drawing; or chance. On other tiles it can be made again.
-struct PaintingRecipe {
-    typed::PaintingText text;
-    /// The file that came with the request, which `text` has no path of.
-    std::optional<SentFile> file{};
-};
-/// The word before the colon: "field", "image", "colours" or "random".
-std::string kind_of(const PaintingRecipe& recipe);
+/// The kind of a recipe's choice as requests call it: "field", "image", "colours" or "random".
+std::string kind_of(const simulation::PaintingChoice& recipe);
 
 /// The painting after all its recipes are followed again, each on the tiles that have it. Throws InputError
 /// if one cannot be followed, such as by a library that has changed.

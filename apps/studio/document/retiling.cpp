@@ -16,7 +16,6 @@ namespace {
 using base::Json;
 using base::JsonReader;
 using simulation::Project;
-using tiling::TileIndex;
 
 constexpr std::string_view kKeep = "keep";
 constexpr std::string_view kMade = "made:one";
@@ -46,17 +45,14 @@ void find_pattern(const State& state, Retiling& made, const base::Control& contr
     project.tessellation = made.tiles.tessellation;
     project.load_cases.clear();
     project.tile_models.clear();
+    project.recipes.clear();
     project.library_path.clear();
     made.remark = paint_to_be_made(project, control);
     if (made.remark.empty()) made.pattern = project.tessellation.patterns.front();
 }
 
-/// Patterns and recipes by place; then the recipes are followed again.
-State painted_by_place(const State& before, State next, const simulation::CarriedOver& carried) {
-    Painting painting = *next.painting;
-    for (const TileIndex tile : carried.from.indices())
-        painting.recipes[tile] = before.painting->recipes[carried.from[tile]];
-    next.painting = std::make_shared<const Painting>(std::move(painting));
+/// The recipes, which lie where they lay, are followed again.
+State painted_by_place(State next) {
     next.painting = std::make_shared<const Painting>(painted_again(next));
     return next;
 }
@@ -71,6 +67,7 @@ State painted_with(State next, const std::optional<pattern::NamedPattern>& patte
         if (found == painting.palette.end()) painting.palette.push_back(*pattern);
     }
     std::ranges::fill(painting.patterns, place);
+    std::ranges::fill(painting.recipes, nullptr);
     next.painting = std::make_shared<const Painting>(std::move(painting));
     return next;
 }
@@ -163,7 +160,7 @@ Retiled retiled(const State& state, const Retiling& made, Preview preview) {
     next.model = state.model;
     next.analysis = state.analysis;
     if (!made.wanted.options.layout) next.library = state.library;
-    next = made.wanted.patterns == kKeep ? painted_by_place(state, std::move(next), carried)
+    next = made.wanted.patterns == kKeep ? painted_by_place(std::move(next))
                                          : painted_with(std::move(next), made.pattern);
     Json answer = answer_json(next, made, carried);
     if (preview == Preview::Yes) add_picture(made.tiles.tessellation, answer);

@@ -2,9 +2,9 @@
 #include <fretwork/reduction/models/tile_model.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
 #include <fretwork/simulation/project/project_library.hpp>
-#include <studio/document/painting_request.hpp>
 #include <studio/document/state.hpp>
 
+#include <map>
 #include <set>
 
 namespace fretwork::studio {
@@ -23,14 +23,48 @@ std::vector<std::string> tile_models_of(const Project& project) {
     return models;
 }
 
+using Recipe = std::shared_ptr<const simulation::PaintingChoice>;
+
+/// The size of the image or the drawing that a choice has with it, in bytes.
+std::size_t size_of_file(const simulation::PaintingChoice& choice) {
+    const auto* field = std::get_if<simulation::PaintByField>(&choice);
+    const auto* image = field == nullptr ? nullptr : std::get_if<simulation::FieldImage>(&field->field);
+    if (image != nullptr && image->content) return image->content->bytes.size();
+    const auto* colours = std::get_if<simulation::PaintByColours>(&choice);
+    return colours != nullptr && colours->content ? colours->content->bytes.size() : 0;
+}
+
 /// The files of recipes that another painting does not have.
 std::size_t size_of_files(const Painting& painting, const Painting& other) {
-    std::set<std::shared_ptr<const PaintingRecipe>> known(other.recipes.begin(), other.recipes.end());
+    std::set<Recipe> known(other.recipes.begin(), other.recipes.end());
     std::size_t size = 0;
-    for (const auto& recipe : painting.recipes) {
-        if (known.insert(recipe).second && recipe && recipe->file) size += recipe->file->content.size();
+    for (const Recipe& recipe : painting.recipes) {
+        if (known.insert(recipe).second && recipe) size += size_of_file(*recipe);
     }
     return size;
+}
+
+std::vector<Recipe> recipes_by_tile(const Project& project) {
+    std::vector<Recipe> recipes(project.tessellation.tiles.size());
+    for (const simulation::PaintingRecipe& recipe : project.recipes) {
+        const Recipe shared = part(recipe.choice);
+        for (const tiling::TileIndex tile : recipe.tiles) recipes[tile] = shared;
+    }
+    return recipes;
+}
+
+/// The inverse: in the order of their first tiles.
+std::vector<simulation::PaintingRecipe> recipes_with_tiles(const Painting& painting) {
+    std::vector<simulation::PaintingRecipe> recipes;
+    std::map<const simulation::PaintingChoice*, std::size_t> places;
+    for (std::size_t t = 0; t < painting.recipes.size(); ++t) {
+        const Recipe& recipe = painting.recipes[t];
+        if (!recipe) continue;
+        const auto [place, is_new] = places.try_emplace(recipe.get(), recipes.size());
+        if (is_new) recipes.push_back({*recipe, {}});
+        recipes[place->second].tiles.emplace_back(t);
+    }
+    return recipes;
 }
 
 std::size_t size_of_difference(const Painting& painting, const Painting& other) {
@@ -52,7 +86,7 @@ State make_state(const Project& project, const std::filesystem::path& folder) {
     Painting painting{project.tessellation.patterns, {}, {}, {}};
     for (const tiling::Tile& tile : project.tessellation.tiles) painting.patterns.push_back(tile.pattern);
     painting.turns.resize(painting.patterns.size());
-    painting.recipes.resize(painting.patterns.size());
+    painting.recipes = recipes_by_tile(project);
     LibraryLink library;
     if (!project.library_path.empty()) {
         library.path = std::filesystem::absolute(folder / project.library_path).lexically_normal();
@@ -75,6 +109,7 @@ Project make_project(const State& state, const std::filesystem::path& folder) {
         tessellation.tiles[t].pattern = state.painting->patterns[t];
         tiling::turn(tessellation.tiles[t], state.painting->turns[t]);
     }
+    project.recipes = recipes_with_tiles(*state.painting);
     project.load_cases = *state.load_cases;
     project.setting = *state.setting;
     project.tile_models = simulation::tile_model_choices(*state.tile_models);

@@ -11,16 +11,14 @@
 
 namespace fretwork::studio {
 
-struct PaintingRecipe;
-
 /// Which pattern lies in each tile, and how it is turned.
 struct Painting {
     std::vector<pattern::NamedPattern> palette;
     std::vector<int> patterns;  ///< of each tile: an index into the palette; -1: not painted
     std::vector<int> turns;     ///< for each tile: turned by this many vertices from the ground
-    /// For each tile the choice by place (a field, an image, a drawing or chance) that painted it; null: it
-    /// was painted by hand. Not in project files: the studio knows them until it ends.
-    std::vector<std::shared_ptr<const PaintingRecipe>> recipes;
+    /// For each tile the choice by place or by chance that painted it, as simulation::recipe_of() has it;
+    /// null: it was painted by hand.
+    std::vector<std::shared_ptr<const simulation::PaintingChoice>> recipes;
     friend bool operator==(const Painting&, const Painting&) = default;
 };
 
