@@ -4,6 +4,7 @@
 #include "support.hpp"
 
 #include <fretwork/pattern/mirror.hpp>
+#include <fretwork/simulation/project/painting_recipe.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -148,6 +149,23 @@ TEST(Design, FindsTheFactorOfTheLoad) {
     EXPECT_NEAR(report.error->mean, mean_error(report, planted.target), 1e-6)
         << "the load case is written, too";
     EXPECT_NE(report.factors.front(), 1.0);
+}
+
+TEST(Design, TakesTheTilesThatItPaintsOutOfTheirRecipes) {
+    Planted planted;
+    const simulation::PaintByField field{.field = simulation::FieldExpression{"u"},
+                                         .palette = {.ids = kDesignPatterns}};
+    (void)simulation::paint(planted.project, field, nullptr);
+    DesignOptions options = test::design_options(planted.project);
+    options.keep = {TileIndex(0), TileIndex(1)};
+    const DesignReport report = design(planted.project, nullptr, planted.target, options);
+    ASSERT_EQ(report.project.recipes.size(), 1U);
+    const auto& tiles = report.project.recipes[0].tiles;
+    for (const TileIndex tile : report.project.tessellation.tiles.indices()) {
+        const bool is_as_before = pattern_of(report.project, tile).id == pattern_of(planted.project, tile).id;
+        EXPECT_EQ(std::ranges::find(tiles, tile) != tiles.end(), is_as_before) << tile.value;
+    }
+    EXPECT_LT(tiles.size(), report.project.tessellation.tiles.size());
 }
 
 /// A target under each of two load cases, which one painting reaches.

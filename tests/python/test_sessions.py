@@ -207,6 +207,34 @@ class Retiling(unittest.TestCase):
         painted.paint("random:7", palette=palette)
         self.assertEqual(ids(made), ids(painted))
 
+    def test_a_field_paints_again_what_it_has_painted(self):
+        palette = [support.PATTERN, support.OTHER]
+        project = self.loaded()
+        self.assertEqual(project.recipes, ())
+        project.paint("field:u", palette=palette)
+        (recipe,) = project.recipes
+        self.assertEqual(recipe.choice, fw.PaintByField(fw.FieldExpression("u"), fw.PaletteChoice(ids=palette)))
+        self.assertEqual(list(recipe.tiles), list(range(len(project.tessellation))))
+        again = fw.retile(fw.parse_project(fw.project_text(project)), edge_length=0.015).project
+        said = fw.retile(project, "field:u", palette=palette, edge_length=0.015).project
+        self.assertEqual(fw.project_text(again), fw.project_text(said))
+        self.assertEqual({tile.pattern for tile in again.tessellation.tiles}, {0, 1})
+
+    def test_tiles_that_are_painted_in_another_way_leave_their_recipe(self):
+        project = self.loaded()
+        project.paint("random:1", palette=[support.PATTERN, support.OTHER])
+        project.paint(support.PATTERN, tiles=[0, 2])
+        self.assertEqual(list(project.recipes[0].tiles[:2]), [1, 3])
+        project.mirror([1])
+        self.assertEqual(project.recipes[0].tiles[0], 3)
+        project.end_recipes()
+        self.assertEqual(project.recipes, ())
+
+    def test_an_image_is_kept_as_bytes(self):
+        image = fw.FieldImage("a.png", b"\x89PNG\x00\xff")
+        self.assertEqual(image.content, b"\x89PNG\x00\xff")
+        self.assertIsNone(fw.FieldImage("a.png").content)
+
     def test_with_another_layout_tiles_are_bare(self):
         made = fw.retile(support.project(), layout=fw.find_node_layout("paper8"))
         self.assertEqual(made.project.layout.name, "paper8")

@@ -25,6 +25,7 @@ FRAME = {"format": "fretwork/frame/2", "nodes": [[0, 0, 0], [1, 0, 0]], "materia
          "beams": [{"nodes": [0, 1], "section": "s", "material": "m"}], "supports": [{"node": 0, "fixed": ["ux", "uy", "uz", "rx", "ry", "rz"]}],
          "loads": [{"node": 1, "force": [0, 0, -1]}]}
 PAINTING = {"format": "fretwork/painting/1", "layout": "paper7", "patterns": ["0-1+1-6"], "tiles": [0]}
+RED = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 200 200" width="200mm" height="200mm"><rect width="200" height="200" fill="red"/></svg>'
 CIRCLE = {"circle": {"center": [0.1, 0.1], "radius": 0.05}}
 CIRCLE_CASE = {"format": "fretwork/load-case/4", "name": "push", "supports": [{**CIRCLE, "fixed": ["uz"]}], "loads": [{**CIRCLE, "force": [0, 0, -1]}, {**CIRCLE, "per_area": [0, 0, -1]}],
                "prescribed": [{**CIRCLE, "ux": 0.001}]}
@@ -63,8 +64,12 @@ def made_documents():
                                ("circle_case.json", CIRCLE_CASE), ("circle_target.json", CIRCLE_TARGET), ("circle_stages.json", CIRCLE_STAGES)):
             (folder / file).write_text(json.dumps(document))
         (folder / "square.json").write_text(json.dumps({"format": "fretwork/outline/1", "boundary": [[0, 0], [0.2, 0], [0.2, 0.2], [0, 0.2]]}))
+        (folder / "red.svg").write_text(RED)
         commands = (("solve", "frame.json", "--steps", "2", "--modes", "1", "--buckling", "1", "--out", "frame_result.json"),
                     ("tile", "square.json", "--patterns", "0-1+1-6", "--edge-length", "40mm", "--out", "project.json"),
+                    ("paint", "project.json", "--tiles", "0", "--patterns", "random:1", "--palette", "0-1+1-6=2,0-5+5-6", "--out", "recipes.json"),
+                    ("paint", "recipes.json", "--tiles", "1", "--patterns", "field:u", "--palette", "0-1+1-6,0-5+5-6", "--property", "bending_stiffness", "--range", "0,0.1", "--dither"),
+                    ("paint", "recipes.json", "--tiles", "2", "--patterns", "colours:red.svg", "--palette", "red=0-5+5-6"),
                     ("case", "add", "project.json", case),
                     ("simulate", "project.json", "--case", "cantilever", "--model", "full", "--steps", "2", "--out", "full.json"),
                     ("simulate", "project.json", "--case", "cantilever", "--model", "corotational", "--estimate-model-error", "--out", "tiles.json"),

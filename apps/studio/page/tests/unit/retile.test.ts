@@ -38,7 +38,7 @@ it('names the paintings that are made again, and all that goes', () => {
   expect(words.slice(0, 3)).toEqual([
     'The gradient is painted again on 6 tiles.', 'The image is painted again on 1 tile.', '3 tiles take the pattern of the nearest old tile.',
   ]);
-  expect(words[3]).toMatch(/until the studio closes/);
+  expect(words[3]).toMatch(/^The project keeps them/);
   expect(paintingWords({ ...TILES, painted_again: { field: 10 } }, 'keep').join()).not.toMatch(/nearest/);
 });
 it('the side is that of the tiles until another is wanted', () => {
