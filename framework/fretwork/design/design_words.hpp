@@ -9,11 +9,11 @@
 
 namespace fretwork::design {
 
-/// The reason for which a search ended, in words that follow "the design ended:".
+/// The reason why a search ended, as the words after "the design ended:".
 std::string_view design_end_words(DesignEnd end);
 
-/// The reasons why a design falls short, the load first: loads that do not fit the target, the warnings of
-/// the search, a target out of reach, and limits of the options that no checked painting keeps.
+/// The reasons why a design falls short, in this order: loads that do not fit the target, warnings of the
+/// search, a target out of reach, and limits of the options that no checked painting keeps.
 std::vector<DesignWarning> design_warnings(const DesignReport& report, const DesignOptions& options);
 
 }  // namespace fretwork::design

@@ -11,31 +11,31 @@
 
 namespace fretwork::design {
 
-/// The principal curvatures of a bent surface at a place, 1/m.
+/// The principal curvatures of a bent surface at a point, 1/m.
 struct Curvatures {
     double largest = 0.0;   ///< larger principal curvature
     double smallest = 0.0;  ///< smaller principal curvature
 };
 
-/// The principal curvatures of a surface at each tile: the curvatures of the quadric that fits, by least
-/// squares, the places of the interface nodes of the tile and its neighbours. A surface that bends towards z
-/// has positive curvatures. None for a tile with too few nodes, or with a node without a place (NaN).
-/// @param places  places of the interface nodes in space, m, one row for each
+/// Compute the principal curvatures of a surface at each tile. A quadric is fitted by least squares to the
+/// interface nodes of the tile and its neighbours. Curvatures are positive where the surface bends towards z.
+/// A tile has none if there are fewer than six nodes, or if the position of a node is unknown (NaN).
+/// @param places  positions of the interface nodes in space, m, one row for each node
 base::IndexVector<tiling::TileIndex, std::optional<Curvatures>> tile_curvatures(
     const tiling::Tessellation& tessellation, const Eigen::Matrix<double, Eigen::Dynamic, 3>& places);
 
-/// The curvatures that tiles with single patterns reach under the load, and the curvatures that the target
-/// wants.
+/// The curvatures that single patterns reach under the load, and the curvatures that the target needs.
 struct Gamut {
-    /// The curvatures of every tile in every uniform painting that was tried, under the load case as it is;
-    /// for uniform paintings that were fitted, also with their own best unknowns.
+    /// Curvatures of every tile in every uniform painting that was tried, under the given load case. Where
+    /// the free unknowns were fitted to a uniform painting, the curvatures with these unknowns are added.
     std::vector<Curvatures> reached;
-    /// Wanted curvatures, for the tiles around which every node has a goal for its place.
+    /// Curvatures of the target at each tile where it sets the positions of all nodes of the tile and its
+    /// neighbours.
     std::vector<Curvatures> wanted;
-    /// Curvatures in the painting, with all beams, for the tiles of `wanted`.
+    /// Curvatures of the painting at the tiles of `wanted`, computed by the full model.
     std::vector<Curvatures> designed;
-    /// The share of the wanted curvatures that lie outside the reached curvatures: their distance from each
-    /// reached curvature is above a tenth of the largest reached curvature. None if `wanted` is empty.
+    /// The share of the wanted curvatures that no single pattern reaches: their distance from every reached
+    /// curvature exceeds a tenth of the largest reached curvature. None if `wanted` or `reached` is empty.
     [[nodiscard]] std::optional<double> share_outside() const;
 };
 

@@ -9,24 +9,25 @@
 
 namespace fretwork::design::detail {
 
-/// The solution of the full model at a point of the search space, on the stable path from flat.
+/// The full model's solution at a point of the search space, on the stable path from flat.
 struct FullCheck {
     bool is_found = false;
     TargetError error;
-    std::vector<mechanics::NodeValues>
-        displacements{};  ///< displacements of all nodes, interface nodes first, for each load case
+    /// Displacements of each load case, interface nodes first.
+    std::vector<mechanics::NodeValues> displacements{};
     std::optional<double> largest_utilization{};
     std::optional<double> utilization_error{};  ///< DesignReport::utilization_error
     int solutions = 0;
 };
 
-/// The choice whether to compute the largest utilization of the beams, and to estimate its error.
+/// The quantities of the beams that a check computes: none, the largest utilization, or also its error.
 enum class BeamDemand { None, Utilization, UtilizationAndError };
 
-/// The shapes of the surface in a check, with the places at which the goals want their nodes.
+/// Return the shape of the checked surface in each load case, with the wanted positions of the goals' nodes.
 std::vector<CaseShape> shapes_of(const Trials& trials, const FullCheck& check);
 
-/// Solve all load cases with all beams. Throws Stopped.
+/// Solve all load cases with the full model. If the path from flat loses stability, the solution continues on
+/// the stable branch. Throws Stopped.
 FullCheck check_in_full(const Trials& trials, const Point& point, BeamDemand beams,
                         const base::Control& control);
 

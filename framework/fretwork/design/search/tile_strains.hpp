@@ -9,14 +9,14 @@
 
 namespace fretwork::design::detail {
 
-/// The stiffness k of candidate tiles in coordinates without rigid motions: K = U k U^T. The first columns of
-/// the orthonormal matrix U are strains in the plane (ux uy rz), and the other columns are strains out of the
-/// plane. The beams of a flat tile do not couple strains in the plane with strains out of the plane, so k has
-/// two blocks.
+/// The stiffness k of each candidate tile in coordinates without rigid motions, so that the tile's stiffness
+/// K is U k U^T. The first half of the columns of the orthonormal matrix U are in-plane strains (ux uy rz);
+/// the other half are out-of-plane strains. The beams of a flat tile do not couple the two halves, so k has
+/// two diagonal blocks. Const functions may be called from several threads.
 class TileStrains {
   public:
-    /// Compute k for all candidates. Throws NumericalError if a stiffness couples strains in the plane with
-    /// strains out of the plane; Stopped.
+    /// Compute k for all candidates. Throws NumericalError if a stiffness couples in-plane and out-of-plane
+    /// strains, and Stopped.
     TileStrains(const simulation::CandidateTiles& candidates, int threads, const base::Control& control = {});
 
     struct Blocks {
@@ -41,14 +41,15 @@ class TileStrains {
     std::vector<Class> classes_;
 };
 
-/// The logarithms of the patterns' stiffnesses in one class of tiles, one column for each pattern. The
-/// distance of two columns measures how different two patterns are; stiffness in the plane has a smaller
-/// weight. A rotation is measured by the displacement that it causes at the distance `length` (m).
+/// Compute the matrix logarithms of the patterns' stiffnesses in one class of tiles, one column for each
+/// pattern. The distance between two columns measures how much two patterns differ; the in-plane part has a
+/// smaller weight. Rotations count as displacements at the distance `length` (m).
 Eigen::MatrixXd stiffness_logarithms(const TileStrains& strains, std::size_t tile_class, double length,
                                      const base::Control& control);
 
-/// Choose `count` columns that lie far from each other: first the column nearest to the mean, then each time
-/// the column farthest from the chosen columns. If there are no more than `count` columns, all are chosen.
+/// Choose `count` columns that lie far from each other. The first is the column nearest to the mean. Each
+/// further one is the column farthest from the chosen columns. All columns are chosen if there are at most
+/// `count`.
 std::vector<std::size_t> spread_choice(const Eigen::MatrixXd& columns, std::size_t count,
                                        const base::Control& control);
 

@@ -12,30 +12,29 @@
 
 namespace fretwork::design {
 
-/// Three components in the surface's axes; a component without a value is free.
+/// A vector in the surface's axes. A component without a value is free.
 using FreeVector = std::array<std::optional<double>, 3>;
 
-/// A wanted displacement or position for each of some interface nodes.
+/// Wanted displacements or positions of listed interface nodes.
 struct NodesGoal {
-    /// The quantity that is wanted.
+    /// The kind of the wanted values.
     enum class Quantity { Displacements, Positions };
     std::vector<int> nodes;                       ///< numbers of interface nodes
-    Quantity quantity = Quantity::Displacements;  ///< the wanted quantity
+    Quantity quantity = Quantity::Displacements;  ///< kind of `values`
     std::vector<FreeVector> values;               ///< wanted values, one for each node, m
     friend bool operator==(const NodesGoal&, const NodesGoal&) = default;
 };
 
-/// Wanted displacements of selected nodes, as expressions of their coordinates x and y at rest (m).
+/// Wanted displacements of selected nodes, as expressions of the nodes' coordinates x and y at rest (m).
 struct FormulaGoal {
     simulation::Selection where;  ///< the nodes
-    std::array<std::optional<std::string>, 3>
-        displacement;  ///< expressions of the displacement, m; a number is an expression, too; a component
-                       ///< without an expression is free
+    /// Expressions or numbers, m; a component without one is free.
+    std::array<std::optional<std::string>, 3> displacement;
     friend bool operator==(const FormulaGoal&, const FormulaGoal&) = default;
 };
 
-/// A surface in space on which selected nodes are wanted. Nodes may slide along the surface: only their
-/// distances from it count.
+/// A mesh in space on which selected nodes shall lie. Nodes may slide along the mesh: only their distances
+/// from it count.
 struct MeshGoal {
     simulation::Selection where;  ///< the nodes
     /// OBJ, PLY or OFF file with coordinates in metres, in the axes of the project.
@@ -50,18 +49,18 @@ struct RotationGoal {
     friend bool operator==(const RotationGoal&, const RotationGoal&) = default;
 };
 
-/// The smallest weight of a goal. A goal with a thousandth of another goal's weight has hardly any effect.
+/// The smallest weight of a goal. Already a thousandth of another goal's weight has hardly any effect.
 inline constexpr double kLeastWeight = 1e-6;
 inline constexpr double kMostWeight = 1e6;  ///< largest weight of a goal
 
-/// A goal: where some nodes are wanted.
+/// A goal for some nodes under one load case.
 struct Goal {
-    /// The wanted displacements, positions, surface or rotation.
+    /// The wanted values.
     std::variant<NodesGoal, FormulaGoal, MeshGoal, RotationGoal> what;
-    double weight = 1.0;  ///< weight of the squared distance of each node, from kLeastWeight to kMostWeight
-    /// Name of the load case under which the goal applies; "": the design's load case.
+    double weight = 1.0;  ///< weight of each node's squared distance, from kLeastWeight to kMostWeight
+    /// Name of the goal's load case; "": the load case of the design.
     std::string load_case{};
-    /// Throws InputError if the weight is out of its range, or if a rotation vector is longer than pi.
+    /// Throws InputError if the weight is out of range, or if a rotation vector is longer than pi.
     void validate() const;
     friend bool operator==(const Goal&, const Goal&) = default;
 };

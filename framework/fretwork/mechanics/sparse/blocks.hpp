@@ -7,14 +7,13 @@
 
 namespace fretwork::mechanics::sparse {
 
-/// The size of the matrix block of a pair of coupled nodes, which is the largest number of unknowns of a
-/// node.
+/// The largest number of unknowns at a node. A pair of coupled nodes has a matrix block of this size.
 inline constexpr int kBlockSize = 6;
 
-/// For each component of a node, true if it is an unknown.
+/// Tells for each component of a node whether it is an unknown.
 using Components = std::array<bool, kBlockSize>;
 
-/// A table with one row of components for each node.
+/// A table with one row for each node and one column for each component.
 using NodeTable = Eigen::Matrix<double, Eigen::Dynamic, kBlockSize, Eigen::RowMajor>;
 
 }  // namespace fretwork::mechanics::sparse
