@@ -5,8 +5,8 @@ namespace fretwork::base {
 
 /// A reference to an object that its owner keeps alive. Inputs and problems have members of this type.
 ///
-/// A Borrowed of a temporary does not compile, so an input cannot outlive a setting that `paper_setting()`
-/// returned. A Borrowed is copied and passed like a reference.
+/// A Borrowed of a temporary, such as the result of `paper_setting()`, does not compile. A Borrowed is copied
+/// and passed like a reference.
 template <class T>
 class Borrowed {
   public:

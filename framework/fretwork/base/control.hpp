@@ -13,7 +13,7 @@ namespace fretwork::base {
 /// leaves nothing half-written.
 class Stopped : public Error {
   public:
-    /// Make the error, with a text which says that nothing is half-written.
+    /// Make the error.
     Stopped() : Error("stopped before it was done; nothing is half-written") {}
 };
 
@@ -22,9 +22,9 @@ class Stopped : public Error {
 struct Control {
     std::stop_token stop{};        ///< checked at least every 50 ms; the default never asks to stop
     Progress* progress = nullptr;  ///< receives the number of steps done; null: no reports. Not owned.
-    /// A function that is also called at every check of `stop`, by the thread that checks; if it returns
-    /// true, the computation stops. This function serves tests, and callers without a second thread. Null: no
-    /// function is called. Not owned.
+    /// A second way to stop, for callers without a second thread, and for tests. Every check of `stop` calls
+    /// this function on its own thread; if the function returns true, the computation stops. May be null. Not
+    /// owned.
     const std::function<bool()>* question = nullptr;
 
     /// True if the caller has asked to stop. The call is cheap enough for every iteration of a solver.

@@ -8,15 +8,15 @@
 
 namespace fretwork::base {
 
-/// Union-find over the elements 0 .. count - 1. The smallest member names its set, whatever the order of the
-/// unions.
+/// Union-find over the elements 0 .. count - 1. A set is named by its smallest member, in whatever order sets
+/// were united.
 class DisjointSets {
   public:
     /// Make sets of one element each, numbered from 0.
     explicit DisjointSets(std::size_t count) : parent_(count) {
         std::iota(parent_.begin(), parent_.end(), std::size_t{0});
     }
-    /// Make one set of the sets of a and b.
+    /// Unite the sets of a and b.
     void unite(std::size_t a, std::size_t b) {
         const std::size_t one = first_of(a);
         const std::size_t other = first_of(b);

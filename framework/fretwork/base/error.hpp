@@ -30,14 +30,14 @@ struct ErrorData {
     /// Places, outermost first: a file, then a file to which the first file refers.
     std::vector<ErrorPlace> where{};
     ErrorKind kind = ErrorKind::Other;  ///< kind of the error, for programs
-    std::vector<std::string> about{};   ///< the facts that ErrorKind names for `kind`
+    std::vector<std::string> about{};   ///< facts that depend on `kind`; see ErrorKind
 };
 
 /// The text "SOURCE: PLACE: what is wrong", in one line.
 std::string text_of(const ErrorData& data);
 
-/// The base class of all exceptions of the library. `what()` is one line, made of the data, and fit for the
-/// person who gave the input.
+/// The base class of all exceptions of the library. `what()` is one line for the person who gave the input,
+/// made from the error's data.
 ///
 /// A programming mistake is an assert. A disappointing outcome (not converged, rejected) is data in a report.
 class Error : public std::runtime_error {
@@ -53,7 +53,7 @@ class Error : public std::runtime_error {
     Error(const std::string& source, const std::string& place, const std::string& problem)
         : Error(ErrorData{problem, {{source, place}}}) {}
 
-    /// The data of which the text is made.
+    /// The data from which `what()` is made.
     [[nodiscard]] const ErrorData& data() const { return data_; }
 
   private:
@@ -86,7 +86,7 @@ class IoError : public Error {
     using Error::Error;
 };
 
-/// A copy of an error with an outer source added, for a catcher that knows the file:
+/// Copy an error and add an outer source. A catcher that knows the file throws the copy:
 ///
 ///     throw within(file, "", error)
 template <class SomeError>
@@ -96,7 +96,7 @@ template <class SomeError>
     return SomeError(std::move(data));
 }
 
-/// The value that `work` returns. If `work` throws a SomeError, an outer source is added to the error:
+/// Return the value of `work`. If `work` throws a SomeError, add an outer source to the error:
 ///
 ///     return located(file, "", [&] { return make_outline(points); });
 template <class SomeError = InputError, class Work>
@@ -111,8 +111,7 @@ auto located(const std::string& source, const std::string& place, const Work& wo
 /// True if `source` is among the sources of the error.
 [[nodiscard]] bool names_source(const Error& error, const std::string& source);
 
-/// A copy of an error with `name` in place of `source`, for a file that has a temporary name while it is
-/// written.
+/// Copy an error and replace `source` by `name`. A file has a temporary name while it is written.
 template <class SomeError>
 [[nodiscard]] SomeError renamed(const SomeError& error, const std::string& source, const std::string& name) {
     ErrorData data = error.data();

@@ -8,8 +8,8 @@
 
 namespace fretwork::base {
 
-/// An integer that numbers things of one kind: code that passes the index of a node as the index of a beam
-/// does not compile.
+/// An integer that numbers things of one kind. The index of a node cannot be passed as the index of a beam:
+/// this does not compile.
 ///
 /// An Index converts to a plain integer implicitly (to index a vector). A plain integer converts to an Index
 /// only explicitly.

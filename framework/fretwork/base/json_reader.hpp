@@ -31,8 +31,8 @@ class JsonReader {
     static JsonReader from_text(std::string_view text, std::string source);
 
     /// Check that the document's `"format"` is "fretwork/<kind>/N", with N from `oldest` to `newest`. Throws
-    /// InputError; for N below `oldest`, which only unreleased versions wrote, the message asks the user to
-    /// make the file again.
+    /// InputError. Only unreleased versions wrote N below `oldest`; the message then asks the user to make
+    /// the file again.
     void expect_format(std::string_view kind, int newest = 1, int oldest = 1) const;
     /// Throw InputError unless the value is an object with no other keys than `keys`.
     void allow_only(std::initializer_list<std::string_view> keys) const;
@@ -86,8 +86,8 @@ class JsonReader {
     [[noreturn]] void fail(const std::string& message) const;
     /// Throw the error again with the place of the value added. The kind of the error stays.
     [[noreturn]] void fail(const InputError& error) const;
-    /// The value that `work` returns. If `work` throws a SomeError, an InputError with the place of the value
-    /// is thrown.
+    /// Return the value of `work`. If `work` throws a SomeError, throw an InputError with the place of the
+    /// value.
     template <class SomeError = InputError, class Work>
     auto located(const Work& work) const {
         try {

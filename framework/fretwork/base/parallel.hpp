@@ -7,8 +7,7 @@
 
 namespace fretwork::base {
 
-/// The number of threads to use on this machine for a request of `wanted` threads (0: one for each
-/// processor). The number is at most 256.
+/// The number of threads for a request of `wanted` threads (0: one for each processor), at most 256.
 int resolved_thread_count(int wanted);
 
 /// Call body(i) for every i below `count`, on up to `threads` threads (0: one for each processor).

@@ -28,8 +28,8 @@ double parse_angle(std::string_view text);
 /// Parse a finite number. Throws InputError on anything else, trailing characters included.
 double parse_number(std::string_view text);
 
-/// The number that the whole text spells, with at most one sign. Nothing if the text is not a number or the
-/// number is too large for the type.
+/// Read a text that is a number with at most one sign. Nothing if the text is not a number, or if the number
+/// is too large for the type.
 template <class Number>
 std::optional<Number> read_number(std::string_view text) {
     if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);

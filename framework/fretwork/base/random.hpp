@@ -10,11 +10,11 @@ namespace fretwork::base {
 /// Philox4x32-10 of [Salmon2011]: ten rounds that turn a counter and a key into four random words.
 std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key);
 
-/// A seed for a generator that belongs to another library, in its run number `run`.
+/// A seed for the generator of another library in run number `run`.
 std::uint32_t derived_seed(std::uint64_t seed, std::uint64_t run);
 
-/// Counter-based random numbers: draw n of a stream depends on (seed, stream, n) alone, whatever the standard
-/// library.
+/// Counter-based random numbers: draw n of a stream depends on (seed, stream, n) alone, and not on the
+/// standard library.
 class RandomStream {
   public:
     /// Begin a stream. Streams of one seed are independent of each other.

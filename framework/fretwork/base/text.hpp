@@ -18,7 +18,7 @@ std::string format_number(double value, int digits);
 /// Join words with a separator: {"a", "b"} with ", " is "a, b".
 std::string join(std::span<const std::string> words, std::string_view separator);
 
-/// A count with its noun, in the plural unless it is one: "1 tile", "3 tiles".
+/// A count with its noun, in the plural unless the count is one: "1 tile", "3 tiles".
 std::string counted(std::size_t count, std::string_view noun);
 
 /// Split a text at every separator; "a,,b" gives three words, the second of them empty, and "" gives one

@@ -9,21 +9,20 @@
 
 namespace fretwork::base {
 
-/// Read a whole file. Throws InputError if it is missing, a folder, a device, unreadable, or longer than 4
-/// GiB.
+/// Read a whole file. Throws InputError if it is missing, a folder, a device, unreadable, larger than the
+/// memory, or a pipe with more than 1 GiB.
 std::string read_text_file(const std::filesystem::path& path);
 
-/// The file at the end of a chain of symbolic links that starts at `path`: reading or writing `path` reads or
-/// writes this file. The file need not exist yet.
+/// Follow a chain of symbolic links from `path` to its end. The file at the end need not exist yet.
 std::filesystem::path link_target(std::filesystem::path path);
 
-/// Replace the file at `path` by `content`, whole or not at all: a scratch file beside it is written, flushed
+/// Replace the file at `path` by `content`, whole or not at all. A scratch file beside it is written, flushed
 /// to the disk and renamed. A symbolic link stays, and its target is replaced. Throws IoError (folder
-/// missing, no permission, disk full) and leaves `path` as it was.
+/// missing, no permission, disk full); `path` then stays as it was.
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
-/// An atomic write of content that comes piece by piece and may be large. Content that is never committed
-/// leaves no trace. Content for a device or a pipe (/dev/stdout) is written to it directly.
+/// An atomic write of content in pieces. Content that is not committed leaves no trace. A device or a pipe
+/// (/dev/stdout) is written directly.
 class AtomicFile {
   public:
     /// Create the scratch file. Throws IoError.
@@ -34,11 +33,9 @@ class AtomicFile {
 
     /// Append content. Throws IoError.
     void write(std::string_view content);
-    /// Flush everything written so far to the disk, so that `commit` only has to rename the file. Throws
-    /// IoError.
+    /// Flush the content to the disk, so that only the renaming is left for `commit`. Throws IoError.
     void flush();
-    /// Replace the file at the path by everything written so far. Throws IoError and leaves the file at the
-    /// path as it was.
+    /// Replace the file at the path by the content. Throws IoError; the file then stays as it was.
     void commit();
 
   private:
@@ -46,13 +43,13 @@ class AtomicFile {
     std::unique_ptr<Impl> impl_;
 };
 
-/// Files that belong together: all of them are written, or none. Only a failure between two renamings can
-/// leave some of them.
+/// Files that are replaced together, all or none. Only a failure between two renamings can leave a part of
+/// them.
 class FileBatch {
   public:
     /// Write content to the scratch file of one more file. Throws IoError.
     void add(const std::filesystem::path& path, std::string_view content);
-    /// Put all files in their places. Throws IoError.
+    /// Replace all files. Throws IoError.
     void commit();
 
   private:
@@ -74,7 +71,7 @@ class FolderBatch {
     [[nodiscard]] const std::filesystem::path& path() const;
     /// Write a file of the batch. Throws IoError.
     void add(const std::string& name, std::string_view content);
-    /// Put all files into the folder. Throws IoError.
+    /// Move all files into the folder. Throws IoError.
     void commit();
 
   private:

@@ -9,10 +9,10 @@ namespace fretwork::base {
 /// A lock that keeps other processes from changing a file while this process reads it, changes it and writes
 /// it back.
 ///
-/// The operating system holds the lock (`flock`) on the file itself. The lock ends with the process, however
-/// the process ends, and leaves nothing in the folder. The lock protects only against processes that lock the
-/// file as well. An atomic write puts a new file in place of the locked one, so one lock covers one change.
-/// To write repeatedly, or to create the file, lock its folder.
+/// The operating system holds the lock (`flock`) on the file itself. The lock ends with the process, also
+/// with a killed one, and leaves nothing in the folder. The lock protects only against processes that lock
+/// the file, too. An atomic write replaces the locked file by a new one, so one lock covers one change. To
+/// write repeatedly, or to create the file, lock its folder.
 class FileLock {
   public:
     /// Lock a file or a folder, and wait while another process holds the lock. Throws InputError if the path

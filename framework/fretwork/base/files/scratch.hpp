@@ -10,8 +10,8 @@ namespace fretwork::base {
 /// A temporary file or folder for unfinished content, in the folder of its target. The destructor removes it
 /// unless it was renamed to the target.
 ///
-/// A running process holds a lock on its scratch. So the next scratch in the same folder can recognise and
-/// remove the scratches of killed processes. The name of a scratch begins with ".fretwork-".
+/// A running process holds a lock on its scratch. The next scratch in the same folder removes the scratches
+/// without a lock, which killed processes have left. The name of a scratch begins with ".fretwork-".
 class Scratch {
   public:
     /// The choice between a temporary file and a temporary folder.
@@ -29,7 +29,7 @@ class Scratch {
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     /// The descriptor that holds the lock. The descriptor of a file is open for reading and writing.
     [[nodiscard]] int descriptor() const { return descriptor_; }
-    /// Keep the content, because it has been renamed: the destructor then removes nothing.
+    /// Keep the content, which has been renamed: the destructor then removes nothing.
     void release() { path_.clear(); }
 
   private:

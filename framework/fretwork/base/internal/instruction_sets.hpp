@@ -3,12 +3,11 @@
 
 #include <cstddef>
 
-/// The build is for any machine of its architecture. Functions that begin with this macro come in several
-/// versions where the compiler can make them, and the machine picks one when the program starts. (The
-/// sanitizers do not run that early.) A function that such a one calls must be inlined into it by the second
-/// macro, or it is compiled for any machine. The first two versions give the same bits if all products are
-/// fused with the sums that they go into: no sum may be of two products. With avx512f alone, short strips
-/// would not be fused.
+/// FRETWORK_CLONES compiles a function in several versions, because the program is built for any machine of
+/// its architecture. The program picks a version when it starts, before the sanitizers are ready. Functions
+/// that such a function calls need FRETWORK_INLINE, or they are compiled for any machine. The first two
+/// versions give the same bits if every product is fused with its sum, so no sum may have two products as
+/// terms. The first version is not avx512f alone, which would not fuse short strips.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12 && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) &&                   \
     !defined(FRETWORK_ONE_INSTRUCTION_SET)
@@ -20,7 +19,7 @@
 
 namespace fretwork::base {
 
-/// Neighbouring numbers that the machine adds and multiplies at once.
+/// Neighbouring numbers that one instruction adds or multiplies.
 using Strip8 = double __attribute__((vector_size(64), aligned(8), may_alias));
 using Strip4 = double __attribute__((vector_size(32), aligned(8), may_alias));
 using Strip2 = double __attribute__((vector_size(16), aligned(8), may_alias));
@@ -28,7 +27,7 @@ using Strip2 = double __attribute__((vector_size(16), aligned(8), may_alias));
 template <class Strip>  // NOLINTNEXTLINE(bugprone-sizeof-expression): a vector of the compiler, no pointer
 constexpr std::ptrdiff_t kRowsOf = sizeof(Strip) / sizeof(double);
 
-/// Whether the machine has 32 vector registers of eight numbers, as the first of the versions needs.
+/// True if the machine has 32 vector registers of eight numbers, which the first version needs.
 inline bool has_many_registers() {
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12
     __builtin_cpu_init();
@@ -45,8 +44,9 @@ struct Dots {
     double of[Count];
 };
 
-/// The products of `Count` neighbouring columns with x, at once: one alone would wait for each of its sums.
-/// @param stride  distance of two columns, at least their `rows`
+/// The scalar products of `Count` neighbouring columns with x. They are computed together, because a single
+/// one would wait for each of its sums.
+/// @param stride  distance between two columns, at least `rows`
 template <int Count>
 FRETWORK_INLINE Dots<Count> dots(const double* columns, std::ptrdiff_t stride, std::ptrdiff_t rows,
                                  const double* x) {

@@ -20,13 +20,13 @@ Json or_null(const std::optional<Value>& value, Part part = {}) {
     return value ? Json(std::invoke(part, *value)) : Json(nullptr);
 }
 
-/// A table as an array of rows, kept in one piece of memory: most of a large document. Only json_text can
-/// read it. Throws InputError unless the numbers fill whole rows.
+/// A table as an array of rows. The numbers stay in one block of memory, because tables are most of a large
+/// document. Only json_text can read this value. Throws InputError unless the numbers fill whole rows.
 Json number_rows(std::span<const double> values, std::uint8_t columns);
 
-/// Lay a document out for people: objects and nested arrays over lines, an array of plain values on one line.
-/// Characters that a terminal obeys are escaped, as JSON allows. Throws NumericalError that names the key if
-/// a number is not finite: JSON has no NaN.
+/// Format a document for people: an array of plain values takes one line, and objects and nested arrays take
+/// several. Control characters are escaped, because a terminal would obey them. Throws NumericalError that
+/// names the key if a number is not finite, because JSON has no NaN.
 std::string json_text(const Json& document);
 
 }  // namespace fretwork::base
