@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A grid of equal cells, for finding which of many boxes meet a given box.
 #pragma once
 
 #include <fretwork/geometry/box.hpp>
@@ -10,7 +9,8 @@
 
 namespace fretwork::geometry {
 
-/// A grid that finds which of many boxes meet a given box.
+/// A grid of equal cells that finds the boxes, among many, that meet a given box. Const functions are
+/// thread-safe.
 class BoxGrid {
   public:
     /// Build a grid with about as many cells as boxes.

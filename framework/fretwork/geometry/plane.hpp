@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-/// The arithmetic of plane vectors, which have the type Point2.
+/// Arithmetic of plane vectors of type Point2.
 namespace fretwork::geometry {
 
 /// The sum of two vectors.
@@ -34,7 +34,7 @@ inline double length(Point2 a) {
     return std::sqrt(a.x * a.x +
                      a.y * a.y);  // std::hypot is many times slower, and no outline needs its range
 }
-/// The distance of two points.
+/// The distance between two points.
 inline double distance(Point2 a, Point2 b) {
     return length(b - a);
 }

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A grid for finding the points near a place. Points can be added to the grid at any time.
 #pragma once
 
 #include <fretwork/geometry/plane.hpp>
@@ -14,9 +13,9 @@
 
 namespace fretwork::geometry {
 
-/// Points in square cells as wide as the search distance: a point within that distance of a place lies in the
-/// place's cell or in one of the eight cells around it. Adding and searching take constant time if few points
-/// share a cell.
+/// A grid that finds the points near a place. Its cells are squares as wide as the search distance, so a
+/// point within that distance lies in the place's cell or in one of the eight cells around it. Adding and
+/// searching take constant time if few points share a cell.
 class PointGrid {
   public:
     /// Make an empty grid.
@@ -65,8 +64,8 @@ class PointGrid {
                           [&](std::size_t number) { return distance(points_[number], place) < reach; });
     }
 
-    /// The smallest number of a point at most `reach` away from `point`. If there is no such point, `point`
-    /// is added. Pre: `reach` is at most the width of a cell.
+    /// The smallest number of a point at most `reach` away from `point`. Adds `point` if there is no such
+    /// point. Pre: `reach` is at most the width of a cell.
     std::size_t number_of(Point2 point, double reach) {
         std::optional<std::size_t> found;
         visit_around(point, [&](std::size_t other) {

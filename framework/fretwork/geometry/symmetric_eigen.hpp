@@ -11,8 +11,8 @@ struct SymmetricEigen {
     Eigen::MatrixXd vectors;  ///< one column of length 1 for each eigenvalue
 };
 
-/// Decompose a symmetric matrix; only its lower triangle is read. One source file compiles Eigen's solver for
-/// all callers, because compiling it is slow.
+/// Decompose a symmetric matrix. Only its lower triangle is read. Eigen's solver is slow to compile, so it is
+/// compiled once, for all callers.
 SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& matrix);
 
 }  // namespace fretwork::geometry

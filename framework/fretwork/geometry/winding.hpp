@@ -5,8 +5,7 @@
 
 namespace fretwork::geometry {
 
-/// The number of times that a closed polygon runs counterclockwise around a point. The polygon may cross
-/// itself.
+/// The number of counterclockwise turns of a closed polygon around a point. The polygon may cross itself.
 inline int winding_number(const Polygon& polygon, Point2 point) {
     int winding = 0;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
