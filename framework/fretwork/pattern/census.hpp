@@ -38,10 +38,10 @@ struct Census {
 /// graphs.
 inline constexpr int kMostEdgesWalked = 20;
 
-/// Count the graphs that each filter rejects, and the valid graphs, which all filters accept. If the layout
-/// has up to kMostEdgesWalked candidate edges, every graph is walked. If the layout has more candidate edges,
-/// a search counts the valid graphs, and closed forms count the graphs that filters about pairs, loads and
-/// groups of edges reject; the columns of all other filters stay empty.
+/// Count the graphs that each filter rejects, and the valid graphs, which all filters accept. Up to
+/// kMostEdgesWalked candidate edges, every graph is walked. With more candidate edges, a search counts the
+/// valid graphs, and closed forms count the graphs that filters about pairs, loads and groups of edges
+/// reject; the columns of other filters stay empty.
 Census take_census(const NodeLayout& layout, const EnumerationOptions& options = {});
 /// Take the census with the `valid` counts of an earlier search under the same options.
 Census take_census(const NodeLayout& layout, const EnumerationOptions& options, const PatternCount& valid);

@@ -28,9 +28,9 @@ struct EnumerationOptions {
     FilterSettings filters{};  ///< the rules that valid patterns keep
     /// Number of threads; 0: one for each processor; the result and its order do not depend on the number.
     int threads = 0;
-    /// The largest number of patterns that each of the 256 pieces of the search stores until they are passed
-    /// on in order. A smaller number saves memory and costs time: a piece with more patterns is searched
-    /// again, one section at a time.
+    /// The search has 256 pieces. Each piece stores at most this number of patterns until they are passed on
+    /// in order. A smaller number saves memory but costs time: a piece with more patterns is searched again,
+    /// one section at a time.
     std::size_t most_kept = std::size_t{1} << 15;
     base::Control control{};  ///< progress counts pieces of the search; a stop throws base::Stopped
     /// Throws InputError if a value is invalid.
@@ -45,7 +45,7 @@ struct PatternCount {
 };
 
 /// Call visit(pattern) for every valid pattern, on the calling thread, in lexicographic order of the
-/// patterns' edge lists. A pattern comes before the patterns whose lists append edges to its own.
+/// patterns' edge lists. A pattern comes before all patterns that extend its list.
 ///
 /// Paper, Sections 4.1 and 4.2, with one difference: filters are not applied afterwards. Instead, a search
 /// adds edges one by one and turns back as soon as a rule can no longer be kept. Memory does not grow with

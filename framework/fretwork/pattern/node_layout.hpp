@@ -46,7 +46,7 @@ struct Edge {
 struct NodeLayoutDescription {
     std::string name;              ///< name of the layout: letters, digits, `-`, `_`
     bool center = true;            ///< true if v0 is a node
-    bool corners = false;          ///< true if v1 and v2 are nodes, which is refused
+    bool corners = false;          ///< must be false: v1 and v2 may not be nodes
     std::vector<Rational> radial;  ///< distances from v0 along v0 v1 and v0 v2, as shares of their length
     std::vector<std::array<Rational, 3>> face;  ///< barycentric coordinates for (v0, v1, v2)
     std::vector<Rational> interface;            ///< distances from v1 along v1 v2, as shares of its length
@@ -75,8 +75,8 @@ class NodeLayout {
     [[nodiscard]] const base::IndexVector<EdgeIndex, Edge>& candidate_edges() const { return edges_; }
     /// The interface nodes, from v1 to v2.
     [[nodiscard]] std::vector<LayoutNodeIndex> interface_nodes() const;
-    /// The node on v0 v1 that is the same node of the fan, in the next sector, as this node on v0 v2. For a
-    /// node that is not on v0 v2, the node itself.
+    /// The node on v0 v1 that coincides, in the next sector of the fan, with this node on v0 v2. For a node
+    /// that is not on v0 v2, the node itself.
     [[nodiscard]] LayoutNodeIndex left_partner(LayoutNodeIndex node) const;
     /// Two layouts are equal if their descriptions are, names included.
     friend bool operator==(const NodeLayout& left, const NodeLayout& right) {

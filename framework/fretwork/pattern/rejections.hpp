@@ -14,10 +14,9 @@ struct Rejection {
 };
 
 /// Find examples of rejected graphs: for each filter, in the order of the census, up to `per_filter` graphs
-/// that break only the rule of this filter. The examples of a filter are drawn, evenly spread, from such
-/// graphs with the fewest edges: the range of the number of edges grows from its lower end until enough
-/// graphs are found. A filter gets fewer than `per_filter` examples if the million graphs with the fewest
-/// edges contain no more.
+/// that break only this filter's rule. Graphs are tested in order of their number of edges, until all filters
+/// have enough examples or a million graphs were tested. The examples of a filter are spread evenly over the
+/// graphs found.
 std::vector<Rejection> find_rejections(const NodeLayout& layout, const EnumerationOptions& options,
                                        std::size_t per_filter);
 

@@ -20,9 +20,8 @@ struct Verdict {
     std::vector<EdgeIndex> guilty;
 };
 
-// The forms in which a filter may state its rule. The search, the census and the verdict know these five
-// forms and know no filter by name. The comment of each form states its cost and the way in which it prunes
-// the search.
+// A filter states its rule in one of these five forms. The search, the census and the verdict know the forms,
+// but no filter by name. The comment of each form states its cost, and how it prunes the search.
 
 /// Certain pairs of edges may not be chosen together, and certain edges may not be chosen at all. Pruning:
 /// adding edges to a pattern that breaks the rule does not mend it. Cost: one AND per edge.
@@ -40,7 +39,7 @@ struct ConflictRule {
 struct CapacityRule {
     /// A resource that edges load, such as a node.
     struct Resource {
-        std::string name;                         ///< name for messages, such as "node n2"
+        std::string name;                         ///< name in messages, such as "node n2"
         base::IndexVector<EdgeIndex, int> loads;  ///< load by each edge, zero or more
     };
     std::vector<Resource> resources;  ///< the resources that edges load

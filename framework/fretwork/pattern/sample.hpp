@@ -21,13 +21,14 @@ struct CountEstimate {
     GraphCount proposals = 0;  ///< number of graphs from which a trial draws
 };
 
-/// Draws valid patterns of layouts that are too large to list, each with exactly the same probability.
+/// Draws valid patterns of layouts that have too many to list. All valid patterns have exactly the same
+/// probability.
 ///
 /// A trial draws a graph from the proposals: all graphs that keep all rules about pairs of edges (crossings,
 /// angles, clearances, forbidden edges) and have an allowed number of edges. The proposals are counted
-/// exactly, so each is drawn with exactly the same probability. A proposal that breaks another rule is
-/// rejected. Every valid pattern is a proposal, so each valid pattern is drawn with the same probability,
-/// too. Trial n depends on the seed and n alone.
+/// exactly, so all have exactly the same probability. A proposal that breaks another rule is rejected. Every
+/// valid pattern is a proposal, so all valid patterns have the same probability, too. Trial n depends on the
+/// seed and n alone.
 class PatternSampler {
   public:
     /// Count the proposals. Throws NumericalError if the layout is too large for this count.

@@ -13,8 +13,8 @@ namespace fretwork::pattern::detail {
 /// detail/fan_graph.hpp defines the graph rules by Boost.Graph on the fan itself. The tests compare both
 /// implementations on every graph of three layouts.
 ///
-/// The quotient is sufficient for the following reasons. A "root" is the center, or the node outside that
-/// connects all interface nodes. A rotation of the fan leaves every root in place.
+/// The quotient suffices for the following reasons. A "root" is the center, or the outside node that connects
+/// all interface nodes. Rotations of the fan leave roots in place.
 /// - A connected part of the quotient lifts to one component if it has a root. A connected part without a
 ///   root lifts to gcd(gains of its cycles, 6) components.
 /// - Let v be a node other than the center. The piece that the removal of v cuts off contains no other copy
