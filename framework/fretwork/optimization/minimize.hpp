@@ -18,10 +18,10 @@ struct OptimizationReport {
     long cost = 0;                      ///< cost of the run, in the problem's unit
     long evaluations = 0;               ///< number of evaluations of any kind
     long derivative_evaluations = 0;    ///< number of evaluations with derivatives
-    /// Number of starts that gave no descent; if no start gave a descent, `ending` is Invalid.
+    /// Number of starts without a descent; if no start had a descent, `ending` is Invalid.
     int dead_starts = 0;
     long failures = 0;  ///< number of evaluations whose objective was not finite
-    /// Number of evaluations refused because the point was outside the bounds, a fault of the method.
+    /// Number of evaluations refused because the method asked for a point outside the bounds.
     long points_outside = 0;
     std::vector<TracePoint> trace;  ///< the best objective over the cost
 };

@@ -11,7 +11,7 @@ namespace fretwork::optimization {
 /// The kind of search that a method performs.
 enum class OptimizerClass {
     Local,  ///< the method descends from each of `starts` points to a minimum nearby
-    /// The method searches the whole box by a deterministic plan, without use of `starts` and the seed.
+    /// The method searches the whole box by a deterministic plan and ignores `starts` and the seed.
     Global,
     Random,  ///< the method draws points at random, in `starts` repetitions
 };
@@ -37,9 +37,9 @@ struct OptimizerOptions {
     void validate() const;
 };
 
-/// The outcome of a run: the reason why the method ended, and the point at which it ended, which need not be
-/// the best point. With several starts, reason and point belong to the start that found the best value,
-/// unless the budget was spent.
+/// The outcome of a run: why and where the method ended. The final point need not be the best point. With
+/// several starts, reason and point belong to the start that found the best value, unless the budget was
+/// spent.
 struct RunOutcome {
     Ending ending = Ending::Converged;  ///< the reason why the method ended
     Eigen::VectorXd final_point;        ///< the point at which the method ended

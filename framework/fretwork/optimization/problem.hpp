@@ -34,8 +34,9 @@ struct Bounds {
     void validate() const;
 };
 
-/// The objective and a gradient. As in every evaluation with derivatives, `value` and the derivatives belong
-/// to the smoothed objective, whose kinks are rounded by `smoothing`. With smoothing 0, value = objective.
+/// The objective and a gradient. In every evaluation with derivatives, `value` and the derivatives belong to
+/// the smoothed objective: `smoothing` rounds the kinks of the objective. With smoothing 0, value =
+/// objective.
 struct GradientEvaluation {
     double objective = 0.0;    ///< objective without smoothing
     double value = 0.0;        ///< smoothed objective, which is differentiated
@@ -79,8 +80,8 @@ class Problem {
     /// True if the objective has kinks that `smoothing` > 0 rounds. A problem without kinks ignores
     /// smoothing.
     [[nodiscard]] virtual bool has_kinks() const { return false; }
-    /// True if a variable is the natural logarithm of the quantity that is fitted. With this information, a
-    /// method that is sensitive to scales can move in the quantity itself, to show the effect.
+    /// True if a variable is the natural logarithm of the quantity that is fitted. A method that is sensitive
+    /// to scales can then move in the quantity itself, to show the effect.
     [[nodiscard]] virtual bool is_logarithm(int /*variable*/) const { return false; }
 
     /// The objective at a point within the bounds.

@@ -18,7 +18,7 @@ struct AnnealingThenCeresOptions {
 };
 
 /// Simulated annealing until it is frozen, then a descent by Ceres from the best point so far, as in
-/// make_ceres_multistart. The comparison with annealing alone, the paper's method, shows the gain by a
+/// make_ceres_multistart. A comparison with annealing alone, the paper's method, shows the gain from the
 /// descent.
 std::unique_ptr<Optimizer> make_annealing_then_ceres(const AnnealingThenCeresOptions& options);
 

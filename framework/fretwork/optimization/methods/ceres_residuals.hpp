@@ -29,7 +29,7 @@ enum class CeresBounds {
 /// Options of make_ceres_residuals().
 struct CeresResidualsOptions {
     OptimizerOptions common{};                       ///< number of starts, and seed
-    double tolerance = 1e-8;                         ///< relative change of Ceres' cost at which it stops
+    double tolerance = 1e-8;                         ///< Ceres stops below this relative change of its cost
     int largest_iterations = 200;                    ///< largest number of iterations of one descent
     CeresStep step = CeresStep::LevenbergMarquardt;  ///< the choice of steps
     CeresBounds bounds = CeresBounds::Projection;    ///< the treatment of bounds

@@ -26,9 +26,9 @@ struct ContinuationOptions {
 struct MultistartOptions {
     OptimizerOptions common{};           ///< number of starts, and seed
     ContinuationOptions continuation{};  ///< options of each descent
-    /// If two descents differ in every variable by less than this share of the range between the bounds after
-    /// a stage, the descent with the larger value ends, because both are in one valley. 0: no descent ends
-    /// for this reason.
+    /// Two descents are in one valley if they differ in every variable by less than this share of the range
+    /// between its bounds. After a stage, the one with the larger value ends. 0: no descent ends for this
+    /// reason.
     double merging_distance = 0.01;
     /// A descent also ends if its value after a stage is more than this multiple of the lowest value of all
     /// descents; >= 1. Infinity: no descent ends for this reason.
@@ -44,8 +44,8 @@ struct MultistartOptions {
 /// value, g the gradient and L L^T the curvature of the smoothed objective. Ceres' cost for these residuals
 /// is E, the gradient of the cost is g, and the normal matrix is L L^T, so Ceres minimizes E itself. The
 /// square root is real if the curvature is at least 2 J^T J, where J is the Jacobian of residuals with the
-/// squared norm E. By the model, an undamped step lowers E by half the squared norm of L^-1 g. A callback
-/// ends the stage if this decrease is below the tolerance.
+/// squared norm E. The model predicts that an undamped step lowers E by half the squared norm of L^-1 g. A
+/// callback ends the stage if this decrease is below the tolerance.
 std::unique_ptr<Optimizer> make_ceres_multistart(const MultistartOptions& options);
 
 /// Levenberg-Marquardt descents with the problem's generalized Gauss-Newton matrix: every step minimizes the

@@ -12,13 +12,13 @@ namespace fretwork::optimization {
 struct OutsideCommand {
     std::string name;         ///< name of the method: letters, digits, '-', '_' and '.'
     std::string command;      ///< command of the shell, started once for each run
-    base::Control control{};  ///< stops the waiting for the command; must live as long as the row is used
+    base::Control control{};  ///< stops a run that waits for the command; must live as long as the row
     /// Throws InputError if the name is not valid, or there is no command.
     void validate() const;
 };
 
-/// The row of a method that is a program of its own. The program and ours speak in lines of words over its
-/// standard input and output. First it gets five lines:
+/// The row of a method that is a program of its own. The program reads lines from its standard input and
+/// writes lines to its standard output. First it reads five lines:
 ///
 ///     dimension 6
 ///     lower -1.5 0 ..        the bounds, one number for each variable
@@ -26,18 +26,17 @@ struct OutsideCommand {
 ///     seed 17
 ///     starts 1
 ///
-/// Then it asks, as often as it likes, and gets one line for each question:
+/// Then it writes any number of requests and reads one line after each:
 ///
 ///     value x1 x2 ..         objective at a point: a number, or `inf` where it is not finite
 ///     gradient x1 x2 ..      objective and its derivatives, or `inf`
 ///
-/// The answer is `spent` once the rest of the budget does not cover the evaluation, and `outside` for a point
-/// beyond the bounds, which is not charged. The program ends with the line `done`, or `done stalled` if its
-/// criterion was not met. After `spent` it may end without a word.
+/// The answer is `spent` if the rest of the budget does not cover the evaluation. It is `outside` for a point
+/// beyond the bounds, which is not charged. At its end, the program writes `done`, or `done stalled` if its
+/// criterion was not met. After `spent`, it may end without this line.
 ///
-/// The evaluator counts and keeps what every method is judged by; only the processor time of the program
-/// itself is not counted. Running the method throws IoError if the command cannot be started, InputError if
-/// it says something else or ends before it is done.
+/// Cost and results are counted as for every method; only the program's processor time is not. A run throws
+/// IoError if the command cannot be started, and InputError if it writes anything else or ends too early.
 OptimizerRow outside_command_row(const OutsideCommand& method);
 
 }  // namespace fretwork::optimization

@@ -30,9 +30,10 @@ struct SimulatedAnnealingOptions {
     /// Relative decrease of T: after each later move, T becomes (1 - cooling) T.
     double cooling = 1e-3;
     int sweeps_per_adaptation = 100;  ///< number of sweeps between two adaptations of the moves' scales
-    /// A run ends, frozen, if every move changes the objective by less than this ..
+    /// Largest change of the objective by a move in a frozen run.
     double tolerance = 1e-5;
-    int frozen_adaptations = 3;  ///< .. during this number of adaptations, one after the other
+    /// A run ends, frozen, after this number of adaptations with all moves within the tolerance.
+    int frozen_adaptations = 3;
     /// Initial scale of the Laplace distributed moves, as a share of the box.
     double initial_move = 0.3;
     double largest_move = 20.0;                         ///< largest scale of the moves, as a share of the box
@@ -43,8 +44,8 @@ struct SimulatedAnnealingOptions {
     void validate() const;
 };
 
-/// The annealing of the paper, as ensmallen publishes it: a move changes one variable, and each variable's
-/// scale is adapted towards an acceptance of 0.44 [LamDelosme1988]. ensmallen leaves some choices open. The
+/// The paper's annealing, as published in ensmallen: a move changes one variable, and each variable's scale
+/// is adapted towards an acceptance of 0.44 [LamDelosme1988]. ensmallen leaves some choices open. The
 /// treatment of bounds and the choice of variables are options. Two choices are fixed: variables are shares
 /// of the box, and starts are low-discrepancy points. The final point of the method is the last accepted
 /// point; the report also has the best point.

@@ -8,7 +8,7 @@
 
 namespace fretwork::optimization {
 
-/// A problem whose minimum is known in closed form.
+/// A problem with a minimum that is known in closed form.
 struct AnalyticProblem {
     std::unique_ptr<Problem> problem;  ///< the function
     double best_value = 0.0;           ///< value of the global minimum

@@ -8,7 +8,7 @@
 
 namespace fretwork::optimization {
 
-/// A problem whose objective is a sum of squares, given by its residuals and their Jacobian. The problem
+/// A problem with a sum of squares as objective, given by its residuals and their Jacobian. The problem
 /// offers every kind of evaluation.
 class LeastSquaresProblem final : public Problem {
   public:

@@ -13,8 +13,8 @@ namespace fretwork::optimization::study {
 /// The names of the table's columns, joined by commas.
 std::string run_table_header();
 
-/// A run as one line of CSV. The trace is thinned: from one point that is kept to the next, the difference
-/// from the final value falls by at least a fifth. The last point is always kept.
+/// A run as one line of CSV. The trace is thinned: a point is kept if its difference from the final value is
+/// at least a fifth smaller than at the last kept point. The first and the last point are always kept.
 std::string run_table_row(const RunRecord& record);
 
 /// The runs of a table, sorted by their keys. A study does not repeat a run that is in its table.

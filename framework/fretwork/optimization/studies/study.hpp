@@ -15,7 +15,7 @@ struct StudyPlan {
     std::vector<std::string> problems;  ///< ids of problems (see study_problem.hpp)
     ProblemFamilies families;           ///< families to which the ids of problems may refer
     std::vector<Contender> contenders;  ///< methods with their numbers of starts
-    /// Conditions of all runs; the plan's `control` is used, and not the control of the budget.
+    /// Conditions of all runs. The control of their budget is ignored: the plan's `control` is used.
     RunConditions conditions;
     int repetitions = 15;     ///< number of runs of each method that uses the seed
     int threads = 0;          ///< number of threads; 0: one for each processor
@@ -34,7 +34,7 @@ struct StudyReport {
 /// The path of the table in a study's folder.
 std::filesystem::path run_table_path(const std::filesystem::path& folder);
 
-/// Do the runs that the table in a folder lacks: first the first repetition on all problems, then the second
+/// Do the runs that the table in a folder lacks: the first repetition on all problems, then the second
 /// repetition, and so on.
 ///
 /// The table is replaced every few seconds, so an interrupted study can continue. After a request to stop,
