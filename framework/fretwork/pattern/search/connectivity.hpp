@@ -19,10 +19,10 @@ namespace fretwork::pattern::detail {
 ///   root lifts to gcd(gains of its cycles, 6) components.
 /// - Let v be a node other than the center. The piece that the removal of v cuts off contains no other copy
 ///   of v. Proof for a component with a root: a path from one copy to the root through another copy could be
-///   rotated without end. Proof for a component with several copies of v but no root: rotations fix a block
-///   of the component's block tree, and all copies are equally far from that block. So the piece is a lifted
-///   component of the quotient without v's orbit. The piece has no root, and all its links to that orbit end
-///   at the single copy v.
+///   rotated again and again, and would never end. Proof for a component with several copies of v but no
+///   root: rotations fix a block of the component's block tree, and all copies are equally far from that
+///   block. So the piece is a lifted component of the quotient without v's orbit. The piece has no root, and
+///   all its links to that orbit end at the single copy v.
 /// - The center is an articulation point if its component falls into several lifted components when the
 ///   center is removed.
 class Connectivity {
