@@ -26,14 +26,14 @@ struct EffectiveProperties {
 /// Homogenize a pattern in the setting's regular polygon. The polygon must have four or six sides, so that
 /// each side of a tile meets the opposite side of the neighbouring tile.
 ///
-/// The periodic cell is one tile: the pattern's frame condensed onto its interface nodes. Its interface nodes
-/// move by the macroscopic strain (or curvature) plus a fluctuation, which is equal at opposite nodes and
-/// minimizes the energy. The result is exact for the periodic frame. Throws InputError if the polygon has
-/// another number of sides, or the pattern has an interface node without a beam.
+/// The periodic cell is one tile: the pattern's frame, condensed onto its interface nodes. The nodes move by
+/// the macroscopic strain (or curvature) plus a fluctuation, which is equal at opposite nodes and minimizes
+/// the energy. The result is exact for the periodic frame. Throws InputError if the polygon has another
+/// number of sides, or the pattern has an interface node without a beam.
 EffectiveProperties effective_properties(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                          const Setting& setting);
 
-/// The stiffness of a strip along the direction `angle` (rad), which may contract freely across that
+/// The stiffness of a strip in the direction `angle` (rad). The strip may contract freely across this
 /// direction.
 double directional_stiffness(const Eigen::Matrix3d& tensor, double angle);
 

@@ -26,7 +26,7 @@ struct Response {
         mechanics::NodeValues displacements;  ///< one row for each interface node; zeros if not converged
         bool converged = true;                ///< true if an equilibrium was found
         bool stable = true;                   ///< true if the equilibrium is stable
-        /// True if no equilibrium was found because the equilibrium path turns back before this magnitude.
+        /// True if there is no equilibrium because the path turns back before this magnitude.
         bool limit_load = false;
         /// The discretization error, estimated by Richardson extrapolation, as a share of the largest
         /// displacement (or rotation) of the tile's nodes. None if no estimate was requested, or if the
@@ -55,8 +55,8 @@ mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern:
 mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                const Setting& setting);
 
-/// The frame of one tile with the supports and loads of a scenario at its largest magnitude. In this and the
-/// following functions, the scenario must number interface nodes as the tile does (see spread_over_sides()).
+/// The frame of one tile with the supports and loads of a scenario at its largest magnitude. Here and below,
+/// the scenario must number the interface nodes as the tile does (see spread_over_sides()).
 mechanics::Frame scenario_frame(mechanics::Frame tile, const Scenario& scenario);
 
 /// Add the supports and loads of a scenario at its largest magnitude to an assembled tile.
@@ -76,7 +76,7 @@ Response follow_scenario(const LoadedTile& tile, const Scenario& scenario, const
 
 /// Options of compute_responses().
 struct ResponseOptions {
-    bool estimate_error = false;  ///< true: fill Sample::discretization_error, which takes half as long again
+    bool estimate_error = false;  ///< true: fill Sample::discretization_error, at 50 % more cost
     base::Control control{};      ///< progress counts scenarios
 };
 

@@ -29,30 +29,29 @@ struct CalibrationOptions {
     std::span<const optimization::OptimizerRow> optimizers = optimization::optimizer_catalogue();
     int starts = 8;           ///< number of descents from different points
     std::uint64_t seed = 1;   ///< seed of all random choices
-    int budget = 20000;       ///< largest number of evaluations of the objective
+    int budget = 20000;       ///< largest cost, in the unit of the calibration's problem
     base::Control control{};  ///< progress and stop
     /// Throws InputError if a value is invalid.
     void validate() const;
 };
 
-/// The result of fitting a tile model to the responses of one pattern, or of comparing a tile model without
-/// parameters with these responses.
+/// The result of fitting a tile model to the responses of one pattern. A tile model without parameters is
+/// only compared with them.
 struct Calibration {
     std::string model;       ///< name of the tile model
     std::string optimizer;   ///< name of the optimizer; "none" if nothing is fitted
     std::uint64_t seed = 0;  ///< seed of all random choices
     int starts = 0;          ///< number of descents from different points
     double objective = 0.0;  ///< E of Eq. (8) at the parameters
-    /// Weighted contribution of each scenario to E: e_k summed over the magnitudes as in Eq. (8).
+    /// Weighted contribution of each scenario to E: the sum over the magnitudes in Eq. (8).
     std::vector<double> scenario_errors;
-    long evaluations = 0;  ///< number of evaluations of the objective
+    long evaluations = 0;  ///< cost of the fit, in the same unit
     /// Fitted parameters in the order of the model's row; empty if nothing is fitted.
     std::vector<NamedValue> parameters;
     std::vector<std::string> at_bound;  ///< names of the parameters at a bound
-    /// True if the descent that found these parameters met its method's own criterion before the budget was
-    /// spent.
+    /// True if the descent that found these parameters met the method's criterion within the budget.
     bool converged = true;
-    int dead_starts = 0;  ///< number of `starts` that gave no descent; libraries do not store this number
+    int dead_starts = 0;  ///< number of starts without a descent; not stored in libraries
 };
 
 /// The values of the parameters in the order of a model's row. Throws InputError that names a missing
@@ -68,10 +67,10 @@ struct CalibrationInput {
 };
 
 /// Fit the linear displacements of a tile model to a pattern's responses: Eqs. (1) to (11). A model without
-/// parameters is only compared with the responses. The comparison takes the linear displacements of a model
-/// for small displacements, and the nonlinear responses of a model for large displacements. The result
-/// depends on the input and the options alone. Throws NumericalError if no sample can be fitted, or if no
-/// start of the search gave a descent. Throws base::Stopped.
+/// parameters is only compared with the responses: by its linear displacements if it is for small
+/// displacements, else by its nonlinear responses. The result depends on the input and the options alone.
+/// Throws NumericalError if no sample can be fitted, or if no start of the search gave a descent. Throws
+/// base::Stopped.
 Calibration calibrate(const TileModel& model, const CalibrationInput& input,
                       const CalibrationOptions& options = {});
 

@@ -9,7 +9,7 @@
 namespace fretwork::reduction {
 
 /// The calibration of a tile model as a problem to be minimized: E of Eq. (8) over the model's parameters.
-/// The variables of the problem may differ from the parameters, and be their logarithms, for example.
+/// The variables of the problem may differ from the parameters: they may be logarithms, for example.
 class CalibrationProblem : public optimization::Problem {
   public:
     /// The parameters at a point of the variables, SI, in the order of the model's row.

@@ -7,13 +7,13 @@
 
 namespace fretwork::reduction {
 
-/// The calibration of any linear tile model: the tile is built and condensed at each point, and the
-/// derivatives of the tile's displacements are central differences. The variables are the parameters; for a
-/// parameter of logarithmic scale, the variable is the parameter's natural logarithm.
+/// The calibration of any linear tile model. The tile is built and condensed at each point; derivatives are
+/// central differences. The variables are the parameters, or the natural logarithms of parameters with a
+/// logarithmic scale.
 class DifferenceProblem final : public CalibrationProblem {
   public:
     /// Make the problem, which keeps references to model, tile and objective. Throws InputError if the bounds
-    /// of a parameter are invalid, NumericalError if the tile with all parameters in the middle of their
+    /// of a parameter are invalid. Throws NumericalError if a tile with all parameters in the middle of their
     /// bounds is a mechanism under a scenario.
     DifferenceProblem(base::Borrowed<TileModel> model, base::Borrowed<ModelTile> tile,
                       base::Borrowed<Objective> objective, const Setting& setting);

@@ -31,11 +31,11 @@ struct DisplacementGradient {
 
 /// The distance of a linear model from the responses of a pattern: E of Eqs. (8) to (11).
 ///
-/// E = sum over scenarios and magnitudes of w e^2, where e is the weighted sum of two normalized sums over
-/// the interface nodes: of |d_p - d_r|, and of the angle between the rotations R_p and R_r. Linear
-/// displacements are proportional to the magnitude; linear rotations are taken as rotation vectors. Samples
-/// that did not converge are left out. The setting's sample policy decides whether samples past the first
-/// loss of stability are left out, too.
+/// E is the sum of w e^2 over scenarios and magnitudes. The error e is a weighted sum of two normalized sums
+/// over the interface nodes: the sum of |d_p - d_r|, and the sum of the angles between the rotations R_p and
+/// R_r. Linear displacements are proportional to the magnitude; linear rotations are taken as rotation
+/// vectors. Samples that did not converge are left out. The setting's sample policy decides whether samples
+/// past the first loss of stability are left out, too.
 ///
 /// E has a kink wherever a norm is zero. With smoothing mu > 0 each norm |a| becomes
 /// sqrt(a^2 + (mu s)^2), where s is the sample's normalizer divided by the number of nodes.
@@ -49,16 +49,16 @@ class Objective {
     [[nodiscard]] double value(const UnitDisplacements& model) const;
     /// The contributions to E, one for each scenario of the setting.
     [[nodiscard]] std::vector<double> scenario_errors(const UnitDisplacements& model) const;
-    /// The contributions to E for a nonlinear model, from its own responses in the same setting. Throws
-    /// NumericalError that names a sample at which the pattern converged but the model did not.
+    /// The contributions to E for a nonlinear model, given its responses in the same setting. Throws
+    /// NumericalError that names a sample if the pattern converged there but the model did not.
     [[nodiscard]] std::vector<double> scenario_errors(const std::vector<Response>& model) const;
 
-    /// The gradient of E with respect to the displacements. An adjoint method takes this gradient as its
-    /// right side and needs no derivatives of the displacements with respect to parameters.
+    /// The gradient of E with respect to the displacements. It is the right side of an adjoint method, which
+    /// needs no derivatives of the displacements.
     [[nodiscard]] DisplacementGradient gradient(const UnitDisplacements& model, double smoothing) const;
     /// The gradient and the generalized Gauss-Newton matrix of E with respect to the model's parameters. The
-    /// matrix keeps the curvature of the norms and drops second derivatives of the displacements. The matrix
-    /// is at least 2 J^T J, where J is the Jacobian of residuals().
+    /// matrix keeps the curvature of the norms and drops second derivatives of the displacements. It is at
+    /// least 2 J^T J, where J is the Jacobian of residuals().
     [[nodiscard]] optimization::CurvatureEvaluation curvature(const UnitDisplacementsAndDerivatives& model,
                                                               double smoothing) const;
     /// One residual sqrt(w) e for each sample, in the order of the responses, with derivatives.

@@ -9,18 +9,18 @@
 
 namespace fretwork::reduction {
 
-/// A setting that the ids of problems name after an '@'.
+/// A setting with a name, which ids of problems state after an '@'.
 struct NamedSetting {
     std::string name;  ///< name without '@', '/', ',' and blanks
     Setting setting;   ///< the setting
 };
 
 /// The families of problems on which the framework compares optimizers:
-/// - calibration/PATTERN: the paper's model, fitted to a pattern's responses in the paper's setting. If the
-///   pattern is of another layout than the paper's, its id starts with the name of that layout
-///   (paper8:0-1+1-7). calibration/PATTERN@SETTING is the same in a setting of `settings`;
-/// - synthetic/N: the paper's model, fitted to the model's own displacements at parameters that are drawn at
-///   random from the middle 80 % of their ranges;
+/// - calibration/PATTERN: the paper's model, fitted to a pattern's responses in the paper's setting. The id
+///   of a pattern of another layout starts with that layout's name (paper8:0-1+1-7).
+///   calibration/PATTERN@SETTING is the same in a setting of `settings`;
+/// - synthetic/N: the paper's model, fitted to its own displacements at random parameters from the middle 80
+///   % of their ranges;
 /// - analytic/NAME: a function of the literature.
 /// Throws InputError if a setting's name is not valid.
 optimization::study::ProblemFamilies study_families(const std::vector<NamedSetting>& settings = {});

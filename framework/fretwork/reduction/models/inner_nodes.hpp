@@ -27,11 +27,11 @@ class InnerNodes {
     [[nodiscard]] int interface_nodes() const { return interface_nodes_; }
     /// The rest positions of the inner nodes, m, in the tile's own axes.
     [[nodiscard]] std::span<const Eigen::Vector3d> places() const;
-    /// The displacements of the inner nodes, one row for each, that follow from the displacements of the
-    /// interface nodes, one row for each. All displacements are small and in the tile's own axes.
+    /// The displacements of the inner nodes for given displacements of the interface nodes, with one row for
+    /// each node. All displacements are small and in the tile's own axes.
     [[nodiscard]] mechanics::NodeValues follow(const mechanics::NodeValues& interface_nodes) const;
-    /// The transpose of follow(): the gradient of a function with respect to the rows of the interface nodes,
-    /// from its gradient with respect to the rows of the inner nodes.
+    /// The transpose of follow(): turns a function's gradient with respect to the inner nodes' rows into its
+    /// gradient with respect to the interface nodes' rows.
     [[nodiscard]] mechanics::NodeValues pull_back(const mechanics::NodeValues& inner_nodes) const;
 
   private:

@@ -47,17 +47,17 @@ enum class Role {
     Reduced     ///< any other model
 };
 
-/// The choice whether congruent tiles of a surface are built once. With Congruent, a tile is built in its own
-/// axes from its polygon, whose coordinates are rounded to a tolerance. The origin of these axes is the
-/// centroid of the polygon, x runs along the first side (from vertex 0 to vertex 1), and y points into the
-/// tile. With None, each tile is built in the surface's axes from its exact polygon.
+/// How tiles of a surface share what is built. With Congruent, a tile is built in its own axes, from a
+/// polygon with coordinates rounded to a tolerance. The origin of these axes is the centroid of the polygon,
+/// x runs along the first side (from vertex 0 to vertex 1), and y points into the tile. With None, each tile
+/// is built in the surface's axes from its exact polygon.
 enum class Sharing {
     None,      ///< each tile is built by itself
     Congruent  ///< congruent tiles are built once
 };
 
-/// A tile model, which turns a painted tile into elements between its interface nodes. Each tile model is a
-/// row of the catalogue.
+/// A tile model turns a painted tile into elements between its interface nodes. Each tile model is a row of
+/// the catalogue.
 struct TileModel {
     std::string name;           ///< name in commands, files and libraries
     std::string summary;        ///< description in one line
@@ -71,16 +71,15 @@ struct TileModel {
     /// tile cannot be built.
     std::function<std::shared_ptr<const TileStructure>(const TileInput&)> build{};
     /// An optional function that states the calibration as an optimization problem, for models of small
-    /// displacements with parameters. If the function is empty, or returns null for a layout and setting, the
-    /// calibration uses DifferenceProblem, which builds the tile at each point and takes derivatives by
-    /// differences.
+    /// displacements with parameters. If it is empty, or returns null for a layout and setting, the
+    /// calibration uses DifferenceProblem.
     std::function<std::unique_ptr<CalibrationProblem>(const Objective&, const pattern::NodeLayout&,
                                                       const Setting&)>
         problem{};
 };
 
-/// Build a tile by a model. Throws as the model's `build`. Throws InputError that names a rigid motion which
-/// the tile's elements resist, because such a tile would act as a support.
+/// Build a tile by a model. Throws as the model's `build`. Throws InputError if the tile resists a rigid
+/// motion, because such a tile would act as a support; the message names the motion.
 std::shared_ptr<const TileStructure> build_tile(const TileModel& model, const TileInput& input);
 
 /// The built-in tile models, in the order in which commands list them.

@@ -29,8 +29,7 @@ struct TilePlace {
     std::span<const mechanics::NodeIndex> nodes;
 };
 
-/// The size of displacements: the size for which a tile model is made, or the size that the theory of a
-/// solution allows.
+/// The size of the displacements for which a tile model is made, or which the theory of a solution allows.
 enum class Displacements {
     Small,  ///< linear theory
     Large   ///< displacements and rotations of any size
@@ -49,16 +48,16 @@ struct TileMotion {
 /// The motion of the beams of a tile's pattern, as rows for the nodes of the beams, interface nodes first.
 struct BeamMotion {
     mechanics::NodeValues nodes;  ///< one row for each node, in the surface's axes
-    /// For a tile that is linear in corotating axes: one row for each node with its small displacements
-    /// relative to these axes, given in the surface's axes at rest. The strains of the beams follow from
-    /// `in_axes`; if it is empty, they follow from `nodes`.
+    /// For a tile that is linear in corotating axes: the nodes' small displacements relative to these axes,
+    /// one row for each node, in the surface's axes at rest. The strains of the beams follow from `in_axes`
+    /// or, if it is empty, from `nodes`.
     mechanics::NodeValues in_axes{};
     /// Theory by which the strains of the beams follow from the rows.
     Displacements displacements = Displacements::Small;
 };
 
-/// A tile as a tile model builds it, independent of its place in the surface. Congruent tiles share one
-/// TileStructure. A TileStructure is immutable, so threads may share it, too.
+/// A tile as built by a tile model, independent of its place in the surface. Congruent tiles share one
+/// TileStructure. It is immutable, so threads may share it, too.
 class TileStructure {
   public:
     TileStructure() = default;
@@ -84,15 +83,15 @@ class TileStructure {
         return std::nullopt;
     }
 
-    /// The corotational body of the tile, whose linear stiffness governs large displacements. Null for a tile
-    /// of another kind, for which no derivatives with respect to such a stiffness exist.
+    /// The corotational body of the tile, with the linear stiffness for large displacements. Null for a tile
+    /// of another kind, which has no derivatives with respect to such a stiffness.
     [[nodiscard]] virtual const mechanics::CorotationalBody* corotational_body() const { return nullptr; }
 };
 
-/// The meaning of a tile's beams.
+/// The kind of a tile's beams.
 enum class TileBeams {
     OfThePattern,  ///< beams of the pattern, in the order of its fan
-    Substitutes    ///< other beams in their place
+    Substitutes    ///< other beams that replace the beams of the pattern
 };
 
 /// A tile of beams. The first `interface_nodes` nodes of the frame are the tile's interface nodes. The
@@ -107,7 +106,7 @@ std::shared_ptr<const TileStructure> beam_tile(mechanics::Frame frame, int inter
 std::shared_ptr<const TileStructure> stiffness_tile(Eigen::MatrixXd stiffness,
                                                     std::shared_ptr<const InnerNodes> inner = nullptr);
 
-/// The motion, at small displacements, of the beams that were condensed into a tile.
+/// The motion of a tile's condensed beams at small displacements.
 BeamMotion condensed_motion(const InnerNodes& inner, const TileMotion& motion);
 /// The gradient of a function of condensed_motion() with respect to the rows of the interface nodes, in the
 /// tile's own axes.

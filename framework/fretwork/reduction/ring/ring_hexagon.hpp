@@ -15,14 +15,13 @@ using RingDirections = Eigen::Matrix<double, kRingParts, Eigen::Dynamic>;
 
 /// A fast solver for a ring with links in the setting's hexagon. The beams are linear Euler-Bernoulli beams.
 /// The solver treats the in-plane and out-of-plane problems separately and eliminates the ring by the
-/// hexagon's symmetry. The displacements are equal to the displacements of ring_tile() by
-/// mechanics::solve_linear().
+/// hexagon's symmetry. The displacements equal those of ring_tile() by mechanics::solve_linear().
 ///
 /// One solution for each scenario serves all magnitudes. The derivatives dd of the displacements d follow
 /// from the same factorization: K dd = -dK d. A RingHexagon is immutable and thread-safe.
 class RingHexagon {
   public:
-    /// True if the polygon is a hexagon and the layout has one interface node on each side.
+    /// True if the setting's polygon is a hexagon and the layout has one interface node on each side.
     static bool fits(const pattern::NodeLayout& layout, const Setting& setting);
 
     /// Prepare a solver for a setting. Throws InputError unless the setting's polygon is a hexagon and each

@@ -11,8 +11,8 @@
 
 namespace fretwork::reduction {
 
-/// The number of parts, the quantities that define a ring with links: A (m^2), I2, I3 and J (m^4) of the
-/// links; A, I2, I3 and J of the ring; theta (rad, counterclockwise positive); R (m), the ring's
+/// The number of parts. The parts are the quantities that define a ring with links: A (m^2), I2, I3 and J
+/// (m^4) of the links; A, I2, I3 and J of the ring; theta (rad, counterclockwise positive); R (m), the ring's
 /// circumradius.
 inline constexpr int kRingParts = 10;
 /// The index of theta among the parts.
@@ -33,8 +33,8 @@ struct RingBounds {
 /// The bounds of a calibration in a setting.
 RingBounds ring_bounds(const Setting& setting);
 
-/// The scale of each part, which makes the parts numbers near 1: the values of the setting's section, 1 rad,
-/// and the centroid-to-side distance.
+/// The scale of each part: the value of the setting's section, 1 rad, or the centroid-to-side distance.
+/// Scaled parts are numbers near 1.
 RingParts ring_units(const Setting& setting);
 
 /// The map from a tile model's parameters to the parts of a ring with links: parts = ties * parameters. Each

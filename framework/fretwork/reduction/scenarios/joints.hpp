@@ -9,13 +9,13 @@
 
 namespace fretwork::reduction {
 
-/// The joint reach of each edge of a fan, in widths of a bar: the length of the edge that lies within joints,
-/// both ends together.
+/// The joint reach of each edge of a fan, in widths of a bar: the total length of the edge within the joints
+/// at its two ends.
 ///
 /// If a bar and its neighbour meet at an angle a, their outlines separate at cot(a / 2) / 2 widths from their
-/// node. At an angle of half a turn or more, they separate at the node itself. The joint reaches to the place
-/// where the bar has separated from both neighbours. At a side of the polygon, the neighbouring tile is taken
-/// as the same tile, turned by half a turn about the side's middle, as in a regular surface of one pattern.
+/// node. At an angle of half a turn or more, they separate at the node itself. The joint ends where the bar
+/// has separated from both neighbours. Beyond a side of the polygon, the neighbouring tile is taken to be the
+/// same tile, turned by half a turn about the side's middle, as in a regular surface of one pattern.
 std::vector<double> joint_reaches(const pattern::Fan& fan, std::span<const geometry::Point2> places);
 
 /// A bar between two nodes.
@@ -26,17 +26,17 @@ struct BarPlace {
 
 /// The section and material of the beam that models a bar.
 ///
-/// With Joints::Stiff, the beam is as stiff as a bar with rigid ends, whose rigid length together is
+/// With Joints::Stiff, the beam is as stiff as a bar with two rigid ends. The total rigid length is
 /// kStiffShare times the joint reach. Let L be the bar's length and l the length of its elastic rest. The
-/// stiffness in stretching and torsion grows by the factor L / l. The stiffness in bending in the plane grows
-/// by the factor (L / l)^3, which is exact for ends that move sideways without turning. The stiffness in
-/// bending out of the plane does not change, because bars side by side in a joint are together no stiffer
-/// than one by one. The mass does not change either.
+/// stiffness in stretching and torsion grows by the factor L / l. The stiffness in in-plane bending grows by
+/// the factor (L / l)^3, which is exact for ends that move sideways without turning. The stiffness in
+/// out-of-plane bending does not change, because bars side by side in a joint are together no stiffer than
+/// one by one. The mass does not change either.
 TileMaterial bar_of(const Setting& setting, const BarPlace& place);
 
-/// The rigid share of the joint reach. The value comes from a comparison with solids (experiments/joints).
+/// The rigid share of the joint reach, from a comparison with solids (experiments/joints).
 inline constexpr double kStiffShare = 0.35;
-/// The smallest elastic share of a bar's length. The value comes from the same comparison.
+/// The smallest elastic share of a bar's length, from the same comparison.
 inline constexpr double kLeastElasticShare = 0.5;
 
 }  // namespace fretwork::reduction

@@ -10,9 +10,8 @@
 
 namespace fretwork::reduction {
 
-/// A standard load case of one tile in the reference hexagon (paper, Section 5.2 and Fig. 10). A scenario
-/// supports and loads interface nodes, one on each side; spread_over_sides() adapts it to layouts with
-/// several on each side.
+/// A standard load case of one tile in the reference hexagon (paper, Section 5.2 and Fig. 10). It refers to
+/// one interface node on each side; spread_over_sides() adapts it to layouts with several.
 struct Scenario {
     /// The support of a node.
     struct Support {
@@ -48,7 +47,7 @@ Scenario spread_over_sides(const Scenario& scenario, int nodes_a_side);
 
 /// Read a scenario from JSON text; `source` names the text in messages. Throws InputError.
 Scenario parse_scenario(std::string_view text, std::string source);
-/// The scenario as JSON text, from which parse_scenario() makes an equal scenario.
+/// The scenario as JSON text; parse_scenario() gives an equal scenario.
 std::string scenario_text(const Scenario& scenario);
 /// Read a scenario file. Throws InputError with file and JSON pointer.
 Scenario read_scenario(const std::filesystem::path& path);

@@ -13,8 +13,8 @@ namespace fretwork::reduction {
 
 /// The treatment of samples past the first loss of stability; the key "branch" in files.
 enum class SamplePolicy {
-    Paper,   ///< the samples are fitted, as in the paper, it seems, whose solver does not check stability
-    Stable,  ///< the samples are left out, so that only states are fitted that a specimen reaches
+    Paper,   ///< the samples are fitted, as probably in the paper: its solver does not check stability
+    Stable,  ///< the samples are left out; only states that a specimen can reach are fitted
 };
 /// The word for a policy in files.
 std::string_view sample_policy_name(SamplePolicy policy);
@@ -23,7 +23,7 @@ std::string_view sample_policy_name(SamplePolicy policy);
 /// with solids of the true outline.
 enum class Joints {
     Centreline,  ///< the whole centreline, as in the paper
-    /// All of the bar but its ends, which merge with other bars and neither stretch nor twist nor bend in the
+    /// The bar without its ends. The ends merge with other bars and do not stretch, twist or bend in the
     /// plane.
     Stiff
 };
@@ -36,21 +36,20 @@ struct TileMaterial {
     mechanics::Material material;  ///< material of each bar
 };
 
-/// Everything that a response depends on besides its pattern: material, section, tile size, scenarios and
-/// discretization. A setting also has the strength of the material.
+/// All inputs of a response besides its pattern: material, section, tile size, scenarios and discretization.
+/// A setting also has the strength of the material.
 struct Setting {
     mechanics::Material material;  ///< material of the bars
-    /// The strength of the material, Pa: the stress that it bears; the key "material/strength" in files. No
-    /// response depends on the strength, so libraries and results treat settings that differ only in strength
-    /// as equal. Settings are also treated as equal if their sections differ only in shape, with equal areas
-    /// and moments.
+    /// The stress that the material bears, Pa; the key "material/strength" in files. No response depends on
+    /// the strength, so libraries and results treat settings that differ only in strength as equal. They do
+    /// the same for sections that differ only in shape, with equal areas and moments.
     std::optional<double> strength{};
     mechanics::Section section;  ///< section of the bars
     /// Side of the regular polygon (a hexagon unless `sides` differs from 6), m.
     double tile_side = 0.0;
     int sides = 6;                    ///< number of sides of the regular polygon in which patterns are loaded
     std::vector<Scenario> scenarios;  ///< the scenarios under which patterns are loaded
-    /// Number of elements of each beam in responses; with two, the error is at most 7e-4 in the sample of
+    /// Number of elements of each beam in responses. With two, the error is at most 7e-4 in the sample of
     /// experiments/verification.
     int divisions = 2;
     /// Number of magnitudes; sample k has k / magnitudes of the scenario's largest magnitude.
@@ -67,13 +66,11 @@ struct Setting {
 std::vector<std::string> warnings_about(const Setting& setting);
 
 /// The paper's setting: a hexagon inscribed in a circle of diameter 0.03 sqrt(3) m, bars of 2 x 2 mm, 1 GPa,
-/// nu 0.3, and the five scenarios. One value differs from the paper: each beam has two elements, where the
-/// paper has one.
+/// nu 0.3, and the five scenarios. One value differs: each beam has two elements, and one in the paper.
 Setting paper_setting();
 
-/// The paper's setting with stiff joints, for surfaces that are made, whose bars merge where they meet. A new
-/// project without a library has this setting. experiments/joints compares surfaces in this setting with
-/// solids.
+/// The paper's setting with stiff joints, for surfaces to be made: their bars merge where they meet. A new
+/// project without a library has this setting. experiments/joints compares such surfaces with solids.
 Setting made_setting();
 
 }  // namespace fretwork::reduction

@@ -17,8 +17,8 @@ Setting read_setting(const std::filesystem::path& path);
 /// The setting named "paper" or "made" or, for another text, the setting in the file with this path.
 /// "./paper" is the path of a file named paper. Throws as read_setting().
 Setting find_setting(const std::string& name_or_path);
-/// The name of a setting: "paper", "made", or "own" for any other setting. The strength has no influence on
-/// the name. Neither has the section's shape if areas and moments are equal.
+/// The name of a setting: "paper", "made", or "own" for any other setting. Strengths are ignored, and so are
+/// shapes of sections with equal areas and moments.
 std::string setting_name(const Setting& setting);
 
 /// Write a setting file atomically. Throws IoError and leaves the file as it was.
@@ -34,8 +34,8 @@ Setting parse_setting(std::string_view text, std::string source);
 Setting without_stresses(Setting setting);
 
 /// The first difference between two settings in one line ("/section/J: 2.25e-12, where the library has
-/// 2.3e-12"), or "" if there is no difference. Strengths are not compared. Neither are the sections' shapes
-/// if areas and moments are equal.
+/// 2.3e-12"), or "" if there is none. Strengths are ignored, and so are shapes of sections with equal areas
+/// and moments.
 std::string setting_difference(const Setting& wanted, const Setting& present);
 
 }  // namespace fretwork::reduction
