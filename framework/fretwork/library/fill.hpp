@@ -9,7 +9,7 @@
 
 namespace fretwork::library {
 
-/// Options of fill(): the calibration that fill() adds to each pattern, and the way fill() runs.
+/// Options of fill(): the calibration that it adds to each pattern, and the way it runs.
 struct FillOptions {
     std::string model = "paper6";  ///< name of a row of `models`
     /// The catalogue that has the model.

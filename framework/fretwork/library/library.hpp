@@ -37,17 +37,17 @@ struct CalibrationKey {
     std::string optimizer;   ///< name of the method
     std::uint64_t seed = 0;  ///< seed of the search, below 2^63
     int starts = 0;          ///< number of descents from different points
-    int budget = 0;          ///< largest number of evaluations
+    int budget = 0;          ///< largest cost; see reduction::CalibrationOptions
     friend bool operator==(const CalibrationKey&, const CalibrationKey&) = default;
 };
 /// The key of a calibration with these options.
 CalibrationKey calibration_key(const reduction::CalibrationOptions& options,
                                const reduction::TileModel& model);
 
-/// A calibration with the library's notes on it.
+/// A calibration with the data that libraries add.
 struct CalibrationRecord {
     reduction::Calibration calibration;  ///< the fitted model
-    int budget = 0;                      ///< largest number of evaluations
+    int budget = 0;                      ///< largest cost; see reduction::CalibrationOptions
     double seconds = 0.0;                ///< wall time; not part of the content
     /// The key under which the calibration is stored.
     [[nodiscard]] CalibrationKey key() const;
@@ -61,7 +61,7 @@ struct PatternData {
     std::vector<std::pair<std::string, double>> properties;  ///< name and value, SI
 };
 
-/// A summary of the data that a library has of one pattern.
+/// A summary of a library's data on one pattern.
 struct PatternSummary {
     std::string pattern;  ///< pattern id
     int edges = 0;        ///< number of edges of the pattern
@@ -69,7 +69,7 @@ struct PatternSummary {
     int samples = 0;
     int converged_samples = 0;  ///< number of converged samples
     int stable_samples = 0;     ///< number of converged samples that are stable
-    /// Number of samples with a load above the largest load of the path; these samples have not converged.
+    /// Number of samples that have not converged because their load is above the largest load of the path.
     int limit_load_samples = 0;
     int calibrations = 0;                    ///< number of calibrations
     std::optional<double> best_objective{};  ///< smallest objective among the calibrations
@@ -80,8 +80,8 @@ struct PatternSummary {
 /// patterns.
 struct Failure {
     std::string pattern;  ///< pattern id
-    std::string
-        computation;     ///< the failed computation: responses_computation(), or calibration_computation(key)
+    /// The failed computation: responses_computation(), or calibration_computation(key).
+    std::string computation;
     std::string reason;  ///< one line
     friend bool operator==(const Failure&, const Failure&) = default;
 };
@@ -94,9 +94,9 @@ std::string calibration_computation(const CalibrationKey& key);
 /// properties, in one SQLite file (tables and columns: schema.md).
 ///
 /// Every writing call is one transaction: if the process is killed or the disk is full, the file is as before
-/// or as after the call. A stored response or calibration never changes: storing an equal value again does
-/// nothing, and storing a different value throws InputError. Only one thread at a time may use a Library.
-/// Several processes may have one file open (rollback journal and file locks, so network disks work).
+/// or as after the call. A stored response or calibration never changes: to store an equal value again does
+/// nothing, and to store a different value throws InputError. Only one thread at a time may use a Library.
+/// Several processes may have one file open, also on a network disk (rollback journal and file locks).
 ///
 /// Reading calls throw InputError if an id is unknown or the file is damaged. Writing calls also throw
 /// IoError (disk full, no permission, file locked by another process for longer than ten seconds).
@@ -105,9 +105,9 @@ class Library {
     /// Create a new file. Throws InputError if the file exists, IoError if it cannot be written.
     static Library create(const std::filesystem::path& path, const pattern::NodeLayout& layout,
                           const reduction::Setting& setting);
-    /// Open a file. A file of schema 3 is converted to this version's schema if it is opened for writing, and
-    /// is otherwise read without a change. Throws InputError if the file is missing, is not a library, or has
-    /// another schema.
+    /// Open a file. A file of schema 3 is converted to the present schema if it is opened for writing, and is
+    /// only read otherwise. Throws InputError if the file is missing, is not a library, or has another
+    /// schema.
     static Library open(const std::filesystem::path& path, Access access = Access::ReadOnly);
     /// Open an existing file for writing and check its layout and setting, or create a new file with these
     /// patterns. If not all patterns can be written, no new file is left.
@@ -129,9 +129,8 @@ class Library {
     void check_setting(const reduction::Setting& wanted) const;
     /// Check that the library has this layout. Throws InputError that states the difference.
     void check_layout(const pattern::NodeLayout& wanted) const;
-    /// Replace the library's setting by `wanted`, if nothing has been computed under the library's setting.
-    /// Otherwise replace only the strength of the material, if `wanted` states one, and check all other
-    /// values as check_setting() does.
+    /// Replace the library's setting by `wanted` if nothing has been computed under it. Otherwise replace
+    /// only the strength, if `wanted` has one, and check all other values as check_setting() does.
     void adopt_setting(const reduction::Setting& wanted);
 
     /// Add patterns that the library lacks. Returns the number of patterns added. If the call is stopped, no
@@ -151,9 +150,9 @@ class Library {
         std::span<const pattern::NamedPattern> patterns) const;
     /// The patterns with a calibration of a model that has parameters, in the order of patterns().
     [[nodiscard]] std::vector<pattern::NamedPattern> fitted_patterns() const;
-    /// The patterns with the wanted behaviour. Patterns without properties, which fill() computes, are not
-    /// found. Throws InputError whose source is "where" or "sort", if this expression of the query is none;
-    /// the error names the place in the expression.
+    /// Find patterns by their behaviour. Patterns without properties, which fill() computes, are not found.
+    /// Throws InputError with the place if an expression of the query is invalid; its source is "where" or
+    /// "sort".
     [[nodiscard]] FoundPatterns find(const PatternQuery& query) const;
     /// The objectives of all calibrations of a key, ascending.
     [[nodiscard]] std::vector<double> objectives(const CalibrationKey& key) const;
@@ -165,8 +164,8 @@ class Library {
     [[nodiscard]] std::vector<pattern::NamedPattern> patterns_with_responses() const;
     /// The patterns, in the order of patterns(), whose responses are neither stored nor recorded as failed.
     [[nodiscard]] std::vector<pattern::NamedPattern> patterns_without_responses() const;
-    /// The patterns, in the order of patterns(), whose calibration of this key is neither stored nor recorded
-    /// as failed. Patterns whose responses failed are left out.
+    /// The patterns, in the order of patterns(), with a calibration of this key that is neither stored nor
+    /// recorded as failed. Patterns with failed responses are left out.
     [[nodiscard]] std::vector<pattern::NamedPattern> patterns_without_calibration(
         const CalibrationKey& key) const;
     /// True if the pattern is among patterns_without_responses().
@@ -201,8 +200,8 @@ class Library {
     [[nodiscard]] std::vector<std::pair<std::string, double>> properties(std::string_view pattern_id) const;
 
     /// A SHA-256 (64 hexadecimal digits) of the content: layout, setting, patterns, responses, calibrations,
-    /// properties, failures. The hash does not depend on the order in which the content was stored, on times,
-    /// hosts and program versions, or on the layout of the file by SQLite.
+    /// properties, failures. The hash does not depend on the order of storing, on times, hosts and program
+    /// versions, or on SQLite's layout of the file.
     [[nodiscard]] std::string content_hash() const;
     /// True if `hash` is the hash of the content by this or an older version of the program.
     [[nodiscard]] bool has_content(std::string_view hash) const;

@@ -11,8 +11,8 @@ namespace fretwork::library {
 /// Merge libraries of one layout and one setting into a new file. Rows that occur in several inputs must be
 /// equal bit by bit, because no tolerance bounds the effect of rounding near a bifurcation or in a search.
 /// The order of the inputs does not matter. Throws InputError if the output exists, or if two inputs differ
-/// in their setting or in a row, which the message names; IoError; or Stopped. After an error, no output is
-/// left.
+/// in their setting or in a row; the message names the difference. Throws IoError and Stopped. After an
+/// error, no output is left.
 void merge(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs,
            const base::Control& control = {});
 

@@ -8,9 +8,9 @@
 
 namespace fretwork::library {
 
-/// A search for patterns by their behaviour. Both expressions are SQL expressions over the columns of
-/// FoundPatterns::columns, with numbers, `pattern_id`, comparison, arithmetic, `between`, `in`, `like`,
-/// `and`, `or`, `not`, `is null`, and SQLite's scalar functions.
+/// A search for patterns by their behaviour. Both expressions are SQL expressions. They may contain
+/// FoundPatterns::columns, `pattern_id`, numbers, comparison, arithmetic, `between`, `in`, `like`, `and`,
+/// `or`, `not`, `is null`, and SQLite's scalar functions.
 struct PatternQuery {
     std::string where{};      ///< condition, such as `bending_poisson < 0`; empty: every pattern
     std::string sort{};       ///< expression by which the patterns are sorted; empty: by pattern id

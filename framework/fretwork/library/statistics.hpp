@@ -10,15 +10,14 @@
 
 namespace fretwork::library {
 
-/// A calibration whose objective lies far above those of comparable calibrations. The search for such a
-/// calibration may have failed.
+/// A calibration with an objective far above those of comparable calibrations. Its search may have failed.
 struct FarAbove {
     std::string pattern;     ///< pattern id
     double objective = 0.0;  ///< E
 };
 
-/// The limit above which an objective E is an outlier; infinity for fewer than 20 calibrations, too few for
-/// an estimate.
+/// The limit above which an objective E is an outlier. Infinity for fewer than 20 calibrations, which are too
+/// few for an estimate.
 ///
 /// Over the calibrations of one key, log E is about normally distributed. The limit lies four standard
 /// deviations above the median of log E, so about one sound calibration in 30,000 has an E above the limit.
@@ -34,13 +33,13 @@ struct CalibrationStatistics {
     double median = 0.0;         ///< median of E
     /// far_above_limit() of all calibrations of the key in the library
     double far_above_limit = 0.0;
-    std::vector<FarAbove> far_above;  ///< patterns whose E is far above the median
+    std::vector<FarAbove> far_above;  ///< patterns with E far above the median
     /// For each parameter, the number of patterns with this parameter at a bound.
     std::map<std::string, std::size_t> at_bound;
     /// Number of samples of these patterns, scenarios times magnitudes.
     std::size_t samples = 0;
     std::size_t converged = 0;  ///< number of converged samples
-    /// Number of samples with a load above the largest load of the path; these samples have not converged.
+    /// Number of samples that have not converged because their load is above the largest load of the path.
     std::size_t limit_load = 0;
     std::size_t unstable = 0;  ///< number of converged samples that are not stable
 };
