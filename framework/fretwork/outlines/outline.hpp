@@ -10,7 +10,7 @@
 
 namespace fretwork::outlines {
 
-/// A flat shape: a simple boundary (counterclockwise) with holes (clockwise) inside it that neither touch nor
+/// A flat shape: a simple boundary (counterclockwise), and holes (clockwise) inside it that neither touch nor
 /// overlap.
 struct Outline {
     geometry::Polygon boundary;            ///< metres
@@ -24,7 +24,7 @@ Outline make_outline(geometry::Polygon boundary, std::vector<geometry::Polygon> 
 /// The area of an outline without its holes, m2.
 double area_of(const Outline& outline);
 
-/// Parse an outline in the project's own form, metres:
+/// Parse an outline in JSON, in metres:
 ///
 ///     { "format": "fretwork/outline/1", "boundary": [[0, 0], [0.4, 0], [0, 0.3]], "holes": [] }
 ///
@@ -37,18 +37,17 @@ std::string outline_text(const Outline& outline);
 /// Write an outline as JSON, atomically. Throws IoError and then leaves the file as it was.
 void write_outline(const Outline& outline, const std::filesystem::path& path);
 
-/// The outlines of a file, and remarks about the changes that reading them needed.
+/// The outlines of a file, and remarks about changes made by the reader.
 struct OutlineFile {
     std::vector<Outline> parts;  ///< the largest first
-    /// One remark for each kind of change, in a few words of bounded length: "2 gaps of at most 0.02 mm
-    /// closed".
+    /// One short remark for each kind of change: "2 gaps of at most 0.02 mm closed".
     std::vector<std::string> remarks;
 };
 
-/// Read outlines: SVG (what a browser would fill), DXF (closed curves of the model space), OBJ/PLY/OFF (flat,
-/// one part), JSON (one part). The file extension selects the format. Lengths are metres, x to the right, y
-/// upwards; the origin of an SVG is the lower left corner of its viewBox, other files keep their origin.
-/// Throws InputError or GeometryError with file and place.
+/// Read outlines from SVG (the areas that a browser would fill), DXF (closed curves of the model space),
+/// OBJ/PLY/OFF (flat, one part) or JSON (one part). The file extension selects the format. Lengths are
+/// metres; x runs to the right, y upwards. The origin of an SVG is the lower left corner of its viewBox;
+/// other files keep their origin. Throws InputError or GeometryError with file and place.
 OutlineFile read_outline_file(const std::filesystem::path& path);
 /// The largest part of a file, read as by read_outline_file().
 Outline read_outline(const std::filesystem::path& path);
@@ -60,7 +59,7 @@ OutlineFile take_parts(OutlineFile file, std::string_view which);
 /// Scale all parts of a file by one factor, so that together they are `width` metres wide.
 OutlineFile scaled_to_width(OutlineFile file, double width);
 
-/// The width and height of the box around outlines, as a text for people: "284 x 190 mm".
+/// The width and height of the box around outlines: "284 x 190 mm".
 std::string size_text(const std::vector<Outline>& parts);
 
 }  // namespace fretwork::outlines

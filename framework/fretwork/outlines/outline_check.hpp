@@ -10,14 +10,14 @@
 
 namespace fretwork::outlines {
 
-/// The flaw that keeps loops (the boundary, then the holes) from being an outline, found exactly: a point
-/// that is not finite, a side of length zero, two sides that touch or cross, a hole outside the boundary or
-/// inside another hole. Nothing if the loops are an outline. Throws base::Stopped.
+/// Find, by exact tests, why loops (the boundary, then the holes) are not an outline: a point that is not
+/// finite, a side of length zero, two sides that touch or cross, a hole outside the boundary or inside
+/// another hole. Nothing if the loops are an outline. Throws base::Stopped.
 std::optional<std::string> outline_flaw(const std::vector<geometry::Polygon>& loops,
                                         const base::Control& control);
 
-/// The middles of all sides that cross or touch another side, found exactly. If no sides cross or touch, the
-/// first point of each hole that lies outside the boundary or inside another hole. Throws base::Stopped.
+/// The middles of all sides that cross or touch another side, by exact tests. If there are none, the first
+/// point of each hole that lies outside the boundary or inside another hole. Throws base::Stopped.
 std::vector<geometry::Point2> places_of_crossings(const std::vector<geometry::Polygon>& loops,
                                                   const base::Control& control);
 

@@ -14,8 +14,8 @@ struct DxfCurve {
     enum class Ends { Open, Closed } ends = Ends::Open;
 };
 
-/// The result of drawing an entity: a curve or, if there is none, the kind of the entity for the list of
-/// entities that were left out. `left_out` is empty for an entity that draws nothing.
+/// The result of drawing an entity: a curve, or the kind of an entity that is left out. Both are empty for an
+/// entity that draws nothing.
 struct DxfDrawn {
     std::optional<DxfCurve> curve;
     std::string left_out;
@@ -25,8 +25,8 @@ struct DxfDrawn {
 /// INSERT.
 DxfDrawn draw_dxf_entity(const DxfFile& file, std::span<const DxfEntity> from, const Flattening& how);
 
-/// The map from the coordinates of an entity to the coordinates of the drawing. The map mirrors an entity
-/// that is seen from below. Nothing if the entity is not parallel to the drawing's plane.
+/// The map from the coordinates of an entity to the coordinates of the drawing. An entity seen from below is
+/// mirrored. Nothing if the entity is not parallel to the drawing's plane.
 std::optional<Affine> dxf_orientation(const DxfFile& file, const DxfEntity& entity);
 
 /// A rational B-spline within the tolerance. Throws InputError with the line if its numbers contradict each

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-/// Readers of OBJ, PLY and OFF files. The readers are strict: an error names line and value; a count in a
-/// file is trusted only after that number of items was read; and nothing is skipped without notice.
+/// Strict readers of OBJ, PLY and OFF files. An error names line and value; a count in a file is not trusted
+/// before that number of items was read; and nothing is skipped without notice.
 namespace fretwork::outlines::detail {
 
 MeshFile read_obj(const std::filesystem::path& path);
@@ -34,8 +34,8 @@ class MeshText {
 
     /// The next line that has words. Text after # is skipped.
     std::optional<TextLine> next_line();
-    /// The next line that has words. Throws InputError that says that `wanted` is missing if the file has no
-    /// such line.
+    /// The next line that has words. Throws InputError if there is none; the message says that `wanted` is
+    /// missing.
     TextLine need_line(const std::string& wanted);
     /// All bytes after the last line read.
     [[nodiscard]] std::string_view rest() const { return std::string_view(text_).substr(next_); }
@@ -54,7 +54,7 @@ class MeshText {
     /// The point given by three words, starting with word `first`.
     [[nodiscard]] std::array<double, 3> point(const TextLine& line, std::size_t first) const;
 
-    /// Check a face whose vertices are numbered from 0 and add it to the mesh.
+    /// Check a face and add it to the mesh. `vertices` are numbers from 0.
     void add_face(const std::string& place, const std::vector<long long>& vertices, std::size_t vertex_count,
                   MeshFile& mesh) const;
 

@@ -20,8 +20,8 @@ struct Enclosed {
 /// The distance, m, up to which loose ends are joined.
 double widest_gap(double tolerance);
 
-/// Join the open lines to closed curves, and add the closed lines. Remarks report closed gaps and lines drawn
-/// twice. `tolerance` is the tolerance of flattening, m.
+/// Join the open lines into closed curves, and add the closed lines. Remarks report closed gaps and lines
+/// drawn twice. `tolerance` is the tolerance of flattening, m.
 Enclosed enclosed_by(DrawnLines lines, double tolerance, Remarks& remarks);
 
 /// The index of the longest of the lines `which`. Pre: `which` is not empty.

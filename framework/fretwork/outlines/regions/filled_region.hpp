@@ -6,14 +6,13 @@
 #include <optional>
 #include <vector>
 
-/// The regions that closed curves fill, as parts with holes. Crossings are found exactly.
+/// Regions filled by closed curves, as parts with holes. Crossings are found exactly.
 namespace fretwork::outlines::detail {
 
 enum class FillRule { Nonzero, Evenodd };
 
-/// The width, as a share of the tolerance, below which slits are closed and needles are cut off. Slits and
-/// needles occur where lines nearly meet. This width is less than the width to which touching points are
-/// opened.
+/// Slits are closed and needles are cut off below this width, as a share of the tolerance. They occur where
+/// lines nearly meet. Touching points are opened by more than this width.
 inline constexpr double kWeldShare = 0.25;
 
 /// Closed polygons that are filled together, in metres. The polygons may cross themselves and each other.
@@ -56,8 +55,8 @@ Region filled_region(const Picture& picture, double tolerance);
 /// bounds a filled area again, and so on. Throws GeometryError if curves are nested too deeply.
 Region nested_region(const std::vector<geometry::Polygon>& curves, double tolerance);
 
-/// The outer contours of the areas that lines enclose: an area divided by a line has one contour. Loose ends,
-/// and lines with the same face on both sides, enclose nothing.
+/// The outer contours of the areas that lines enclose. An area that a line divides has one contour. Loose
+/// ends, and lines with the same face on both sides, enclose nothing.
 struct Contours {
     std::vector<geometry::Polygon> closed;
     std::vector<std::size_t> open;  ///< indices of the lines that enclose nothing

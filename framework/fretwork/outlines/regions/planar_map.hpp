@@ -12,7 +12,7 @@
 #include <functional>
 #include <vector>
 
-/// The faces into which the sides of polygons cut the plane, with exact crossings (CGAL's arrangements).
+/// The faces between the sides of polygons, with exact crossings (CGAL's arrangements).
 namespace fretwork::outlines::detail {
 
 /// The mark of a face, for the algorithms that use the map.
@@ -52,12 +52,12 @@ struct LineMap {
     std::vector<Side> sides;
 };
 
-/// Make the map of some lines. Sides of length zero are left out. Throws GeometryError if far too many sides
+/// Make the map of lines. Sides of length zero are left out. Throws GeometryError if far too many sides
 /// cross.
 LineMap make_line_map(const std::vector<MapLine>& lines);
 
 /// Callbacks of visit_faces(), which goes from face to face. On the way to a face, `cross` is called for each
-/// line whose winding number changes. At each face, `look` is called once.
+/// line that changes its winding number. At each face, `look` is called once.
 struct WindingVisitor {
     std::function<void(int line, int change)> cross;
     std::function<void(PlanarMap::Face_handle)> look;

@@ -73,8 +73,8 @@ std::optional<CssSelector> parse_css_selector(std::string_view text);
 /// InputError after ten million tests.
 bool matches(const CssSelector& selector, pugi::xml_node node, long& looks);
 
-/// A CSS colour as "#rrggbb", without its opacity. Hexadecimal colours, rgb() and names are supported; for
-/// other colours, nothing is returned.
+/// A CSS colour as "#rrggbb", without its opacity. Hexadecimal colours, rgb() and names are supported.
+/// Nothing for other colours.
 std::optional<std::string> css_colour(std::string_view text);
 
 }  // namespace fretwork::outlines::detail

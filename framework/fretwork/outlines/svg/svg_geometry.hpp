@@ -9,7 +9,7 @@
 
 namespace fretwork::outlines::detail {
 
-/// The lengths, in pixels, that percentages and relative units refer to.
+/// The reference lengths, in pixels, of percentages and relative units.
 struct SvgMeasure {
     double width = 0.0;   ///< width of the viewport
     double height = 0.0;  ///< height of the viewport

@@ -12,8 +12,8 @@
 
 namespace fretwork::outlines::detail {
 
-/// A reader of the areas of an SVG drawing that a browser would fill (SVG 2, chapters 5 to 14). If a browser
-/// would fill no area, the result is the areas inside closed lines.
+/// A reader of the areas of an SVG drawing that a browser would fill (SVG 2, chapters 5 to 14). If there are
+/// none, the result is the areas inside closed lines.
 class SvgReader {
   public:
     explicit SvgReader(const std::filesystem::path& path);
@@ -35,9 +35,9 @@ class SvgReader {
     enum class Purpose { Paint, Clip, Box };
 
     void read();
-    /// The region of a drawing that has only lines, as for laser cutters. This region is used if the filled
-    /// shapes give no part. Closed lines are outlines, and a closed line inside another is a hole, as in DXF.
-    /// Throws GeometryError if no line is closed.
+    /// The region of a drawing that has only lines, as for laser cutters: it is used if the filled shapes
+    /// give no part. Closed lines are outlines, and a closed line inside another is a hole, as in DXF. Throws
+    /// GeometryError if no line is closed.
     Region stroked_region();
     [[nodiscard]] std::string nothing_filled() const;
     /// The list, in brackets, of the content that was left out.
@@ -45,7 +45,7 @@ class SvgReader {
     void read_children(pugi::xml_node parent, const Surroundings& around);
     void read_element(pugi::xml_node node, const Surroundings& outer);
     void read_kind(std::string_view name, const SvgElement& element, const Surroundings& around);
-    /// Read the first alternative of a `switch` whose conditions hold.
+    /// Read the first alternative of a `switch` that meets its conditions.
     void read_switch(pugi::xml_node parent, const Surroundings& around);
     /// Read an `svg` or `symbol`, which shows its viewBox in its own box. `sized` is the element that states
     /// the size of that box.

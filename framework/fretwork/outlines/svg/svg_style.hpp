@@ -32,7 +32,7 @@ struct SvgStyle {
     }
 };
 
-/// The style of an element whose parent has the style `outer`.
+/// The style of an element in a parent with the style `outer`.
 SvgStyle style_in(const SvgStyle& outer, const SvgProperties& properties, const SvgDocument& document);
 
 /// True if an element and its content are not shown: `display: none`, `opacity: 0`.

@@ -8,8 +8,7 @@
 #include <vector>
 
 /// Parsers of the texts inside SVG attributes (SVG 1.1, chapters 4, 7 and 8). Each parser throws InputError
-/// that quotes the text and states the number of the character, from 1, and what was expected at this
-/// character.
+/// that quotes the text, and states the number of the invalid character, from 1, and the expected content.
 namespace fretwork::outlines::detail {
 
 /// A reader that goes through the text of an attribute.

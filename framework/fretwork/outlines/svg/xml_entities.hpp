@@ -6,10 +6,10 @@
 
 namespace fretwork::outlines::detail {
 
-/// Replace the entities that a document itself declares (`<!DOCTYPE svg [ <!ENTITY st0 "fill:none"> ]>`) by
-/// their text. Some drawing programs write such entities, and pugixml does not replace them. The numbers of
-/// the lines do not change. Entities in other files are left unchanged. Throws InputError if the text would
-/// become far too long, or an entity contains itself.
+/// Replace the entities that a document declares (`<!DOCTYPE svg [ <!ENTITY st0 "fill:none"> ]>`) by their
+/// text. Some drawing programs write them, and pugixml does not replace them. Line numbers stay. Entities in
+/// other files are left unchanged. Throws InputError if the text would become far too long, or if an entity
+/// contains itself.
 std::string with_entities_replaced(std::string text);
 
 }  // namespace fretwork::outlines::detail
