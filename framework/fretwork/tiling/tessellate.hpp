@@ -14,15 +14,14 @@
 
 namespace fretwork::tiling {
 
-/// The limit of the distance between a point of an outline and the point before it, as a share of the wanted
-/// side. A point nearer than the limit is left out.
+/// A point of an outline is left out if its distance from the point before it is below this share of the
+/// wanted side.
 inline constexpr double kNegligibleShare = 1e-6;
 
 /// The treatment of an outline that is narrower than a tile.
 enum class Narrow {
     Refine,  ///< make tiles smaller until one tile fits
-    /// Make tiles smaller as with Refine, and then merge as many tiles as possible: a narrow band gets long
-    /// tiles.
+    /// Make tiles smaller as with Refine, then merge as many as possible: a narrow band gets long tiles.
     Merge,
     Refuse,  ///< throw GeometryError, also if smaller tiles are needed for another reason
 };
@@ -30,15 +29,14 @@ enum class Narrow {
 /// Options of tessellate().
 struct TessellationOptions {
     double edge_length = 0.0;  ///< wanted mean side of the polygons, m, from 1e-9 to 1e6
-    /// Lower limit of the length of every side, m, such as the width of the bars that meet at a side. 0: no
-    /// limit.
+    /// Smallest length of a side, m, such as the width of the bars that meet at it. 0: no limit.
     double smallest_side = 0.0;
     Narrow narrow = Narrow::Refine;  ///< treatment of places where the outline is narrower than a tile
     int remeshing_iterations = 10;   ///< number of iterations of the isotropic remeshing
     int relaxation_iterations = 40;  ///< number of iterations towards a centroidal tessellation
     int lattice_angles = 12;  ///< number of triangular lattices to try in addition to the remeshed triangles
-    /// The angle of the rows of tiles to the x axis, rad: one lattice at this angle is tried and nothing
-    /// else. It is the same again after 60 degrees. None: the most regular of several tilings.
+    /// The angle of the rows of tiles to the x axis, rad: only one lattice at this angle is tried. Angles
+    /// repeat after 60 degrees. None: the most regular of several tilings.
     std::optional<double> angle{};
     /// Number of threads; 0: one for each processor; the result does not depend on the number.
     int threads = 0;
@@ -78,39 +76,38 @@ struct TessellationResult {
 /// a centroidal tessellation. Paper, Section 6.
 ///
 /// The triangles come from isotropic remeshing and from triangular lattices at several angles. Among the
-/// tilings whose mean side is within 1 % of the wanted side, the most regular tiling is chosen; if there is
-/// no such tiling, the tiling with the nearest mean side is chosen. A tiling is regular if most tiles inside
-/// are hexagons, most tiles at the rim are pentagons or hexagons, and sides and areas are nearly equal. Where
-/// the outline is narrower than a tile, tiles are smaller (options.narrow), and sharp tips are cut off. The
-/// paper names another remesher and does not describe the closure at the rim. Here, sides between tiles end
-/// on the outline. A tile's side at the rim is the chord between two such ends, or meets a corner of the
-/// outline. As the last step, every tile is regularized.
+/// tilings with a mean side within 1 % of the wanted side, the most regular is chosen; if there are none, the
+/// tiling with the nearest mean side. A tiling is regular if most tiles inside are hexagons, most tiles at
+/// the rim are pentagons or hexagons, and sides and areas are nearly equal. Where the outline is narrower
+/// than a tile, tiles are smaller (options.narrow), and sharp tips are cut off. The paper names another
+/// remesher and does not describe the closure at the rim. Here, sides between tiles end on the outline. A
+/// tile's side at the rim is the chord between two such ends, or meets a corner of the outline. As the last
+/// step, every tile is regularized.
 ///
 /// The tiling has the outline's topology, by an exact test. The tiles cover at least 98 % of the outline's
 /// area. No side is shorter than a quarter of the wanted side at its place, and no angle is below 25 degrees.
 /// README.md lists all guarantees.
 ///
-/// Throws GeometryError with a place if no tiling with these properties is found; the message states a
-/// smaller side with which a tiling was found. Throws GeometryError also if two stretches of the outline are
-/// nearer to each other than a ten-thousandth of `edge_length` (a needle, a slit). Throws InputError if more
-/// than 100,000 tiles would be needed, or if the outline lies so far from the origin that its coordinates are
-/// too coarse. Throws base::Stopped. Needles, slits, size and position are checked before any triangle is
-/// made. The result is deterministic.
+/// Throws GeometryError with a place if no such tiling is found; the message states a smaller side with which
+/// a tiling was found. Throws GeometryError also if two stretches of the outline are nearer to each other
+/// than a ten-thousandth of `edge_length` (a needle, a slit). Throws InputError if more than 100,000 tiles
+/// would be needed, or if the outline lies so far from the origin that its coordinates are too coarse. Throws
+/// base::Stopped. Needles, slits, size and position are checked before any triangle is made. The result is
+/// deterministic.
 TessellationResult tessellate(const outlines::Outline& outline, const pattern::NodeLayout& layout,
                               const TessellationOptions& options);
 
-/// Tile several separate outlines as one tessellation: first the tiles, vertices and interface nodes of the
-/// first part, then the tiles, vertices and interface nodes of the next part. Parts share no node, so each
-/// part needs its own supports.
+/// Tile several separate outlines as one tessellation. Tiles, vertices and interface nodes are numbered part
+/// by part. Parts share no node, so each part needs its own supports.
 ///
 /// The report covers all parts; its `start` is the start of the first part. Throws as `tessellate`, with the
 /// part's number if there are several.
 TessellationResult tessellate_parts(const std::vector<outlines::Outline>& parts,
                                     const pattern::NodeLayout& layout, const TessellationOptions& options);
 
-/// Read a flat OBJ, PLY or OFF mesh and take its faces as tiles without a change, so that a tessellation by
-/// another program can be painted. Paper, Section 6. Tiles, vertices and interface nodes get new numbers. The
-/// faces may also all run clockwise (a mesh seen from below).
+/// Read a flat OBJ, PLY or OFF mesh and take its faces as tiles, so that a tessellation by another program
+/// can be painted. Paper, Section 6. Tiles, vertices and interface nodes get new numbers. The faces may also
+/// all run clockwise (a mesh seen from below).
 ///
 /// Throws InputError or GeometryError that names a face if the face is not convex, or does not share whole
 /// sides with its neighbours (a vertex in the middle of a side, an overlap, two faces on the same side of an

@@ -22,14 +22,14 @@ using InterfaceIndex = base::Index<struct InterfaceTag>;
 
 /// A convex polygon of the tessellation. The first vertex of the polygon is vertex 0 and sets the orientation
 /// of the tile's pattern. tessellate() chooses vertex 0 so that the first side faces down (against y) as
-/// nearly as possible, as in geometry::regular_polygon(). The direction "down" is adjusted, by at most 30
-/// degrees, to a direction that sides of most hexagons face, so that neighbours in a regular region have the
-/// same orientation.
+/// nearly as possible, as in geometry::regular_polygon(). "Down" is adjusted by at most 30 degrees, to a
+/// direction that sides of most hexagons face, so that neighbours in a regular region have the same
+/// orientation.
 struct Tile {
-    std::vector<VertexIndex> vertices;            ///< counterclockwise
-    std::vector<InterfaceIndex> interface_nodes;  ///< one side after the other, on each side from vertex t to
-                                                  ///< t + 1, as in pattern::Fan
-    int pattern = -1;                             ///< index into Tessellation::patterns; -1: not painted
+    std::vector<VertexIndex> vertices;  ///< counterclockwise
+    /// Side by side, on each side from vertex t to t + 1, as in pattern::Fan.
+    std::vector<InterfaceIndex> interface_nodes;
+    int pattern = -1;  ///< index into Tessellation::patterns; -1: not painted
 };
 
 /// A flat surface of polygons, each painted with a pattern; neighbours share interface nodes. tessellate()
@@ -53,13 +53,13 @@ const pattern::NamedPattern* pattern_of(const Tessellation& tessellation, TileIn
 /// The polygon of a tile.
 geometry::Polygon tile_polygon(const Tessellation& tessellation, TileIndex tile);
 
-/// The indices of the patterns in Tessellation::patterns that some tile has, ascending.
+/// The indices in Tessellation::patterns of the patterns that tiles have, ascending.
 std::vector<std::size_t> used_patterns(const Tessellation& tessellation);
 
 /// The mean, over all tiles, of the mean length of a tile's sides, m.
 double mean_tile_side(const Tessellation& tessellation);
 
-/// A side that belongs to one tile only, in the direction of that tile's polygon: the surface lies on its
+/// A side that belongs to one tile only, in the direction of the tile's polygon: the surface lies on its
 /// left.
 struct RimSide {
     TileIndex tile;                     ///< the only tile at this side

@@ -14,9 +14,9 @@ using TessellationNodeIndex = base::Index<struct TessellationNodeTag>;
 
 /// The patterns of all tiles as one graph in the plane. Full models and drawings are made from this graph.
 ///
-/// The first nodes are all interface nodes of the tessellation, with their own numbers, whether a pattern
-/// uses them or not. The inner nodes follow, tile by tile, in the order of each tile's fan. Edges are listed
-/// tile by tile, in the order of each tile's fan.
+/// The first nodes are all interface nodes of the tessellation, with their own numbers, used by a pattern or
+/// not. The inner nodes follow, tile by tile, in the order of each tile's fan. Edges are listed tile by tile,
+/// in the order of each tile's fan.
 struct TessellationFan {
     /// A bar of a tile.
     struct Edge {

@@ -10,7 +10,7 @@
 
 namespace fretwork::tiling::detail {
 
-/// The source of the sites: a triangular lattice at an angle or, without an angle, isotropic remeshing.
+/// The source of the sites: a triangular lattice at an angle, or isotropic remeshing if there is no angle.
 struct Start {
     std::optional<double> lattice_angle{};
     /// The distance of neighbouring sites in the first attempt, as a multiple of the wanted side.
@@ -18,7 +18,7 @@ struct Start {
     [[nodiscard]] std::string name() const;
 };
 
-/// The input of candidates, and the measures by which they are judged.
+/// The input of candidates, and the measures that judge them.
 struct TilingProblem {
     const outlines::Outline& outline;
     const SizeField& field;
@@ -26,8 +26,8 @@ struct TilingProblem {
     QualityLimits limits;
     /// Approximate number of tiles if holes and narrow places need small tiles; 0 if they do not.
     double refined_tiles = 0.0;
-    /// True if each attempt takes seconds, because of the number of tiles. In this case, starts that are
-    /// known to be poor are only sketched.
+    /// True if there are so many tiles that each attempt takes seconds. Starts that are known to be poor are
+    /// then only sketched.
     [[nodiscard]] bool has_many() const { return refined_tiles > 3000.0; }
 };
 
@@ -36,15 +36,15 @@ struct Candidate {
     Dual dual;
     TessellationReport report;
     std::vector<Defect> defects;
-    double side_error = 0.0;    ///< difference from 1 of the mean ratio of sides to wanted sides
+    double side_error = 0.0;    ///< difference between 1 and the mean ratio of sides to wanted sides
     double irregularity = 0.0;  ///< irregularity of the tiling (see Measures); smaller is better
-    /// The distance of neighbouring sites as a multiple of the wanted side, if this distance was hard to
-    /// find. Another attempt with nearly the same wanted sides starts with this distance.
+    /// The distance of neighbouring sites as a multiple of the wanted side, if it was hard to find. The next
+    /// attempt with nearly the same wanted sides starts with it.
     std::optional<double> factor{};
 };
 
 /// A rough prediction of the tiling from a start: its irregularity, and the distance of the sites that gives
-/// the wanted sides. A sketch is cheap, and good enough to discard the worst starts. make_sketch() reports
+/// the wanted sides. A sketch is cheap and suffices to discard the worst starts. make_sketch() reports
 /// rough_steps() steps of progress.
 struct Sketch {
     double irregularity = 0.0;

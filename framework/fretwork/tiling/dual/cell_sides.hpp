@@ -17,8 +17,7 @@ struct CellSide {
     DualVertexIndex from;
     DualVertexIndex to;
     std::size_t cell = 0;
-    /// The end with the smaller index and the end with the larger index; the cell on the other side has the
-    /// same pair.
+    /// The two ends, the smaller index first: the same pair for the cells on both sides.
     [[nodiscard]] std::pair<DualVertexIndex, DualVertexIndex> ends() const { return std::minmax(from, to); }
 };
 
@@ -38,12 +37,12 @@ void for_each_side(std::span<const CellSide> sides, const base::Control& control
     }
 }
 
-/// The union of two cells at a common side: the vertices of `first` from the second end of the side to its
-/// first end, and then the vertices of `other`.
+/// The union of two cells at a common side. It lists the vertices of `first` from the second end of the side
+/// to its first end, then the vertices of `other`.
 Cell union_of(Cell first, Cell other, const CellSide& side);
 
-/// The mean of the mean side lengths of the cells that share a side, m; `same` lists this side once for each
-/// cell.
+/// The mean side length of the cells that share a side, m. Each cell counts equally. `same` lists the side
+/// once for each cell.
 double mean_side_beside(const Dual& dual, std::span<const CellSide> same);
 
 }  // namespace fretwork::tiling::detail

@@ -19,9 +19,9 @@ struct DualVertex {
     LoopIndex loop{};  ///< the loop that carries the vertex; invalid if the vertex lies inside the outline
     bool is_fixed = false;  ///< true if the vertex is a corner of the outline
     double along = 0.0;     ///< arc length of the vertex on the loop's curve, m
-    /// True if the vertex divides a long side of a tile along the outline. The vertex lies on the outline. If
-    /// the tile would then not be convex, because the outline bends into the tile, the vertex lies on the
-    /// straight line between the two vertices beside it.
+    /// True if the vertex divides a long side of a tile along the outline. The vertex lies on the outline or,
+    /// where the outline bends into the tile, on the straight line between the two vertices beside it, so
+    /// that the tile is convex.
     bool divides_side = false;
 };
 

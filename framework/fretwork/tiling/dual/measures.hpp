@@ -12,9 +12,8 @@ struct Measures {
     TessellationReport report;  ///< report with all values that need no outline
     double mean_ratio = 0.0;    ///< mean of the ratio of sides to wanted sides
     /// The sum of four terms: the number of tiles smaller than a quarter of a regular hexagon with the wanted
-    /// side; the share of tiles with a wrong number of sides (right are six sides, at the rim also five); the
-    /// relative spread of the ratio of sides to wanted sides; the relative spread of the ratio of areas to
-    /// squared wanted sides.
+    /// side; the share of tiles without six sides (or five at the rim); the relative spread of the ratio of
+    /// sides to wanted sides; the relative spread of the ratio of areas to squared wanted sides.
     double irregularity = 0.0;
 };
 

@@ -20,8 +20,8 @@ DualRim rim_of(const Dual& dual, const base::Control& control);
 /// The lines of the rim as polygons; the outer line comes first. Pre: there is at least one line.
 std::vector<geometry::Polygon> loops_of(const Dual& dual, const DualRim& rim);
 
-/// The pieces of a tiling, which are sets of cells connected by sides: their number, and a cell of the
-/// smallest piece.
+/// The number of pieces of a tiling, and a cell of the smallest piece. A piece is a set of cells connected by
+/// sides.
 struct Pieces {
     int count = 0;
     std::size_t cell_of_smallest = 0;

@@ -11,9 +11,9 @@ struct StraightSide {
     geometry::Point2 to;
 };
 
-/// The place for a vertex that divides the side of a convex cell, so that the cell stays convex by an exact
-/// test. The result is the wanted place or, if the wanted place lies to the left of the side and so inside
-/// the cell, the nearest point of the side.
+/// The place for a vertex that divides a side of a convex cell; by an exact test, the cell stays convex. If
+/// the wanted place lies to the left of the side, and so inside the cell, the result is the nearest point of
+/// the side. Otherwise it is the wanted place.
 geometry::Point2 convex_place(geometry::Point2 wanted, const StraightSide& side);
 
 /// The limits of the lengths of tiles' sides.
@@ -22,10 +22,10 @@ struct WantedSides {
     double smallest;  ///< smallest side allowed, m
 };
 
-/// Put a vertex on each rim side that is much longer than the wanted side. An outline along a row of hexagons
-/// cuts the hexagons in rim sides of sqrt(3) times a hexagon's side. An outline across the rows cuts them in
-/// rim sides of 1 and 2 times a hexagon's side. The half of a long rim side is closer to the length of the
-/// other sides. A cell with at most six sides keeps at most six sides. Throws base::Stopped.
+/// Put a vertex on each rim side that is much longer than the wanted side. Along a row of hexagons, an
+/// outline makes rim sides of sqrt(3) times a hexagon's side; across the rows, it makes rim sides of 1 and 2
+/// times a hexagon's side. Half of a long rim side is nearer to the length of the other sides. A cell with at
+/// most six sides keeps at most six sides. Throws base::Stopped.
 void divide_long_rim_sides(Dual& dual, const Rim& rim, const WantedSides& wanted,
                            const base::Control& control);
 

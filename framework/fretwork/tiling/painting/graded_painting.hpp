@@ -14,14 +14,14 @@ struct GradedPattern {
     double value = 0.0;             ///< the value of the quantity
 };
 
-/// The choice whether a tile passes its error to its neighbours that are not painted yet. The error is the
-/// wanted value minus the pattern's value.
+/// How a tile passes its error on to neighbours that are not painted yet. The error is the wanted value minus
+/// the pattern's value.
 enum class Dithering {
     None,           ///< each tile is painted by itself
     ErrorDiffusion  ///< the error is passed on
 };
 
-/// Paint some tiles, in order, with the patterns whose values are nearest to the wanted values.
+/// Paint the listed tiles, in order, with the patterns that have the values nearest to the wanted values.
 ///
 /// Error diffusion [FloydSteinberg1976] on tiles: the neighbours that come later in the order share a tile's
 /// error equally; if a tile has no such neighbour, the next tile in the order gets the error. With error

@@ -27,8 +27,8 @@ void paint_randomly(Tessellation& tessellation, std::span<const pattern::NamedPa
 /// Paint every tile with the same pattern.
 void paint_uniformly(Tessellation& tessellation, const pattern::NamedPattern& pattern);
 
-/// The content of a painting file: a list of patterns, and for each tile the pattern that it has. A file
-/// without tiles is a palette.
+/// The content of a painting file: a list of patterns, and the pattern of each tile. A file without tiles is
+/// a palette.
 struct Painting {
     std::vector<pattern::NamedPattern> patterns;  ///< the patterns in use
     std::vector<int> tiles;                       ///< for each tile, the index of its pattern in `patterns`
@@ -52,8 +52,7 @@ Painting read_painting(const std::filesystem::path& path, const pattern::NodeLay
 void write_painting(const Painting& painting, const pattern::NodeLayout& layout,
                     const std::filesystem::path& path);
 
-/// Paint every tile with the pattern that the painting gives it. Throws InputError if the numbers of tiles
-/// differ.
+/// Paint every tile according to the painting. Throws InputError if the numbers of tiles differ.
 void paint(Tessellation& tessellation, const Painting& painting);
 
 /// A pattern with its weight in a random choice.
@@ -67,9 +66,9 @@ struct WeightedPattern {
 /// InputError if there are no patterns or a weight is not above zero.
 Painting random_painting(std::size_t tiles, std::span<const WeightedPattern> patterns, std::uint64_t seed);
 
-/// Paint the tiles of a list, in order, with the patterns of the painting; all other tiles keep their
-/// patterns. A pattern that no tile has any more is removed from Tessellation::patterns. Throws InputError if
-/// the numbers of tiles differ.
+/// Paint the listed tiles, in order, with the patterns of the painting; all other tiles keep theirs. Patterns
+/// that no tile has any more are removed from Tessellation::patterns. Throws InputError if the numbers of
+/// tiles differ.
 void paint_tiles(Tessellation& tessellation, std::span<const TileIndex> tiles, const Painting& painting);
 
 }  // namespace fretwork::tiling

@@ -20,7 +20,7 @@ base::IndexVector<TileIndex, geometry::Point2> tile_centers(const Tessellation& 
 /// states the range of valid numbers.
 std::vector<TileIndex> parse_tiles(std::string_view text, const Tessellation& tessellation);
 
-/// The tiles in a box, whose edge belongs to the box; empty if there are none.
+/// The tiles in a box, its edge included; empty if there are none.
 std::vector<TileIndex> tiles_in(const geometry::Box& box, const Tessellation& tessellation);
 /// The tiles in a circle, whose line belongs to the circle; empty if there are none.
 std::vector<TileIndex> tiles_in(const geometry::Circle& circle, const Tessellation& tessellation);

@@ -21,13 +21,13 @@ class ClosedCurve {
     [[nodiscard]] geometry::Point2 at(double place) const;
     /// The distance forward from one place to another, from 0 to less than length().
     [[nodiscard]] double way(double from, double to) const;
-    /// The place between `from` and `to`, going forward, whose point is nearest to `point`.
+    /// The place nearest to `point` on the way forward from `from` to `to`.
     [[nodiscard]] double nearest_between(double from, double to, geometry::Point2 point) const;
     /// The points of the curve between two places, both ends included.
     [[nodiscard]] geometry::Polygon stretch(double from, double to) const;
-    /// The places of the corners, ascending. A corner is where the curve turns by more than `smallest_turn`
-    /// (rad, left or right) within the distance reach(point) (m) before and after it. If two corners are
-    /// nearer to each other than twice this distance, only the sharper corner is listed.
+    /// The places of the corners, ascending. At a corner, the curve turns by more than `smallest_turn` (rad,
+    /// left or right) within the distance reach(point) (m) before and after it. If two corners are nearer to
+    /// each other than twice this distance, only the sharper corner is listed.
     [[nodiscard]] std::vector<double> corners(const std::function<double(geometry::Point2)>& reach,
                                               double smallest_turn) const;
 

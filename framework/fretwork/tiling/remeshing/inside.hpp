@@ -8,7 +8,7 @@
 
 namespace fretwork::tiling::detail {
 
-/// A test whether a point lies inside the polygons through a rim's points, at least a margin (m) away from
+/// Tests whether a point lies inside the polygons through a rim's points, at least a margin (m) away from
 /// these polygons. The sides are sorted into bands across the longer side of the rim's box, and only the
 /// sides near the point are tested.
 class InsideTest {

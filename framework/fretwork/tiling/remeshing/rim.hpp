@@ -13,8 +13,8 @@ namespace fretwork::tiling::detail {
 
 /// The index of a loop of the outline. 0: the boundary; 1, 2, ..: the holes.
 using LoopIndex = base::Index<struct LoopTag>;
-/// The index of a point of a rim, or of the triangulation inside a rim, whose first points are the points of
-/// the rim.
+/// The index of a point of a rim, or of the triangulation inside it. The points of the rim are the
+/// triangulation's first points.
 using PointIndex = base::Index<struct PointTag>;
 
 /// A point on the outline.
@@ -36,9 +36,8 @@ struct Rim {
 /// distances. Throws base::Stopped.
 Rim sample_rim(const outlines::Outline& outline, const Spacing& spacing, const base::Control& control);
 
-/// The places where the polygons through the rim's points cross or touch each other, found exactly. At these
-/// places, the points are too far apart for the gap between two stretches of the outline. Throws
-/// base::Stopped.
+/// The places where the polygons through the rim's points cross or touch each other, found exactly. There,
+/// the points are too far apart for the gap between two stretches of the outline. Throws base::Stopped.
 std::vector<geometry::Point2> rim_crossings(const Rim& rim, const base::Control& control);
 
 }  // namespace fretwork::tiling::detail
