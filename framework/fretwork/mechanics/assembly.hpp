@@ -14,9 +14,8 @@ namespace fretwork::mechanics {
 /// the elements that it changes.
 using Elements = std::vector<std::shared_ptr<const Element>>;
 
-/// A structure in the form that solvers take: nodes, elements of any kind, supports, prescribed displacements
-/// and loads. Solvers never ask for the kind of an element, so one assembly may mix beams and condensed
-/// tiles.
+/// The input of solvers: nodes, elements of any kind, supports, prescribed displacements and loads. Solvers
+/// treat all elements alike, so one assembly may mix beams and condensed tiles.
 struct Assembly {
     /// Rest positions, m; nodes inside beams and nodes of hinges come last.
     std::vector<Eigen::Vector3d> nodes;
@@ -24,8 +23,8 @@ struct Assembly {
     std::vector<Support> supports;                   ///< supports: components that stay zero
     std::vector<PrescribedDisplacement> prescribed;  ///< components with given values
     NodeValues loads;                                ///< loads, one row for each node, gravity included
-    bool has_moments = true;    ///< true if the loads have moments that do not come from gravity
-    int reported_nodes = 0;     ///< results have rows for nodes 0 .. reported_nodes - 1
+    bool has_moments = true;                         ///< true if there are moments besides those of gravity
+    int reported_nodes = 0;                          ///< results have rows for nodes 0 .. reported_nodes - 1
     std::vector<int> labels{};  ///< labels of the reported nodes in messages; empty: their indices, from 0
 };
 
@@ -39,8 +38,8 @@ struct AssemblyOptions {
 };
 
 /// Turn every beam of a frame into corotational Euler-Bernoulli elements or, with shear areas, Timoshenko
-/// elements. A structure without supports is accepted, because it can be condensed, though not solved. Throws
-/// as validate(), and Stopped.
+/// elements. A structure without supports is accepted: it can be condensed, but not solved. Throws as
+/// validate(), and Stopped.
 Assembly assemble(const Frame& frame, const AssemblyOptions& options = {});
 
 }  // namespace fretwork::mechanics

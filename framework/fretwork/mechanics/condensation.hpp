@@ -20,18 +20,17 @@ std::vector<NodeIndex> first_nodes(int count);
 /// strain while the kept nodes are fixed.
 Eigen::MatrixXd condense(const Assembly& assembly, std::span<const NodeIndex> kept);
 
-/// Condense the consistent mass of a structure onto the nodes `kept`: the other nodes follow the kept nodes
-/// statically [Guyan1965]. The result is exact for rigid motions. Natural frequencies come out too high; the
-/// error is small for frequencies far below the natural frequencies of the structure with its kept nodes
-/// fixed. Returns a symmetric 6n x 6n matrix. The function is made for structures of up to some hundred
-/// nodes, because its matrices are dense. Throws as condense, and InputError if the mass of an element is not
-/// known.
+/// Condense the consistent mass of a structure onto the nodes `kept`: the other nodes follow statically
+/// [Guyan1965]. The result is exact for rigid motions. Natural frequencies are too high; the error is small
+/// for frequencies far below those of the structure with its kept nodes fixed. Returns a symmetric 6n x 6n
+/// matrix. Dense matrices limit the function to structures of some hundred nodes. Throws as condense, and
+/// InputError if the mass of an element is not known.
 Eigen::MatrixXd condense_mass(const Assembly& assembly, std::span<const NodeIndex> kept);
 
-/// The matrix by which the other nodes follow the kept nodes statically: six rows for each reported node that
-/// is not kept, in order, and six columns for each kept node. The matrix is exact if only kept nodes have
-/// loads and supports. The function is made for structures of up to some hundred nodes, because its matrices
-/// are dense. Throws as condense().
+/// The matrix that maps motions of the kept nodes to the static motions of the other nodes: six rows for each
+/// reported node that is not kept, in order, and six columns for each kept node. The matrix is exact if only
+/// kept nodes have loads and supports. Dense matrices limit the function to structures of some hundred nodes.
+/// Throws as condense().
 Eigen::MatrixXd following(const Assembly& assembly, std::span<const NodeIndex> kept);
 
 }  // namespace fretwork::mechanics

@@ -34,8 +34,7 @@ class CorotationalBody {
     [[nodiscard]] const Eigen::Matrix3Xd& arms() const { return arms_; }
     /// The linear stiffness at rest, 6n x 6n for n nodes.
     [[nodiscard]] const Eigen::MatrixXd& stiffness() const { return stiffness_; }
-    /// The weight of a node's rotation relative to its displacement in the equation for the turn of the
-    /// corotating axes, m^2.
+    /// The weight of rotations relative to displacements in the equation for the corotating axes, m^2.
     [[nodiscard]] double rotation_weight() const { return rotation_weight_; }
     /// The consistent mass at rest, 6n x 6n. Throws InputError if the mass is not known, or if its size does
     /// not fit the number of nodes.
@@ -64,10 +63,9 @@ std::optional<CorotationalMotion> corotational_motion(const CorotationalBody& bo
                                                       const Eigen::Matrix3d& turn,
                                                       std::span<const NodeState> states);
 
-/// An element of any number of nodes, such as a condensed tile, that may move and turn by any amount. The
-/// element resists motions of its nodes relative to its corotating axes with its linear stiffness. The
-/// linearization at rest is the linear element with that stiffness. The theory is in
-/// docs/concepts/corotational.md.
+/// An element of any number of nodes, such as a condensed tile, that may move and turn by any amount. Its
+/// linear stiffness resists motions of its nodes relative to its corotating axes. The linearization at rest
+/// is the linear element with that stiffness. The theory is in docs/concepts/corotational.md.
 ///
 /// @param turn  the rotation at rest from the body's axes to the structure's axes
 ///

@@ -9,7 +9,7 @@
 
 namespace fretwork::mechanics {
 
-/// The frame with `times` as many elements in every beam. Throws InputError if `times` is below one.
+/// The frame with `times` as many elements in each beam. Throws InputError if `times` is below one.
 Frame refined(Frame frame, int times);
 
 /// An estimate of the difference between a solution and the limit of ever finer divisions. Each value is the
@@ -27,8 +27,8 @@ struct DiscretizationError {
     friend bool operator==(const DiscretizationError&, const DiscretizationError&) = default;
 };
 
-/// The share of the difference to a solution with twice as many divisions that is the solution's own error,
-/// where the error falls with the square of the elements' length: 1 / (1 - 2^-2).
+/// A solution's error over its difference from the solution with twice as many divisions: 1 / (1 - 2^-2), if
+/// the error falls with the square of the elements' length.
 inline constexpr double kErrorFromFiner = 4.0 / 3.0;
 
 /// Estimate the discretization error of each solution of a load path (Richardson extrapolation) by following
@@ -37,9 +37,9 @@ inline constexpr double kErrorFromFiner = 4.0 / 3.0;
 /// divisions, and costs twice as much. The elements converge with order four if sections bend equally about
 /// both axes, and with order two otherwise. The estimate assumes order two, which is on the safe side. If one
 /// of the two paths has one element for each beam, errors of opposite sign can cancel, and the estimate can
-/// be too small by a factor of a few.
+/// be several times too small.
 ///
-/// @param solutions  the solutions that follow_load_path gave for these load factors
+/// @param solutions  the solutions of follow_load_path for these load factors
 std::vector<DiscretizationError> estimate_discretization_error(const Frame& frame,
                                                                std::span<const double> load_factors,
                                                                std::span<const Solution> solutions,

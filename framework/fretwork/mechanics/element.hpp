@@ -20,11 +20,11 @@ struct NodeState {
 /// An element's response to the states of its nodes.
 ///
 /// The response has six components for each node: three of its displacement and three of its spin. A spin is
-/// an infinitesimal rotation w in space, R <- exp(w) R. Along spins w, the energy is, to second order, E +
-/// force . w + w . tangent . w / 2. So the force is the gradient of the energy, and the tangent is symmetric.
-/// The plain derivative of the force along a spin differs from the tangent by - [m]/2 on the rotational
-/// diagonal block of each node, where m is the node's moment and [m] w = m x w. Summed over the elements, the
-/// moments m are the applied moments.
+/// an infinitesimal rotation w in space, R <- exp(w) R. To second order in w, the energy is E + force . w + w
+/// . tangent . w / 2. So the force is the gradient of the energy, and the tangent is symmetric. The plain
+/// derivative of the force along a spin differs from the tangent by - [m]/2 on the rotational diagonal block
+/// of each node, where m is the node's moment and [m] w = m x w. Summed over the elements, the moments m are
+/// the applied moments.
 struct ElementResponse {
     double energy = 0.0;      ///< energy, J
     Eigen::VectorXd force;    ///< forces and moments on the nodes, 6n, N and N m
@@ -53,8 +53,8 @@ struct MixedResponse : ElementResponse {
 };
 
 /// A component of a structure with any number of nodes, such as a beam or a condensed tile. Elements are
-/// immutable, so threads may share them. Every kind of element must implement all functions, because a
-/// default could be wrong without notice.
+/// immutable, so threads may share them. No function has a default, because a default could be wrong without
+/// notice.
 class Element {
   public:
     Element() = default;
@@ -75,17 +75,16 @@ class Element {
                           ElementResponse& response) const = 0;
 
     /// The number of stresses s = K e of an element with the energy e . K e / 2, where the strains e(x)
-    /// depend on the states of the nodes and the stiffness K is constant. Zero for an element whose energy
-    /// has another form, or whose strains are linear.
+    /// depend on the states of the nodes and the stiffness K is constant. Zero for an element with another
+    /// form of energy, or with linear strains.
     [[nodiscard]] virtual Eigen::Index stress_count() const = 0;
 
     /// Write the response with given stresses, and the element's own stresses. As in evaluate(), the caller
-    /// owns the buffers. If the given stresses are the element's own stresses, the response is the response
-    /// of evaluate(). If stress_count() is zero, the response is always the response of evaluate(), and
-    /// given_force is the force.
+    /// owns the buffers. If the given stresses are the element's own stresses, the response equals that of
+    /// evaluate(). If stress_count() is zero, the response always does, and given_force is the force.
     ///
-    /// Newton's method can take far longer steps if the stresses s + K B dx are extrapolated from the last
-    /// iteration. The stresses at the current displacements would be huge because of the membrane stiffness
+    /// Newton's method can take far longer steps with stresses s + K B dx that are extrapolated from the last
+    /// iteration, because membrane stiffness makes the stresses at the current displacements huge
     /// [Magisano2017].
     virtual void evaluate_mixed(std::span<const NodeState> states, Demand demand,
                                 const ElementStresses& stresses, MixedResponse& response) const = 0;
@@ -93,9 +92,9 @@ class Element {
     /// Write the stresses K e of given strains. Both spans have stress_count() entries.
     virtual void stresses_of(std::span<const double> strains, std::span<double> stresses) const = 0;
 
-    /// The relative rotation of the element's ends, rad, for an element that knows this rotation only up to
-    /// whole turns. On a path, the rotation must stay below pi. Zero for an element that is valid at any
-    /// relative rotation, or that is made for small rotations only.
+    /// The relative rotation of the element's ends, rad, if the element knows it only up to whole turns. On a
+    /// path, it must stay below pi. Zero for an element that is valid at any relative rotation, or for small
+    /// rotations only.
     [[nodiscard]] virtual double relative_turn(std::span<const NodeState> states) const = 0;
 
     /// Write the geometric stiffness, 6n x 6n: the change of the stiffness at rest by the internal forces

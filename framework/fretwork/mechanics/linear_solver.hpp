@@ -16,11 +16,11 @@ struct LinearOptions {
     base::Control control{};  ///< progress and stop
 };
 
-/// The effect of an update on the factors.
+/// How an update has changed the factors.
 enum class FactorChange {
-    /// The factors stay; an earlier correction is dropped if no element differs from the factorized elements.
+    /// The factors stay. An earlier correction is dropped if all elements are factorized ones.
     Kept,
-    /// The factors get a low-rank correction for the elements that differ from the factorized elements.
+    /// The factors get a low-rank correction for elements that are not factorized.
     Updated,
     Refactorized,  ///< all factors are recomputed, with the same bits as in a new solver
 };
@@ -28,9 +28,9 @@ enum class FactorChange {
 /// The linear equilibrium K d = F of a structure at rest. K is factorized once, and each solution costs a
 /// back-substitution.
 ///
-/// A flat structure whose elements decouple is solved as two problems of three dofs at each node: in plane
-/// (ux uy rz) and out of plane (uz rx ry). The factorization is a multifrontal L D L^T. The order of
-/// elimination comes from the graph of nodes, not from the graph of dofs.
+/// A flat structure with elements that decouple is solved as two problems of three dofs at each node: in
+/// plane (ux uy rz) and out of plane (uz rx ry). The factorization is a multifrontal L D L^T. The order of
+/// elimination comes from the graph of nodes, not of dofs.
 class LinearSolver {
   public:
     /// Factorize the stiffness of an assembly. Throws NumericalError that names a node if the structure can
@@ -50,19 +50,18 @@ class LinearSolver {
     /// Solve under other loads, one row for each node of the assembly. Throws as the function above.
     [[nodiscard]] Solution solve(const NodeValues& loads, const base::Control& control = {}) const;
 
-    /// Solve K x = g with all held dofs at zero, for several right sides g at once, as adjoint gradients need
-    /// it. Each column has 6 rows for each node of the assembly, in the order of Dof. Forces on held dofs are
-    /// ignored. Throws NumericalError if a displacement is too large for a number; Stopped.
+    /// Solve K x = g with all held dofs at zero, for several right sides g at once, such as adjoint
+    /// gradients. Each column has 6 rows for each node of the assembly, in the order of Dof. Forces on held
+    /// dofs are ignored. Throws NumericalError if a displacement is too large for a number; Stopped.
     [[nodiscard]] Eigen::MatrixXd solve_free(const Eigen::MatrixXd& right_sides,
                                              const base::Control& control = {}) const;
 
-    /// Switch to another assembly, and recompute only the data that depend on the differences between the two
-    /// assemblies:
+    /// Switch to another assembly, and recompute only the data that depend on the difference:
     /// - if loads or prescribed values differ: nothing;
-    /// - if elements are replaced by others of the same nodes, listed in any order: a low-rank correction, if
-    ///   a count of multiplications shows that the correction costs less than new factors, and if no place
-    ///   becomes 1e5 times softer or stiffer; otherwise new factors. A solution with corrected factors takes
-    ///   up to four times as long (README.md, bench/edits_bench);
+    /// - if elements are replaced by others of the same nodes, listed in any order: a low-rank correction or
+    ///   new factors. The correction is chosen if it needs fewer multiplications, and if no place becomes 1e5
+    ///   times softer or stiffer. A solution with corrected factors takes up to four times as long
+    ///   (README.md, bench/edits_bench);
     /// - if supports differ: everything but the elimination order;
     /// - if anything else differs: everything.
     /// Elements are compared by address. The solver shares the elements and keeps no reference to the

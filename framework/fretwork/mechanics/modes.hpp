@@ -32,14 +32,14 @@ std::vector<Mode> vibration_modes(const Assembly& assembly, int count, const Mod
 
 /// The modes of linearized buckling, ascending in their load factor. If the loads are multiplied by this
 /// factor, the stiffness plus the geometric stiffness of the linear solution becomes singular. Only positive
-/// factors are returned, so there may be fewer modes than `count`, or none, for example without loads.
-/// Moments are treated as semi-tangential moments, which have a potential: the load factors belong to the
-/// symmetric part of the stiffness. Throws as vibration_modes.
+/// factors are returned, so there may be fewer modes than `count`; without loads, there are none. Moments are
+/// treated as semi-tangential moments, which have a potential: the load factors belong to the symmetric part
+/// of the stiffness. Throws as vibration_modes.
 std::vector<Mode> buckling_modes(const Assembly& assembly, int count, const ModeOptions& options = {});
 
-/// The reason, for people, why fewer modes of vibration were found than wanted. Empty if all were found.
+/// A message why fewer modes of vibration were found than wanted. Empty if all were found.
 std::string missing_vibration_modes_text(std::ptrdiff_t found, int wanted);
-/// The reason, for people, why fewer modes of buckling were found than wanted. Empty if all were found.
+/// A message why fewer modes of buckling were found than wanted. Empty if all were found.
 std::string missing_buckling_modes_text(std::ptrdiff_t found, int wanted);
 
 }  // namespace fretwork::mechanics

@@ -26,7 +26,7 @@ std::vector<std::string_view> solver_names();
 /// The solver with this name. Throws InputError that lists the names.
 Solver find_solver(std::string_view name);
 
-/// Options of solve(). An option of only some solvers is std::optional; setting it for another solver is an
+/// Options of solve(). Options of only some solvers are std::optional; to set them for another solver is an
 /// error.
 struct SolveOptions {
     Solver solver = Solver::Newton;  ///< the solver
@@ -40,8 +40,8 @@ struct SolveOptions {
     std::optional<int> threads{};
     /// True: locate critical loads, for Newton; costs a few more equilibria at each critical load.
     bool locate_critical_loads = true;
-    bool estimate_error =
-        false;  ///< true: estimate the discretization error, for Newton and a frame with consistent gravity
+    /// True: estimate the discretization error, for Newton and a frame with consistent gravity.
+    bool estimate_error = false;
     bool lumped_gravity = false;  ///< true: lumped gravity; see AssemblyOptions
     int vibration_modes = 0;      ///< number of natural frequencies of the structure at rest
     int buckling_modes = 0;       ///< number of critical load factors by linearized buckling
@@ -50,13 +50,13 @@ struct SolveOptions {
     void validate() const;
 };
 
-/// Read a structure from a deck if the name of the file ends in .inp, or else from a frame file. Nodes of a
-/// frame file get their indices, from 0, as labels.
+/// Read a structure from a deck (a file with the ending .inp) or from a frame file. The labels of a frame
+/// file's nodes are their indices, from 0.
 LabelledFrame read_structure(const std::filesystem::path& path);
 
 /// Solve a structure. Result::seconds is the time from the elements to the solution, without modes. Throws as
-/// the solvers do. Throws InputError if the options ask for the discretization error, which can be estimated
-/// only for a frame.
+/// the solvers. Throws InputError if the options ask for the discretization error: it can be estimated only
+/// for a frame.
 Result solve(const Assembly& assembly, const SolveOptions& options = {});
 /// Assemble and solve a frame. The discretization error is estimated if the options ask for it.
 /// Result::seconds includes the assembly. Numerical errors name the frame's source.

@@ -36,10 +36,10 @@ enum class DeckReader {
     Calculix
 };
 
-/// The text of a deck for a frame, which `reader` and parse_calculix can read. Nodes are labelled from 1. A
-/// number is rounded to the twenty characters of an entry, which hold 14 digits or more. Throws InputError
-/// that names a feature of the frame which the deck cannot express: releases, divisions, shear areas, a given
-/// shear modulus, and, for CalculiX, sections that are neither rectangles nor circles.
+/// The text of a deck for a frame, for `reader` and parse_calculix. Nodes are labelled from 1. Numbers are
+/// rounded to the twenty characters of an entry, which hold at least 14 digits. Throws InputError that names
+/// a feature of the frame if decks cannot express it: releases, divisions, shear areas, a given shear
+/// modulus, and, for CalculiX, sections that are neither rectangles nor circles.
 std::string calculix_text(const Frame& frame, DeckReader reader = DeckReader::Abaqus);
 
 /// Read a deck file. Throws as parse_calculix.

@@ -6,8 +6,8 @@
 
 namespace fretwork::mechanics::elements {
 
-/// The indices in a MotionVector, the argument of the deformations, of the chord's vector and of the spins of
-/// the two ends.
+/// The indices in a MotionVector of the chord's vector and of the spins of the two ends. Deformations depend
+/// on these motions.
 inline constexpr int kChord = 0;
 inline constexpr int kSpin1 = 3;
 inline constexpr int kSpin2 = 6;
@@ -17,8 +17,8 @@ using MotionMatrix = Eigen::Matrix<double, kMotions, kMotions>;
 using DeformationSlopes = Eigen::Matrix<double, kBeamDeformations, kMotions>;
 
 /// The function F(c) = a / sin a, with c = cos a, and its derivatives. F times the sine components of a
-/// direction gives the components of its rotation vector, equally about all axes. F' and F'' follow from the
-/// differential equation (1 - c^2) F' = c F - 1.
+/// direction gives its rotation vector. F' and F'' follow from the differential equation (1 - c^2) F' = c F -
+/// 1.
 struct AngleRatio {
     double value;
     double slope;

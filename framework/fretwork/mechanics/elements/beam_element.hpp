@@ -12,9 +12,9 @@ BeamEnergy::Stiffness beam_stiffness(const Section& section, const Material& mat
 
 /// A straight beam between two nodes that may move and turn by any amount.
 ///
-/// The energy is a function of deformations that no rigid motion changes (BeamEnergy). The deformations are
-/// measured relative to the chord, in the end sections' own axes, so the choice of axes of a round section
-/// does not matter. The linearization at rest is the linear Euler-Bernoulli element or, with shear areas,
+/// The energy is a function of deformations that do not change in a rigid motion (BeamEnergy). They are
+/// measured relative to the chord, in the end sections' own axes, so the axes of a round section can be
+/// chosen freely. The linearization at rest is the linear Euler-Bernoulli element or, with shear areas,
 /// Timoshenko's element.
 class BeamElement final : public Element {
   public:

@@ -5,9 +5,9 @@
 
 namespace fretwork::mechanics::elements {
 
-/// The indices of a beam's deformations, all of which are zero in a rigid motion. Let t1 and t2 be the
-/// rotations of the end sections relative to the chord, about the sections' own axis 2 (bending out of the
-/// plane of a flat pattern) or axis 3 (bending in the plane):
+/// The indices of a beam's deformations, which are zero in a rigid motion. t1 and t2 are the rotations of the
+/// end sections relative to the chord, about the sections' own axis 2 (bending out of the plane of a flat
+/// pattern) or axis 3 (bending in the plane):
 inline constexpr int kElongation = 0;  ///< change of the chord's length, m
 inline constexpr int kBow2 = 1;        ///< (t1 - t2) / 2 about axis 2: the arc of constant curvature
 inline constexpr int kSway2 = 2;       ///< (t1 + t2) / 2 about axis 2: the S shape
@@ -33,11 +33,11 @@ using BeamMatrix = Eigen::Matrix<double, kBeamDeformations, kBeamDeformations>;
 /// f^2) k^2 and the shear angles g = f k sway. The products of two deformations follow from minimizing the
 /// energy of the geometrically exact (Simo-Reissner) rod over all shapes between given ends. The products of
 /// three deformations make the strains of a helix correct to fourth order, because every piece of a rod tends
-/// to a helix under refinement. These products also make the strains correct for a rod whose sections are
-/// inclined to it by a shear angle, which refinement does not make small. The energy is a sum of squares and
-/// so never negative. In a plane, the error falls with the fourth power of the length. In space, the error
-/// falls with the fourth power if sections bend equally about both axes. Otherwise, and with shear, the error
-/// falls with the second power.
+/// to a helix under refinement. They also make the strains correct for a rod with sections inclined by a
+/// shear angle, which refinement does not reduce. The energy is a sum of squares and so never negative. In a
+/// plane, the error falls with the fourth power of the length. In space, the error falls with the fourth
+/// power if sections bend equally about both axes. Otherwise, and with shear, the error falls with the second
+/// power.
 class BeamEnergy {
   public:
     /// The stiffness of a beam's section. Stiffnesses are in N and N m^2, flexibilities in 1/N.
@@ -63,8 +63,8 @@ class BeamEnergy {
     /// @param stress  the stress that multiplies the strains' second derivatives: the stress of `state`, or a
     /// given stress
     [[nodiscard]] BeamMatrix hessian(const BeamVector& d, const State& state, const BeamVector& stress) const;
-    /// The ratio of stress to strain for each strain. These ratios are also the diagonal of the Hessian at
-    /// rest, which has no other entries.
+    /// The ratio of stress to strain for each strain. The Hessian at rest is the diagonal matrix of these
+    /// ratios.
     [[nodiscard]] const BeamVector& stiffness() const { return stiffness_; }
 
   private:

@@ -12,7 +12,7 @@ struct DenseMatrix {
     std::ptrdiff_t columns;
 };
 
-/// Compute y = A x. The sum for each row adds the columns in their order.
+/// Compute y = A x. Each row's sum adds the columns in their order.
 void multiply_by_vector(const DenseMatrix& a, const double* x, double* y);
 
 /// Compute y += A^T x.

@@ -8,9 +8,9 @@
 
 namespace fretwork::mechanics::elements {
 
-/// A beam with hinges. A hinged end has an extra node. The displacement and rotation of the extra node are
-/// the displacement and rotation of the beam's end relative to the frame's node, in the beam's rest axes
-/// rotated with the frame's node. Supports fix the components of the extra node that are not released.
+/// A beam with hinges. A hinged end has an extra node, which has the motion of the beam's end relative to the
+/// frame's node, in the beam's rest axes rotated with the frame's node. Supports fix the components of the
+/// extra node that are not released.
 class HingedElement final : public Element {
   public:
     /// @param hinges  the extra node of each end; an invalid index for an end without a hinge
@@ -50,8 +50,8 @@ class HingedElement final : public Element {
     };
     [[nodiscard]] Hung hang(std::span<const NodeState> states) const;
     [[nodiscard]] Eigen::MatrixXd rest_map() const;
-    /// Add the contribution of the forces on the beam's ends to the tangent, which exists because the states
-    /// of the ends depend on the states of the nodes to second order.
+    /// Add the contribution of the forces on the beam's ends to the tangent. The states of the ends depend
+    /// nonlinearly on the states of the nodes.
     void add_hinge_curvature(const Eigen::VectorXd& force, const std::array<HingedEnd, 2>& hinged,
                              Eigen::MatrixXd& tangent) const;
     [[nodiscard]] Eigen::Index size() const {

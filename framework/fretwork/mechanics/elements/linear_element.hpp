@@ -17,7 +17,7 @@ class LinearElement final : public Element {
     [[nodiscard]] std::span<const NodeIndex> nodes() const override { return nodes_; }
     void rest_stiffness(Eigen::MatrixXd& stiffness) const override { stiffness = matrices_.stiffness; }
     void evaluate(std::span<const NodeState> states, Demand demand, ElementResponse& response) const override;
-    /// Zero, because the element is made for small rotations, for which its strains are linear.
+    /// Zero, because the element has linear strains.
     [[nodiscard]] Eigen::Index stress_count() const override { return 0; }
     void evaluate_mixed(std::span<const NodeState> states, Demand demand, const ElementStresses& stresses,
                         MixedResponse& response) const override;

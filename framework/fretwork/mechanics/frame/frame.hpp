@@ -78,10 +78,10 @@ struct Release {
     friend bool operator==(const Release&, const Release&) = default;
 };
 
-/// The largest number of elements of one beam. For a cantilever with this number of elements, the relative
-/// error of the tip's deflection is at most 1e-5 (2.4e-7 under a force at the tip, 2e-6 under the beam's own
-/// weight). With more elements, rounding dominates, because the stiffness of an element grows with the cube
-/// of the number: with ten thousand elements, a third of the deflection is lost.
+/// The largest number of elements of one beam. For a cantilever with so many elements, the relative error of
+/// the tip's deflection is at most 1e-5 (2.4e-7 under a force at the tip, 2e-6 under its own weight). With
+/// more elements, rounding dominates, because an element's stiffness grows with the cube of the number: ten
+/// thousand elements lose a third of the deflection.
 inline constexpr int kMostDivisions = 1000;
 
 /// A straight beam between two nodes.
@@ -89,9 +89,9 @@ struct Beam {
     std::array<NodeIndex, 2> nodes;  ///< the ends of the beam
     Section section;                 ///< uniform along the beam
     Material material;               ///< uniform along the beam
-    std::optional<Eigen::Vector3d>
-        normal{};       ///< local axis 3 at rest; none: global z, or global y for a beam along z
-    int divisions = 1;  ///< number of elements
+    /// Local axis 3 at rest; none: global z, or global y for a beam along z.
+    std::optional<Eigen::Vector3d> normal{};
+    int divisions = 1;                ///< number of elements
     std::vector<Release> releases{};  ///< hinges at the ends
 };
 
@@ -126,7 +126,7 @@ struct Frame {
     Eigen::Vector3d gravity = Eigen::Vector3d::Zero();    ///< m/s^2
 };
 
-/// A frame from a file whose nodes have labels.
+/// A frame from a file in which nodes have labels.
 struct LabelledFrame {
     Frame frame;                               ///< the frame itself
     base::IndexVector<NodeIndex, int> labels;  ///< label of each node of the frame, in the order of the file

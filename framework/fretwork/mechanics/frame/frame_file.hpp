@@ -12,8 +12,8 @@ namespace fretwork::mechanics {
 /// Parse the text of a frame file. The frame returned is valid. Throws InputError that names `source` and a
 /// place in the text.
 Frame parse_frame(std::string_view text, const std::string& source);
-/// The text of a frame file, from which parse_frame makes an equal frame. A material or section that several
-/// beams have is written once.
+/// The text of a frame file; parse_frame gives an equal frame. A material or section of several beams is
+/// written once.
 std::string frame_text(const Frame& frame);
 
 /// Read a frame file. Throws as parse_frame.

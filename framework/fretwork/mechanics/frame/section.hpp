@@ -32,7 +32,7 @@ struct IShape {
     double web_thickness = 0.0;     ///< m
     friend bool operator==(const IShape&, const IShape&) = default;
 };
-/// The shapes whose stresses are known.
+/// The shapes with known stresses.
 using SectionShape = std::variant<RectangleShape, CircleShape, TubeShape, IShape>;
 
 /// The cross-section of a beam. Local axis 1 runs along the beam, axis 3 is the beam's normal, axis 2 = axis

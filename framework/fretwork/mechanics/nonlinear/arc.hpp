@@ -10,8 +10,8 @@
 
 namespace fretwork::mechanics::nonlinear {
 
-/// The progress of following a path by its arc length: the last two states, the length of the next step, and
-/// the place of a change of stability ahead, if one is known. Lengths are measured with the system's weights.
+/// The progress along a path by its arc length: the last two states, the length of the next step, and the
+/// place of the next change of stability, if it is known. Lengths are measured with the system's weights.
 struct Arc {
     PathState state;
     std::optional<PathState> previous;
@@ -20,22 +20,21 @@ struct Arc {
     double crossing = std::numeric_limits<double>::infinity();
     double beyond = 0.0;    ///< length of the step that first crossed the change
     double shortest = 0.0;  ///< length of the shortest step that is tried
-    /// A lower bound on load_scale(): 0 for paths from rest, 1 for paths whose load factor is no multiple of
-    /// a load.
+    /// A lower bound on load_scale(): 0 for paths from rest, 1 if the load factor is no multiple of a load.
     double least_load_scale = 0.0;
 
     [[nodiscard]] const PathState* last() const { return previous ? &*previous : nullptr; }
     /// True if a step of this length changes the load so little that a change of stability within the step
     /// belongs to this path.
     [[nodiscard]] bool is_narrow(double step) const;
-    /// Shorten the next step, after a step of length `step` that crossed a change of stability. Returns false
+    /// Shorten the next step after a step of length `step` that crossed a change of stability. Returns false
     /// if the path is already near this change.
     bool come_nearer(double step);
     /// Set the length of the next step after a step that continues the path.
     void plan_next(const PathStep& step);
     void forget_crossing(double next_length);
 
-    /// The load factor with which small changes of the load are compared.
+    /// The reference load factor for small changes of the load.
     [[nodiscard]] double load_scale() const { return std::max(state.point.load_factor, least_load_scale); }
 
   private:

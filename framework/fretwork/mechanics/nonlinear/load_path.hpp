@@ -27,15 +27,15 @@ struct PathEnd {
     NodeValues reactions;  ///< forces and moments of the supports
 };
 
-/// A load path that is followed from one load factor to the next, as follow_load_path() describes. The
-/// assembly and the options must outlive the path.
+/// A load path, followed from one load factor to the next as in follow_load_path(). The assembly and the
+/// options must outlive it.
 class LoadPath {
   public:
-    /// Begin at rest; or at an equilibrium under other loads, from where the load factor grows from 0 to 1 at
-    /// the loads and prescribed values of the assembly. A beginning that is no equilibrium is corrected. With
-    /// Branch::Stable and Branch::Snapping, the path leaves a beginning that is unstable: downhill without
-    /// the released forces, or along the lowest mode if there are none. Throws NumericalError that names a
-    /// node if the structure can move without strain at rest.
+    /// Begin at rest, or at an equilibrium under other loads. From there, the load factor grows from 0 to 1,
+    /// at the loads and prescribed values of the assembly. A beginning that is no equilibrium is corrected.
+    /// With Branch::Stable and Branch::Snapping, the path leaves an unstable beginning: downhill in energy
+    /// without the released forces, or along the lowest mode if there are none. Throws NumericalError that
+    /// names a node if the structure can move without strain at rest.
     LoadPath(const Assembly& assembly, const EquilibriumOptions& options,
              const std::optional<PathStart>& start = std::nullopt);
     LoadPath(const LoadPath&) = delete;

@@ -14,8 +14,8 @@ struct LowestMode {
                             ///< characteristic lengths)
 };
 
-/// A shift of the tangent that has the size of the tangent's rounding error. If this shift makes the tangent
-/// positive definite, the equilibrium is stable or neutral.
+/// A shift of the tangent as large as its rounding error. If this shift makes the tangent positive definite,
+/// the equilibrium is stable or neutral.
 double rounding_shift(const NonlinearSystem& system);
 
 /// The lowest mode of the tangent of the last evaluation, by inverse iteration with the tangent shifted until
@@ -28,8 +28,8 @@ StabilityLoss describe_loss(const NonlinearSystem& system, LowestMode& mode);
 
 /// Descend in energy from a configuration to an equilibrium under this load factor. The equilibrium is stable
 /// or neutral; a round column, which may buckle in any direction, has neutral equilibria. The steps are
-/// Newton's where the tangent is positive definite; elsewhere, the tangent is first shifted until it is
-/// positive definite. On Converged, the system is evaluated at the equilibrium.
+/// Newton's steps. Where the tangent is not positive definite, it is first shifted until it is. On Converged,
+/// the system is evaluated at the equilibrium.
 Termination descend(double load_factor, NonlinearSystem& system, Newton& newton,
                     Configuration& configuration);
 
@@ -39,9 +39,9 @@ struct LowestEigenvalue {
     double eigenvalue;
 };
 
-/// The load factor at which the lowest eigenvalue vanishes between a stable equilibrium `from` and an
-/// unstable equilibrium, which is reached by the step `move`. The method is false position; by the Illinois
-/// rule, the weight of an end that does not change is halved.
+/// The load factor at which the lowest eigenvalue vanishes between the stable equilibrium `from` and an
+/// unstable equilibrium after the step `move`. The method is false position; by the Illinois rule, the weight
+/// of an end that does not change is halved.
 double critical_load_factor(NonlinearSystem& system, Newton& newton, const PathPoint& from,
                             LowestEigenvalue unstable, const Eigen::VectorXd& move);
 

@@ -10,8 +10,8 @@
 namespace fretwork::mechanics::nonlinear {
 
 /// Newton's method in displacements and stresses together [Magisano2017]. The geometric terms of the tangent
-/// take stresses that are extrapolated from the previous iteration. Eliminating the stresses leaves the
-/// unknowns and the sparsity unchanged. The next step then need not undo the membrane forces of a long step,
+/// take stresses that are extrapolated from the previous iteration. The stresses are eliminated, so the
+/// unknowns and the sparsity do not change. The next step need not undo the membrane forces of a long step,
 /// so a step may turn nodes by half a radian and more.
 ///
 /// Old factors are kept as long as the steps shrink fast enough. Let B0 be the slopes of the strains at the
@@ -38,10 +38,10 @@ class MixedNewton {
         Approach,    ///< iterate until a step is short, between two increments of the load
         Equilibrium  ///< iterate to the tolerances of EquilibriumOptions
     };
-    /// Iterate, and move the configuration. The first step is `step`, which the factors of this object gave.
-    /// On Converged, the factors belong to the configuration. With Goal::Equilibrium, the factors may belong
-    /// to a configuration that is a small move away; such a move changes no sign of a pivot unless the
-    /// tangent is nearly singular.
+    /// Iterate, and move the configuration. The first step is `step`, a solution with the factors of this
+    /// object. On Converged, the factors belong to the configuration. With Goal::Equilibrium, they may belong
+    /// to a configuration a small move away; such a move changes no sign of a pivot unless the tangent is
+    /// nearly singular.
     Termination solve(double load_factor, Goal goal, const Eigen::VectorXd& step,
                       Configuration& configuration);
 
@@ -50,12 +50,12 @@ class MixedNewton {
 
     /// The first step of a departure from an equilibrium.
     struct FirstStep {
-        Eigen::VectorXd unbalanced;  ///< right side of the equations whose solution is `step`
+        Eigen::VectorXd unbalanced;  ///< right side of the equations for `step`
         Eigen::VectorXd step;
     };
     FirstStep depart(Configuration& configuration);
-    /// Return to the equilibrium from which the last departure started, because the departure failed. False
-    /// if the factors no longer belong to that equilibrium.
+    /// Return to the equilibrium of the last departure, which failed. False if the factors no longer belong
+    /// to that equilibrium.
     bool come_back(const Configuration& equilibrium);
 
     /// The pivots of the last factorization.
@@ -68,8 +68,8 @@ class MixedNewton {
         double load_factor;
         const sparse::Ldlt::Outcome& outcome;
     };
-    /// Go back to the equilibrium `place`, where a failed attempt had begun, with the stresses at that
-    /// equilibrium. The factors are left from the attempt, so solve() begins with new factors.
+    /// Go back to the equilibrium `place` at which a failed attempt began, with the stresses at that
+    /// equilibrium. The factors are those of the attempt, so solve() begins with new factors.
     void go_back(const Place& place, const std::vector<double>& stresses);
 
   private:
@@ -99,7 +99,7 @@ class MixedNewton {
     const EquilibriumOptions& options_;
     StressWorkspace stresses_;
     sparse::Ldlt::Outcome outcome_;
-    bool has_foreign_factors_ = false;  ///< true if the factors are left from a failed attempt
+    bool has_foreign_factors_ = false;  ///< true if the factors are those of a failed attempt
     /// The distance of the configuration from the configuration of the factors.
     struct Way {
         double turned = 0.0;  ///< upper bound on the rotation of a node, rad

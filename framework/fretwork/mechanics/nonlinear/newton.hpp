@@ -24,10 +24,10 @@ class Newton {
     /// the equilibrium.
     Termination solve(double load_factor, Configuration& configuration);
 
-    /// Bring a configuration to equilibrium under this load factor, and factorize the tangent at the
-    /// equilibrium or at a configuration a negligible part of `way` from it. On success, only forces need to
-    /// be evaluated at the equilibrium. Returns the outcome of the factorization; nothing if no equilibrium
-    /// was found, or if the tangent is singular.
+    /// Bring a configuration to equilibrium under this load factor. Factorize the tangent there, or a
+    /// negligible part of `way` from there. On success, the last evaluation at the equilibrium may be of
+    /// forces alone. Returns the outcome of the factorization; nothing if no equilibrium was found, or if the
+    /// tangent is singular.
     /// @param way  the step from the last equilibrium to the given configuration
     std::optional<sparse::Ldlt::Outcome> solve_and_factorize(double load_factor, const Eigen::VectorXd& way,
                                                              Configuration& configuration);
@@ -59,13 +59,13 @@ class Newton {
 
     /// The matrix of a linear system: the tangent, or its transpose for adjoint solutions.
     enum class Side { Tangent, Transposed };
-    /// Solve with the tangent of the last *evaluation* up to rounding, by refinement with the current
-    /// factors, which may be of another tangent; one column for each right side. Nothing if the two tangents
-    /// differ too much. Throws Stopped.
+    /// Solve with the tangent of the last *evaluation* up to rounding, one column for each right side.
+    /// Solutions are refined with the current factors, which may belong to another tangent. Nothing if the
+    /// two tangents differ too much. Throws Stopped.
     [[nodiscard]] std::optional<Eigen::MatrixXd> solve_refined(const Eigen::MatrixXd& right_sides, Side side,
                                                                const base::Control& control);
-    /// Solve without refinement. Pre: the factors are the factors of the tangent of the last evaluation,
-    /// which has no skew part.
+    /// Solve without refinement. Pre: the factors belong to the tangent of the last evaluation, which has no
+    /// skew part.
     [[nodiscard]] Eigen::MatrixXd solve_plainly(Eigen::MatrixXd right_sides,
                                                 const base::Control& control) const;
     /// Blocks of the inverse of the symmetric part of the last factorization (sparse::Ldlt::inverse_blocks).

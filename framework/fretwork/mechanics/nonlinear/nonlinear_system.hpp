@@ -31,12 +31,12 @@ class NonlinearSystem {
     /// The loads at a load factor.
     [[nodiscard]] NodeValues loads_at(double load_factor) const;
 
-    /// Take over the present state of the assembly, after elements were replaced by others of the same nodes,
-    /// or after loads or prescribed values changed. The control is replaced, too.
+    /// Take over changes of the assembly: new elements of the same nodes, new loads, new prescribed values.
+    /// The control is replaced, too.
     void refresh(const base::Control& control);
 
-    /// Compute the quantities that the functions below return. The tangent, and all that depends on the
-    /// tangent, is computed only with Demand::Tangent.
+    /// Compute the quantities that the functions below return. The tangent, and all that depends on it, is
+    /// computed only with Demand::Tangent.
     void evaluate(const Configuration& configuration, double load_factor, Demand demand = Demand::Tangent);
 
     /// Evaluate in a mixed iteration, with the given stresses in the tangent's geometric terms. The elements'
@@ -45,12 +45,12 @@ class NonlinearSystem {
                         StressWorkspace& stresses);
     /// Extrapolate the given stresses along small motions of all nodes, prescribed motions included.
     void extrapolate(const NodeValues& motions, StressWorkspace& stresses) const;
-    /// The right side for a solution with an old tangent and the slopes from the evaluation of the old
-    /// tangent. The right side is valid after a mixed evaluation with Demand::Force. The right side is zero
-    /// if the unbalanced forces are zero and the given stresses are the elements' own stresses.
+    /// The right side for a solution with an old tangent and the slopes of its evaluation. It is valid after
+    /// a mixed evaluation with Demand::Force. It is zero if the unbalanced forces are zero and the given
+    /// stresses are the elements' own.
     [[nodiscard]] const Eigen::VectorXd& mixed_unbalanced() const { return mixed_unbalanced_; }
-    /// The force B0^T (s - given), which the old tangent adds if the given stresses are not the elements' own
-    /// stresses s. The force is valid after a mixed evaluation with Demand::Force.
+    /// The force B0^T (s - given), by which the given stresses lag behind the elements' own stresses s. It is
+    /// valid after a mixed evaluation with Demand::Force.
     [[nodiscard]] Eigen::VectorXd lag() const;
 
     /// The solution at the configuration of the last evaluation, without its history and its stability.
@@ -64,19 +64,18 @@ class NonlinearSystem {
     [[nodiscard]] bool is_rounding() const {
         return (unbalanced_.cwiseAbs().array() <= rounding_.array()).all();
     }
-    /// The derivative of the unbalanced forces with respect to the load factor at fixed unknowns. The
-    /// derivative includes the effect of prescribed displacements if the last evaluation computed the
-    /// tangent.
+    /// The derivative of the unbalanced forces with respect to the load factor at fixed unknowns. It includes
+    /// prescribed displacements if the last evaluation computed the tangent.
     [[nodiscard]] const Eigen::VectorXd& load_rate() const { return load_rate_; }
     [[nodiscard]] std::span<const double> tangent() const { return values_; }
     /// True if applied moments make the tangent of the last evaluation unsymmetric.
     [[nodiscard]] bool has_skew_part() const { return !skew_.empty(); }
     /// The product of the tangent's skew part and x.
     [[nodiscard]] Eigen::VectorXd skew_product(const Eigen::VectorXd& x) const;
-    /// False if applied moments act, whose direction stays fixed in space, so that they have no potential.
-    /// Moments of gravity do not count, because they come from forces, which have a potential.
+    /// False if applied moments act: their direction stays fixed in space, so they have no potential. Moments
+    /// of gravity do not count, because they come from forces, which have a potential.
     [[nodiscard]] bool is_conservative() const { return skew_.empty() || !unknowns_.assembly().has_moments; }
-    /// The kind of stability test that the tangent's pivots amount to.
+    /// The kind of stability test by the tangent's pivots.
     [[nodiscard]] StabilityTest stability_test() const {
         return is_conservative() ? StabilityTest::Tangent : StabilityTest::SymmetricPart;
     }
@@ -105,8 +104,8 @@ class NonlinearSystem {
     struct Pass {
         Demand demand;
         StressWorkspace* stresses = nullptr;
-        /// The given stresses, in an evaluation of forces alone, which also computes the lag of these
-        /// stresses behind the elements' own stresses. Null in any other evaluation.
+        /// The given stresses, if only forces are evaluated: the lag is then computed, too. Null in any other
+        /// evaluation.
         [[nodiscard]] StressWorkspace* lagging_stresses() const {
             return demand == Demand::Force ? stresses : nullptr;
         }

@@ -7,9 +7,9 @@
 
 namespace fretwork::mechanics::nonlinear {
 
-/// A predictor of the next equilibrium of a path, which extrapolates the Hermite polynomial through up to
-/// three last equilibria and their rates. The values of the polynomial are steps of the unknowns from the
-/// last equilibrium, so rotations may have any size.
+/// Predicts the next equilibrium of a path. It extrapolates the Hermite polynomial through up to three last
+/// equilibria and their rates. The polynomial's values are steps of the unknowns from the last equilibrium,
+/// so rotations may have any size.
 class PathPredictor {
   public:
     explicit PathPredictor(const Unknowns& unknowns) : unknowns_(unknowns) {}

@@ -21,8 +21,8 @@ struct PathStep {
     PathState state;
     Eigen::VectorXd move;
     double length = 0.0;  ///< length of the move in the system's weights
-    /// The distance between the move and its explanation by the directions at both ends, as a share of the
-    /// largest distance that is accepted.
+    /// The distance between the move and its prediction by the directions at both ends, as a share of the
+    /// largest accepted distance.
     double deviation = 0.0;
 };
 
@@ -32,9 +32,9 @@ struct PathStep {
 int correct_across(NonlinearSystem& system, Newton& newton, const Eigen::VectorXd& step, double& load_factor,
                    Configuration& trial);
 
-/// A maker of steps along an equilibrium path. A step continues the path if the mean of the path's directions
-/// at the two ends of the step accounts for every component of the move. A step that passes over a sharp bend
-/// of the path, or lands on another path, fails this test.
+/// Makes steps along an equilibrium path. A step continues the path if the mean of the directions at its two
+/// ends predicts every component of the move. A step over a sharp bend of the path, or to another path, fails
+/// this test.
 class PathStepper {
   public:
     PathStepper(NonlinearSystem& system, Newton& newton, const EquilibriumOptions& options)
@@ -47,16 +47,16 @@ class PathStepper {
     /// @param previous  the previous state; null: not known
     std::optional<PathStep> step(const PathState& from, const PathState* previous, double length);
 
-    /// A step to a larger load factor, starting from a guess of the move. Nothing if the rates of the
-    /// unknowns at both ends of the step do not account for the move.
+    /// A step to a larger load factor, starting from a guess of the move. Nothing if the rates at both ends
+    /// of the step do not predict the move.
     std::optional<PathStep> step_to_load(const PathState& from, double load_factor,
                                          const Eigen::VectorXd& guess);
-    /// A step to a load factor that the step `known` passes, where `known` continues the path.
+    /// A step to a load factor within the step `known`, which continues the path.
     std::optional<PathStep> step_within(const PathState& from, const PathStep& known, double load_factor);
 
     /// The length of a first step in which no node turns far and the load does not rise above `load_factor`.
     [[nodiscard]] double first_length(const PathState& from, double load_factor) const;
-    /// The length of a step whose largest component has this size (rad, or element lengths).
+    /// The length of a step with a largest component of this size (rad, or element lengths).
     [[nodiscard]] double length_of(const PathState& from, double largest_component) const;
 
   private:

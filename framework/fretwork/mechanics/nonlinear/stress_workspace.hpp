@@ -25,10 +25,10 @@ class StressWorkspace {
     /// small motions of its nodes (6n).
     void extrapolate(std::size_t element, const Eigen::VectorXd& motion);
     /// Add the lag B^T (s - given) to an element's forces (6n), where s and B are its own stresses and slopes
-    /// of the last evaluation. The lag is the force by which the given stresses lag behind the own stresses.
+    /// of the last evaluation.
     void add_lag(std::size_t element, Eigen::VectorXd& force) const;
 
-    /// The given stresses of all elements. A caller may keep a copy and restore the given stresses by give().
+    /// The given stresses of all elements. A caller may keep a copy and restore it by give().
     [[nodiscard]] const std::vector<double>& given() const { return given_; }
     void give(const std::vector<double>& stresses) { given_ = stresses; }
 

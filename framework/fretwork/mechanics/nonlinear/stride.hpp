@@ -5,7 +5,7 @@
 
 namespace fretwork::mechanics::nonlinear {
 
-/// The size, in rad and element lengths, up to which moves count as linear.
+/// Moves up to this size, in rad and element lengths, count as linear.
 inline constexpr double kLinearMove = 1e-6;
 
 /// An equilibrium of a load path.
@@ -17,19 +17,17 @@ struct PathPoint {
     double turn_bound = 0.0;  ///< upper bound on the relative rotation of the two ends of any element, rad
 };
 
-/// An upper bound on the relative rotation of the two ends of any element after a step from a point, in rad.
-/// The bound is more than pi if an element may have turned so far during the step that its number of whole
-/// turns is unknown. No element is evaluated if the rotations of the nodes alone give a bound that is safely
-/// small.
+/// An upper bound on the relative rotation of the two ends of any element after a step from a point, rad. The
+/// bound is above pi if an element may have turned so far that its number of whole turns is unknown. No
+/// element is evaluated if the rotations of the nodes give a bound that is small enough.
 /// @param turned  upper bound on the rotation of any node during the step, rad
 double bound_relative_turn(const NonlinearSystem& system, const PathPoint& from, double turned,
                            const Configuration& to);
 
-/// True if a step is longer than the rates at its two ends account for. A step that is longer may have jumped
-/// to another path.
+/// True if a step is longer than the rates at its two ends predict: it may have jumped to another path.
 /// @param made   the step's change of each unknown
-/// @param rates  for each unknown, the larger of the absolute rates at the two ends, times the step of the
-/// load factor
+/// @param rates  for each unknown, the larger absolute rate of the two ends, times the step of the load
+/// factor
 bool is_jump(const Unknowns& unknowns, const Eigen::VectorXd& made, const Eigen::VectorXd& rates);
 
 /// True if rates have grown so much over a step that a bifurcation may be near. At a bifurcation, rates grow
@@ -38,11 +36,10 @@ bool is_jump(const Unknowns& unknowns, const Eigen::VectorXd& made, const Eigen:
 bool is_softened(const Unknowns& unknowns, const Eigen::VectorXd& first_rate,
                  const Eigen::VectorXd& last_rate);
 
-/// Follow a load path in few long increments of mixed iterations, each of which may turn nodes by up to a
-/// radian. Only the ends of the increments are known. The result is Converged if all ends seem to lie on one
-/// path: they have the same number of negative pivots, and no move is much larger than the rates at its two
-/// ends account for. Otherwise `point` does not change, and the caller has to follow the path in smaller
-/// steps.
+/// Follow a load path in few long increments of mixed iterations; each may turn nodes by up to a radian. Only
+/// the ends of the increments are known. The result is Converged if all ends seem to lie on one path: they
+/// have the same number of negative pivots, and no move is much larger than the rates at its two ends
+/// predict. Otherwise `point` does not change, and the caller has to follow the path in smaller steps.
 Termination stride(NonlinearSystem& system, Newton& newton, MixedNewton& mixed, PathPoint& point,
                    double target);
 

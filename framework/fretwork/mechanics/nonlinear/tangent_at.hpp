@@ -14,8 +14,8 @@ class EquilibriumTangent::Impl {
         nonlinear::Newton& newton;
         nonlinear::MixedNewton& mixed;
         const nonlinear::Configuration& configuration;
-        /// True if the factors belong to a tangent near the tangent at the configuration, so that they can
-        /// refine solutions.
+        /// True if the factors belong to a tangent near that at the configuration, and so can refine
+        /// solutions.
         bool& has_factors;
     };
     /// Evaluate the tangent. Throws NumericalError if the tangent is singular, and Stopped.
@@ -32,7 +32,7 @@ class EquilibriumTangent::Impl {
     void moments_to_vectors(Eigen::MatrixXd& rows) const;
     /// Transform rates v of the rotation vectors of vector nodes to spins, w = T v.
     void vectors_to_spins(Eigen::MatrixXd& rows) const;
-    /// Transform gradients with respect to the rotation vectors of all nodes but vector nodes to gradients
+    /// For all nodes except vector nodes, transform gradients with respect to rotation vectors to gradients
     /// along spins. For the same nodes, spins_to_vectors() transforms spins to rates of rotation vectors.
     void gradients_to_spins(Eigen::MatrixXd& rows) const;
     void spins_to_vectors(Eigen::MatrixXd& rows) const;
@@ -60,7 +60,7 @@ class EquilibriumTangent::Impl {
     [[nodiscard]] Eigen::Index nodes() const;
 
     Parts parts_;
-    bool is_exact_ = false;                   ///< true if the factors are the factors of the tangent
+    bool is_exact_ = false;                   ///< true if the factors belong to the tangent
     std::vector<Eigen::Matrix3d> spin_maps_;  ///< spin map of every node's rotation vector
 };
 

@@ -17,16 +17,15 @@ struct Configuration {
     std::vector<Eigen::Vector3d> rotation_vectors;
 };
 
-/// The equilibrium at which a path begins if it does not begin at rest. Along the path, the loads change
-/// linearly from the loads at this equilibrium to the loads of the assembly, and so do the held components.
+/// The equilibrium at the beginning of a path that does not begin at rest. Along the path, loads and held
+/// components change linearly from their values at this equilibrium to those of the assembly.
 struct PathStart {
     Configuration configuration;
-    NodeValues loads;  ///< loads at the equilibrium, one row for each node
-    NodeValues
-        released;  ///< forces of supports that have gone, which act at the equilibrium beside the loads
+    NodeValues loads;     ///< loads at the equilibrium, one row for each node
+    NodeValues released;  ///< forces of removed supports, which act at the equilibrium besides the loads
 };
 
-/// The unknown components of a structure's nodes, and the effect of steps of the unknowns on a configuration.
+/// The unknown components of a structure's nodes, and functions that move a configuration by steps of them.
 ///
 /// The rotational unknowns of a node that turns freely are spins. If supports hold some components of a
 /// node's total rotation vector, the rotational unknowns are the other components of this vector.
@@ -51,14 +50,12 @@ class Unknowns {
     NodeValues hold(Configuration& configuration) const;
     /// Add a step of the unknowns to a configuration.
     void move(const Eigen::VectorXd& step, Configuration& configuration) const;
-    /// Add whole turns to the rotation vectors, so that each is nearest to the rotation vector at the last
-    /// equilibrium. In this way, rotation vectors are continuous along a path, whatever the iterations passed
-    /// through.
+    /// Add whole turns to the rotation vectors, so that each is nearest to its value at the last equilibrium.
+    /// Rotation vectors are then continuous along a path, whatever happens during the iterations.
     void unwind(const Configuration& last, Configuration& configuration) const;
     /// The step of the unknowns from one configuration to another near it.
     [[nodiscard]] Eigen::VectorXd step_between(const Configuration& from, const Configuration& to) const;
-    /// The rate at which a step from step_between() changes if the unknowns at the end of the step change at
-    /// `rate`.
+    /// The rate of change of a step from step_between() if the unknowns at its end change at `rate`.
     [[nodiscard]] Eigen::VectorXd rate_of_steps(const Eigen::VectorXd& step,
                                                 const Eigen::VectorXd& rate) const;
     /// The largest rotation of a node in a step, rad.

@@ -7,10 +7,10 @@
 
 namespace fretwork::mechanics {
 
-/// The equilibria to follow when a path becomes unstable.
+/// The equilibria to follow after a loss of stability.
 enum class Branch {
     Primary,  ///< equilibria of the path itself, stable or not: a flat structure stays flat
-    Stable,   ///< equilibria of the stable branch, which a push along the critical mode reaches
+    Stable,   ///< equilibria of the stable branch, reached by a push along the critical mode
     /// Equilibria as for Stable; at a limit load, the structure snaps to a stable equilibrium of lower
     /// energy.
     Snapping

@@ -13,9 +13,9 @@ namespace fretwork::mechanics {
 
 /// Options of the geometrically nonlinear solve.
 struct EquilibriumOptions {
-    /// The residual below which a solution has converged. If rounding keeps the residual above this limit, a
-    /// residual below 1e-4 is enough once steps are below 1e-13 (rad and element lengths). Rounding has this
-    /// effect with very short beams beside long beams, and with a hundred thousand beams.
+    /// A solution has converged below this residual. If rounding prevents this, as for very short beams
+    /// beside long ones or for a hundred thousand beams, a residual below 1e-4 suffices once steps are below
+    /// 1e-13 (rad and element lengths).
     double relative_residual = 1e-9;
     /// Largest rotation of a node in a Newton step, rad; longer steps are shortened. There is no line search,
     /// because the residual may grow while membrane forces build up.
@@ -39,13 +39,13 @@ std::vector<double> even_load_factors(int steps);
 /// Follow the load path from rest through the given load factors (ascending, > 0; 1 = the full load):
 /// Newton's method with a consistent tangent and a predictor from the path so far. If critical loads need not
 /// be located and the next load factor is far, a mixed Newton method reaches it in few long increments. If
-/// the path might branch before the next load factor, the path is followed by its arc length [Riks1979]
-/// instead, in steps so short that the tangents at both ends account for the move between them. Returns one
-/// solution for each load factor. If a load factor is not reached, its solution and all later solutions have
-/// not converged; they hold the last equilibrium found and the load factor of that equilibrium.
+/// the path might branch before the next load factor, it is followed by its arc length [Riks1979] instead, in
+/// steps so short that the tangents at both ends predict the move between them. Returns one solution for each
+/// load factor. If a load factor is not reached, its solution and all later ones have not converged; they
+/// hold the last equilibrium found and its load factor.
 ///
 /// Termination::LimitLoad: the load falls along the path beyond the last equilibrium; the last entry of
-/// Solution::stability_losses is this limit load. Termination::Diverged: no step, however short, continues
+/// Solution::stability_losses is this limit load. Termination::Diverged: not even the shortest step continues
 /// the path. Termination::IterationsSpent: the load was not reached in 3,000 steps along the path.
 ///
 /// With Branch::Stable, a structure in an unstable equilibrium is pushed along its lowest mode and descends
@@ -54,13 +54,13 @@ std::vector<double> even_load_factors(int steps);
 ///
 /// With Branch::Snapping, the path also continues beyond limit loads: the load factor is raised by a
 /// thousandth, and the structure descends in energy from its last equilibrium to a stable equilibrium.
-/// Solution::stability_losses lists each snap as a stability loss at the limit load, with the node and the
-/// component that move farthest, marked `pushed`. If several stable equilibria exist, a real motion with
-/// inertia may end in another equilibrium.
+/// Solution::stability_losses lists each snap as a loss at the limit load, with the node and the component
+/// that move farthest, and with `pushed` set. If there are several stable equilibria, a real motion with
+/// inertia may end in another one.
 ///
-/// The relative rotation of the ends of an element must stay below pi, because an element cannot distinguish
-/// a larger rotation from a rotation in the opposite sense. A path ends as diverged where a relative rotation
-/// reaches pi. Finer divisions reduce the relative rotations.
+/// The relative rotation of the ends of an element must stay below pi, because an element cannot tell a
+/// larger rotation from one in the opposite sense. A path ends as diverged where a relative rotation reaches
+/// pi. Finer divisions reduce relative rotations.
 ///
 /// Rotation vectors are continuous along the path and may grow beyond half a turn. The moment of a reaction
 /// is the true moment in space, even if only some rotation components are held. Throws InputError if the

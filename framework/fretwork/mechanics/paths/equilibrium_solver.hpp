@@ -15,34 +15,33 @@ enum class StartingPoint {
     LastEquilibrium  ///< the equilibrium before the edit, by continuation
 };
 
-/// The choice whether to check the stability of an equilibrium. The check needs a factorization, which a
-/// solution after a small change of the loads does not need otherwise.
+/// Whether to check the stability of an equilibrium. The check needs a factorization; a solution after a
+/// small change of the loads needs none otherwise.
 enum class StabilityCheck {
     Made,  ///< the stability is checked
-    /// The stability is not checked, and Solution::stability is None, for loads that a user drags. If the
-    /// next check finds an unstable equilibrium, the equilibrium is computed again from rest.
+    /// The stability is not checked, and Solution::stability is None, such as while a user drags a load. If
+    /// the next check finds an unstable equilibrium, it is computed again from rest.
     Skipped
 };
 
-/// A function that receives the first iterate on the way to an equilibrium, which is the prediction by the
-/// tangent at the last equilibrium. After small edits, this iterate is close to the new equilibrium, but is
-/// not an equilibrium: Solution::converged() is false, and there are no reactions. The function is not called
-/// if the solution starts from rest.
+/// A receiver of the first iterate on the way to an equilibrium: the prediction by the tangent at the last
+/// equilibrium. After small edits, it is close to the new equilibrium, but is not one: Solution::converged()
+/// is false, and there are no reactions. The function is not called if the solution starts from rest.
 using FirstIterate = std::function<void(const Solution&)>;
 
-/// A solver for the nonlinear equilibrium of a structure under its full load after each of many edits: the
+/// Solves for the nonlinear equilibrium of a structure under its full load after each of many edits: the
 /// counterpart of LinearSolver for large displacements.
 ///
-/// A solution from the last equilibrium is accepted only if the structure keeps its stability while the edit
-/// is made: both equilibria are stable, and the tangents at both ends account for the move between them.
-/// Otherwise the path is followed from rest. Both ways give the same equilibrium if the structure has only
-/// one stable equilibrium under its loads. If the structure has several (a buckled surface, a snapped dome),
-/// a solution from the last equilibrium stays on the branch to which the edits led, and the path from rest
-/// may lead to another branch.
+/// A solution from the last equilibrium is accepted only if the edit seems to keep the structure stable: both
+/// equilibria are stable, and the tangents at both ends predict the move between them. Otherwise the path is
+/// followed from rest. Both ways give the same equilibrium if the structure has only one stable equilibrium
+/// under its loads. If it has several (a buckled surface, a snapped dome), a solution from the last
+/// equilibrium stays on the branch that the edits have reached, and the path from rest may lead to another
+/// branch.
 class EquilibriumSolver {
   public:
     /// Make a solver. Every solution starts from rest if the options ask for Branch::Stable or for located
-    /// critical loads, which need the whole path. Throws InputError as EquilibriumOptions::validate.
+    /// critical loads: both need the whole path. Throws InputError as EquilibriumOptions::validate.
     explicit EquilibriumSolver(const EquilibriumOptions& options = {});
     EquilibriumSolver(EquilibriumSolver&&) noexcept;
     EquilibriumSolver& operator=(EquilibriumSolver&&) noexcept;
@@ -52,8 +51,8 @@ class EquilibriumSolver {
     /// assembly (elements are compared by address):
     /// - if loads or prescribed values differ: iterations with the last factors, and new factors once or
     ///   twice;
-    /// - if elements are replaced by others of the same nodes: the same work after new factors at the last
-    ///   equilibrium;
+    /// - if elements are replaced by others of the same nodes: new factors at the last equilibrium, then the
+    ///   same work;
     /// - if supports differ: a new order and new factors at the last equilibrium; a start from rest if new
     ///   supports hold components far from their values;
     /// - if nodes differ, or if the last solution had not converged or was not stable: everything, from rest.

@@ -13,8 +13,8 @@
 
 namespace fretwork::mechanics {
 
-/// The response of a structure to small changes at an equilibrium. From this response follow the derivatives
-/// of any function of the nodes' displacements, without another equilibrium.
+/// The response of a structure to small changes at an equilibrium. It gives the derivatives of any function
+/// of the nodes' displacements without another equilibrium.
 ///
 /// Matrices have six rows for each node of the assembly, in the order of the nodes. *Motions* are
 /// displacements (m) and spins (rad; R <- exp(w) R), *forces* are true forces and moments (N, N m).
@@ -25,8 +25,8 @@ namespace fretwork::mechanics {
 ///
 /// T is not symmetric if moments of fixed direction act. Held components do not move.
 ///
-/// EquilibriumSolver creates an EquilibriumTangent at the equilibrium that it has found, and lends it the
-/// factors. The EquilibriumTangent is valid until the next call of that solver.
+/// EquilibriumSolver creates an EquilibriumTangent at its last equilibrium and lends it the factors. It is
+/// valid until the next call of that solver.
 class EquilibriumTangent {
   public:
     class Impl;
@@ -62,9 +62,9 @@ class EquilibriumTangent {
     [[nodiscard]] Eigen::MatrixXd strain_slopes(std::size_t element) const;
     /// The internal forces of an element on its nodes, 6n.
     [[nodiscard]] Eigen::VectorXd internal_forces(std::size_t element) const;
-    /// The flexibility of the structure at the nodes of each of some elements, 6n x 6n: the motions of the
-    /// element's nodes under unit forces on these nodes, by the symmetric part of T. One selected inversion
-    /// computes all of them. Throws Stopped.
+    /// For each of the given elements, the flexibility of the structure at its nodes, 6n x 6n: their motions
+    /// under unit forces on them, by the symmetric part of T. One selected inversion computes all of them.
+    /// Throws Stopped.
     [[nodiscard]] std::vector<Eigen::MatrixXd> flexibilities(std::span<const std::size_t> elements,
                                                              const base::Control& control = {}) const;
 

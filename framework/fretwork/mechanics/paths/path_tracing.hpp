@@ -11,18 +11,18 @@ namespace fretwork::mechanics {
 struct PathTracingOptions {
     double first_load_step = 0.05;     ///< share of the load in the first step; sets the arc length of the
                                        ///< first step
-    double largest_load_factor = 1.0;  ///< absolute value of the load factor beyond which the path ends
+    double largest_load_factor = 1.0;  ///< the path ends beyond this absolute value of the load factor
     double largest_arc = 0.5;   ///< largest arc length of one step, in rad and element lengths (root of the
                                 ///< sum of squares)
     int steps = 200;            ///< number of steps after which the path ends
     int largest_cut_back = 10;  ///< largest number of times that a step is halved
-    /// Options of the equilibria, of which only relative_residual, threads and control are used.
+    /// Options of the equilibria; only relative_residual, threads and control are used.
     EquilibriumOptions equilibrium{};
     /// Throws InputError if a value is invalid.
     void validate() const;
 };
 
-/// Follow the equilibrium path from rest by its arc length, through limit points, at which the load turns
+/// Follow the equilibrium path from rest by its arc length, also through limit points, where the load turns
 /// back. Returns one solution for each point; their load factors rise and fall. If the path could not be
 /// followed to its end, the last solution has not converged and holds the last equilibrium. Throws as
 /// follow_load_path.

@@ -7,7 +7,7 @@
 
 namespace fretwork::mechanics {
 
-/// The growth of the fictitious masses of rotations as elements get shorter.
+/// How the fictitious masses of rotations depend on the elements' length l.
 enum class RotationalMass {
     Natural,  ///< proportional to the rotational stiffness, E I / l and G J / l: the fair baseline
     /// Proportional to E I / l^3 and G J / l^3 with l in metres, as in public implementations of [Sakai2020].
@@ -34,10 +34,9 @@ struct RelaxationOptions {
 /// steps are stable. With RotationalMass::Published, the masses of rotations are larger by the factor 1 /
 /// l^2, where l is the mean length of an element, below one metre.
 ///
-/// Prescribed displacements act from the start, in one jump. Therefore no prescribed rotation may turn a
-/// node, or one end of an element relative to the other, by more than pi, because the rotation would be taken
-/// for a rotation in the opposite sense. Throws InputError that names a node which turns by more, or an
-/// invalid option; Stopped.
+/// Prescribed displacements act in one jump from the start. No prescribed rotation may turn a node, or one
+/// end of an element relative to the other, by more than pi, because it would be taken for a rotation in the
+/// opposite sense. Throws InputError that names such a node or an invalid option, and Stopped.
 Solution relax(const Assembly& assembly, const RelaxationOptions& options = {});
 
 }  // namespace fretwork::mechanics

@@ -9,24 +9,23 @@ namespace fretwork::mechanics {
 
 /// The supports and loads of a structure at the end of a load stage.
 struct StageTarget {
-    std::vector<Support> supports;  ///< components that stay where they are
+    std::vector<Support> supports;  ///< components that keep their values
     /// Components with given values at the end of the load stage.
     std::vector<PrescribedDisplacement> prescribed;
     NodeValues loads;  ///< loads, one row for each node of the assembly
 };
 
-/// A path of load stages, one after the other. Each load stage begins at the equilibrium in which the
-/// previous load stage ended. During a load stage, loads and prescribed values change linearly to the values
-/// of the target. A newly prescribed component starts from its present value; the reaction on a released
-/// component is reduced to zero.
+/// A path of load stages. Each load stage begins at the equilibrium at the end of the previous one. During a
+/// load stage, loads and prescribed values change linearly to the values of the target. A newly prescribed
+/// component starts from its present value; the reaction on a released component is reduced to zero.
 ///
-/// Each load stage is followed like a load path (follow_load_path() with Branch::Stable): one load stage from
-/// rest gives the equilibrium of the load path, and a smooth path is followed wherever it leads. The
-/// structure leaves an unstable equilibrium along a descent direction. If the release of a component has made
-/// the beginning of a load stage unstable, the structure descends without the reaction that held it. A load
-/// stage ends at a limit load; with Branch::Snapping, the structure instead descends in energy from its last
-/// equilibrium. Solution::stability_losses lists each unstable equilibrium and each limit load. The load
-/// factor of an entry is the share of the load stage, and its node is the node that moves farthest.
+/// Each load stage is followed as in follow_load_path() with Branch::Stable: one load stage from rest gives
+/// the equilibrium of that function. The structure leaves an unstable equilibrium along a descent direction.
+/// If the release of a component has made the beginning of a load stage unstable, the structure descends
+/// without the released reaction. A load stage ends at a limit load; with Branch::Snapping, the structure
+/// descends in energy from its last equilibrium instead. Solution::stability_losses lists each unstable
+/// equilibrium and each limit load. The load factor of an entry is the share of the load stage, and its node
+/// is the node that moves farthest.
 class StagedPath {
   public:
     /// Begin a path at rest. The supports, prescribed values and loads of the assembly are ignored, and so is

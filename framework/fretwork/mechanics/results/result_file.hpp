@@ -13,7 +13,7 @@
 
 namespace fretwork::mechanics {
 
-/// The solution of a structure, and further results that the options asked for.
+/// The solution of a structure, and further results that were requested by the options.
 struct Result {
     /// A node of a result.
     struct Node {

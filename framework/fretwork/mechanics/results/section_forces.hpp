@@ -23,7 +23,7 @@ struct SectionForces {
     double M3 = 0.0;  ///< bending moment about axis 3, N m
 };
 
-/// A straight beam whose section forces at both ends follow from the motions of its ends. One BeamSection
+/// A straight beam. Computes the section forces at both ends from the motions of the ends. One BeamSection
 /// serves many states of the beam.
 class BeamSection {
   public:

@@ -17,14 +17,12 @@ struct SectionStress {
     double von_mises = 0.0;  ///< largest sqrt(normal^2 + 3 shear^2) of the stresses at one point
 };
 
-/// The points of a section at which stresses can be largest, with the stresses at these points for unit
-/// section forces.
+/// The points of a section at which stresses can be largest, with their stresses for unit section forces.
 ///
-/// Stresses follow technical beam theory. The stress of bending is linear over the section. The stress of a
-/// shear force follows from equilibrium with bending (Jourawski). The stress of torsion is without warping
-/// stresses (Saint-Venant): a series for rectangles [Timoshenko1951, 109], and linear across each plate of an
-/// I. Corners are sharp. Points lie 1/8 of half a side apart on rectangles, 1/32 of a turn on circles and
-/// tubes.
+/// Stresses follow technical beam theory. Bending stresses are linear over the section. Stresses of a shear
+/// force follow from equilibrium with bending (Jourawski). Torsion has no warping stresses (Saint-Venant):
+/// its stresses are a series for rectangles [Timoshenko1951, 109], and linear across each plate of an I.
+/// Corners are sharp. Points lie 1/8 of half a side apart on rectangles, 1/32 of a turn on circles and tubes.
 class SectionPoints {
   public:
     /// Find the points of a section. A section without a shape counts as the rectangle with its area and
@@ -40,7 +38,7 @@ class SectionPoints {
         /// The derivatives of the sum with respect to N, V2, V3, T, M2, M3 (1/N and 1/(N m)).
         Eigen::Vector<double, 6> gradient = Eigen::Vector<double, 6>::Zero();
     };
-    /// The exponent of the sum and the stress by which it is divided.
+    /// The exponent and the reference stress of the sum.
     struct Power {
         double reference = 1.0;  ///< reference stress, Pa, positive
         double exponent = 2.0;   ///< exponent, at least 2, so that the sum is smooth where the stress is zero

@@ -10,8 +10,7 @@
 
 namespace fretwork::mechanics {
 
-/// The way in which the search for a solution ended. A solution that has not converged is an outcome, not an
-/// error.
+/// How the search for a solution ended. Not to converge is an outcome, not an error.
 enum class Termination {
     Converged,       ///< the solution is an equilibrium
     LimitLoad,       ///< the path turns back at a load below the wanted load
@@ -35,8 +34,8 @@ std::string_view stability_test_name(StabilityTest test);
 /// A loss of stability: the place where a path became unstable.
 struct StabilityLoss {
     double load_factor = 0.0;  ///< critical load factor, at which the tangent is singular
-    /// Reported node at which the critical mode is largest; if no reported node moves, the reported node
-    /// nearest to the largest motion inside a beam.
+    /// Reported node with the largest motion in the critical mode; if no reported node moves, the one nearest
+    /// to the largest motion inside a beam.
     NodeIndex node;
     /// Component in which the mode is largest; the push is in the positive sense of this component.
     Dof dof = Dof::ux;

@@ -9,9 +9,8 @@
 
 namespace fretwork::mechanics::sparse {
 
-/// The dense matrix in which the columns of one supernode are eliminated (lower triangle, by columns). A
-/// front consists of a panel of `width` columns with width + rows entries each, and a square rest that the
-/// elimination of the panel leaves to later columns.
+/// The dense matrix in which one supernode's columns are eliminated (lower triangle, by columns). A front has
+/// a panel of `width` columns with width + rows entries each, and a square rest, which goes to later columns.
 struct Front {
     int width = 0;
     int rows = 0;
@@ -20,15 +19,14 @@ struct Front {
     double* rest = nullptr;  ///< rows x rows; only the lower triangle is used
 };
 
-/// A run of rows that are neighbours in a front, and also in the next front, which takes its rest.
+/// A run of rows that are neighbours in a front and in the next front, which takes its rest.
 struct RowRun {
     int from = 0;    ///< first row of the run, counted below the columns of the first front
     int to = 0;      ///< place of this row in the next front
     int length = 0;  ///< number of rows; either all or none belong to columns of the next front's panel
 };
 
-/// The rest that an eliminated front leaves to the next front, and the places of its rows in the next front,
-/// ascending.
+/// The rest of an eliminated front for the next front, and the places of its rows there, ascending.
 struct Remainder {
     const double* rest;  ///< rows x rows, lower triangle
     int rows;
@@ -41,8 +39,7 @@ void add_to_panel(const Remainder& remainder, const Front& front);
 /// Add all other columns of a remainder to the next front's rest, after the elimination of that front.
 void add_to_rest(const Remainder& remainder, const Front& front);
 
-/// The size of a pivot, as a share of its diagonal entry, below which it counts as zero, because only
-/// rounding is left of it.
+/// A pivot below this share of its diagonal entry counts as zero, because it is only rounding.
 constexpr double kZeroPivot = 64.0 * std::numeric_limits<double>::epsilon();
 
 constexpr double kWeakPivot = 1e4;
@@ -73,9 +70,8 @@ struct Concurrency {
 };
 
 /// Eliminate the front's columns: F = L D L^T in the panel, and rest = -L D L^T with the rows of L below the
-/// panel's own columns. Pivots are not exchanged, so a pivot that counts as zero ends the elimination.
-/// `scratch` grows as needed. The kernels are compiled for several instruction sets, and the machine picks
-/// one at run time. Throws Stopped.
+/// panel's own columns. Pivots are not exchanged, so a zero pivot ends the elimination. `scratch` grows as
+/// needed. The kernels are compiled for several instruction sets; one is chosen at run time. Throws Stopped.
 Pivots eliminate(const Front& front, const ZeroPivot& zero, std::vector<double>& scratch,
                  const Concurrency& concurrency = {});
 

@@ -8,10 +8,10 @@
 namespace fretwork::mechanics::sparse {
 
 /// An order of elimination by nested dissection, from the places of the nodes [George1973]. Straight lines
-/// halve the set of cliques again and again, and the nodes that two halves share come after both halves. In a
-/// surface of n cliques, a line meets about sqrt(n) cliques. Two halves can be eliminated at the same time.
+/// halve the set of cliques repeatedly; the nodes shared by two halves come after both. In a surface of n
+/// cliques, a line meets about sqrt(n) cliques. Two halves can be eliminated at the same time.
 ///
-/// @param takes_part  for each node, true if it appears in the order Pre: the graph has the places of its
+/// @param takes_part  for each node, true if it appears in the order. Pre: the graph has the places of its
 /// nodes. Throws Stopped.
 std::vector<int> dissection_order(const NodeGraph& graph, const std::vector<bool>& takes_part,
                                   const base::Control& control = {});

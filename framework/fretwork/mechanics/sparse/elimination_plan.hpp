@@ -9,7 +9,7 @@
 
 namespace fretwork::mechanics::sparse {
 
-/// The places in a storage where supernodes leave numbers for their parents.
+/// The places in a storage for the numbers that supernodes pass to their parents.
 struct StoragePlan {
     std::vector<std::size_t> start;  ///< start of each supernode's share of the storage
     std::size_t size = 0;            ///< size of the whole storage

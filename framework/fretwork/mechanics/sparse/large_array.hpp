@@ -11,8 +11,8 @@ struct LargeArrayDeleter {
 };
 using LargeArray = std::unique_ptr<double[], LargeArrayDeleter>;
 
-/// Allocate uninitialized numbers. For millions of numbers, the operating system is asked for pages of 2 MB
-/// in place of 4 kB, which avoids page faults and misses of the address cache.
+/// Allocate uninitialized numbers. For millions of numbers, pages of 2 MB instead of 4 kB are requested, to
+/// avoid page faults and misses of the address cache.
 LargeArray make_large_array(std::size_t size);
 
 }  // namespace fretwork::mechanics::sparse

@@ -13,9 +13,9 @@ namespace fretwork::mechanics::sparse {
 
 /// The factorization A = L D L^T of a symmetric sparse matrix in the order of its layout. The number of
 /// negative pivots is the number of negative eigenvalues (Sylvester). The method is multifrontal: the columns
-/// of each supernode are eliminated in one small dense matrix, whose rest is added to the parent's matrix.
-/// Pivots are not exchanged. For a tangent of a structure, the fixed order of pivots does harm only if the
-/// tangent is nearly singular, which a vanishing pivot reveals.
+/// of each supernode are eliminated in one small dense matrix, and its rest is added to the parent's matrix.
+/// Pivots are not exchanged. For the tangent of a structure, this does harm only if the tangent is nearly
+/// singular, which a vanishing pivot reveals.
 class Ldlt {
   public:
     /// Analyse a layout.
@@ -29,8 +29,8 @@ class Ldlt {
     /// The outcome of a factorization.
     struct Outcome {
         int negative_pivots = 0;
-        int zero_pivot = -1;  ///< equation whose pivot vanishes relative to its diagonal entry; -1: none, so
-                              ///< that solve() works
+        /// Equation with a pivot that vanishes relative to its diagonal entry; -1: none, and solve() works.
+        int zero_pivot = -1;
         /// True if a pivot is so small relative to its diagonal entry that it may be rounding.
         bool has_weak_pivot = false;
         [[nodiscard]] bool positive_definite() const { return zero_pivot < 0 && negative_pivots == 0; }
@@ -87,7 +87,7 @@ class Ldlt {
         Eigen::Index count;
     };
     void solve_columns(Columns columns, const base::Control& control) const;
-    /// The columns of a substitution, and the numbers that supernodes leave for their parents, stored by
+    /// The columns of a substitution, and the numbers that supernodes pass to their parents, stored by
     /// plan.updates for each column.
     struct Substitution {
         Columns columns;

@@ -41,15 +41,15 @@ struct NodeGraph {
     std::vector<Eigen::Vector3d> places{};  ///< places of the nodes, m; empty: not known
 };
 
-/// Make the graph of some cliques.
+/// Make the graph of cliques.
 /// @param nodes  number of nodes, above every node of the cliques
 NodeGraph node_graph(int nodes, Cliques cliques);
 
-/// An order of elimination, with little fill, of the nodes that have unknowns; all other nodes are left out.
-/// The order is found on the graph of nodes, which is up to six times smaller than the graph of unknowns and
-/// gives better orders. If places are known, nested dissection gives a second order, and the order with less
-/// fill is taken. Throws Stopped. After a stop, a thread may still order a large graph; it ends by itself
-/// within seconds, and the program cannot end before this thread.
+/// An order of elimination with little fill, for the nodes that have unknowns. The order is found on the
+/// graph of nodes, which is up to six times smaller than the graph of unknowns and gives better orders. If
+/// places are known, nested dissection gives a second order, and the order with less fill is taken. Throws
+/// Stopped. After a stop, a thread may still order a large graph; it ends by itself within seconds, and the
+/// program cannot end before this thread.
 std::vector<int> elimination_order(const NodeGraph& graph, std::span<const Components> free,
                                    const base::Control& control = {});
 

@@ -11,9 +11,8 @@ namespace fretwork::mechanics::structure {
 /// The kept and the eliminated unknowns of a structure.
 struct CondensingTask {
     const Assembly& assembly;
-    std::vector<int> slot;  ///< index of each node among the kept nodes; -1: eliminated
-    std::vector<DofSet>
-        inner;  ///< dofs of each node that are eliminated; dofs that a hinge holds are left out
+    std::vector<int> slot;      ///< index of each node among the kept nodes; -1: eliminated
+    std::vector<DofSet> inner;  ///< eliminated dofs of each node, without dofs held by a hinge
     int kept_nodes = 0;
 };
 
@@ -32,7 +31,7 @@ Eigen::MatrixXd condense_dense(const CondensingTask& task);
 /// inner nodes cannot move without strain (checked by condense_dense()).
 Eigen::MatrixXd condense_mass(const CondensingTask& task);
 
-/// The matrix by which the inner nodes follow the kept nodes; see mechanics::following().
+/// The matrix that maps motions of kept nodes to motions of inner nodes; see mechanics::following().
 Eigen::MatrixXd following(const CondensingTask& task);
 
 /// Throw the NumericalError about inner nodes that can move without strain.

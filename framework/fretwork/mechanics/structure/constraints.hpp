@@ -22,11 +22,11 @@ NodeIndex nearest_reported(const Assembly& assembly, NodeIndex node);
 /// The name of a node in messages: "node 3", or "the inside of a beam at node 3" for a node inside a beam.
 std::string node_text(const Assembly& assembly, NodeIndex node);
 
-/// A typical length of the elements, m. This length makes moments comparable to forces, and rotations to
+/// A typical length of the elements, m, which makes moments comparable to forces, and rotations to
 /// displacements.
 double characteristic_length(const Assembly& assembly);
 
-/// The norm of forces and moments. A moment counts as the force that causes it with the lever arm `length`.
+/// The norm of forces and moments. A moment counts as its force at the lever arm `length`.
 double force_norm(const NodeValues& forces, double length);
 
 }  // namespace fretwork::mechanics::structure

@@ -17,7 +17,7 @@ static_assert(sparse::kBlockSize == kDofsPerNode);
 sparse::NodeGraph coupling_graph(const Assembly& assembly);
 
 /// An element's stiffness (6n x 6n) with its nodes in the order `wanted`. The lower triangle of blocks is
-/// copied from the upper triangle, which a layout reads, so sums have the same bits whatever the order.
+/// copied from the upper triangle, which a layout reads, so sums have the same bits in any order.
 Eigen::MatrixXd reordered(const Eigen::MatrixXd& stiffness, std::span<const NodeIndex> nodes,
                           std::span<const int> wanted);
 

@@ -20,19 +20,17 @@ struct HeldEntry {
 
 /// The treatment of factors after an edit that replaces elements.
 enum class ElementEdit {
-    /// A correction of the factors if the correction saves time and keeps their accuracy; otherwise new
-    /// factors.
+    /// A correction of the factors if it saves time and keeps their accuracy; otherwise new factors.
     Cheaper,
     Refactor,  ///< new factors
-    /// A correction of the factors if the correction keeps their accuracy, even if it is slower; otherwise
-    /// new factors.
+    /// A correction of the factors, even a slower one, if it keeps their accuracy; otherwise new factors.
     Correct,
 };
 
 /// The factorized linear stiffness of a structure with its supports: one system of equations, or two if the
 /// structure is flat and its elements decouple. The class is a value: after an edit, the new value shares all
-/// that is still valid with the old value. A FactorizedStructure refers to nothing of the caller's assembly
-/// except the immutable elements.
+/// valid parts with the old value. It refers to nothing of the caller's assembly except the immutable
+/// elements.
 class FactorizedStructure {
   public:
     /// Factorize a structure. Throws NumericalError that names a node if the structure can move without
@@ -61,7 +59,7 @@ class FactorizedStructure {
         sparse::NodeGraph graph;
         std::vector<int> order;
     };
-    /// The choice whether to try the split into two problems, in the plane and out of the plane.
+    /// Whether to try the split into two problems, in plane and out of plane.
     enum class Split { Tried, Refused };
 
     static std::shared_ptr<const Connections> connections_of(const Assembly& assembly,

@@ -12,9 +12,9 @@ namespace fretwork::mechanics::structure {
 /// Refuse a structure at rest that can move without strain in spite of its supports. Throws NumericalError
 /// that names a node.
 ///
-/// A pivot of a mechanism is zero or, if beams are oblique, of the size of rounding. A small pivot alone
-/// could also belong to a structure that is only soft. Therefore a solution under an arbitrary load decides:
-/// a mechanism cannot balance the load.
+/// A mechanism has a pivot that is zero or, if beams are oblique, as small as rounding. A merely soft
+/// structure may have such a pivot, too. Therefore a solution under an arbitrary load decides: a mechanism
+/// cannot balance the load.
 ///
 /// @param values   the stiffness at rest
 /// @param factors  the factors of the stiffness

@@ -5,8 +5,8 @@
 
 namespace fretwork::mechanics::structure {
 
-/// The dofs of the membrane problem and of the bending problem, into which a flat structure splits whose
-/// elements decouple; each problem has three dofs at each node.
+/// The dofs of the membrane problem and of the bending problem. A flat structure with elements that decouple
+/// splits into these two problems, with three dofs at each node.
 inline constexpr DofSet kInPlane = {{true, true, false, false, false, true}};
 inline constexpr DofSet kOutOfPlane = {{false, false, true, true, true, false}};
 

@@ -10,9 +10,9 @@
 
 namespace fretwork::mechanics::structure {
 
-/// A system of equations that can be solved on its own: all equations of a structure, only the equations in
-/// its plane, or only the equations out of its plane. The class is a value: copies share layout and factors,
-/// which no copy changes.
+/// A system of equations that can be solved on its own: all equations of a structure, only those in its
+/// plane, or only those out of its plane. The class is a value: copies share layout and factors, which do not
+/// change.
 class Subsystem {
   public:
     /// Make a system without stiffness.
