@@ -28,8 +28,8 @@ reduction::Displacements displacements(const Surface& surface, const ModelChoice
 std::vector<double> tile_parameters(const Surface& surface, tiling::TileIndex tile,
                                     const reduction::TileModel& model);
 
-/// A warning, in one line, if tiles are more than 1.5 times as large as the tiles for which their models are
-/// calibrated, or less than two thirds as large. Otherwise "".
+/// A warning, in one line, if tiles are more than 1.5 times as large as in their models' calibration, or less
+/// than two thirds as large. Otherwise "".
 std::string foreign_size_text(const Surface& surface, const ModelChoice& choice);
 
 }  // namespace fretwork::simulation

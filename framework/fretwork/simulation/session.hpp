@@ -34,17 +34,16 @@ struct TileDeformation {
 /// the tiles, the assembled structure, the order of elimination, the factors, and the last nonlinear
 /// equilibrium.
 ///
-/// Edits compute nothing. The comment of each edit states which results the edit invalidates, and the next
-/// solve() computes only these again. After any edits, a linear solution is equal to the solution of a new
-/// session on the edited surface: it has the same bits after a new factorization, and agrees within rounding
-/// after an update of the factors. A nonlinear solution agrees with the solution of a new session within the
-/// solver's tolerance if there is only one stable equilibrium. If there are several, the nonlinear solution
-/// is the equilibrium to which the edits have led (mechanics::EquilibriumSolver). An edit that throws changes
-/// nothing.
+/// Edits compute nothing. The comment of each edit states the results that become invalid; the next solve()
+/// computes only these again. A linear solution equals that of a new session on the edited surface: bit by
+/// bit after a new factorization, within rounding after an update of the factors. A nonlinear solution agrees
+/// with that of a new session within the solver's tolerance if there is only one stable equilibrium. If there
+/// are several, it is the equilibrium reached by the edits (mechanics::EquilibriumSolver). An edit that
+/// throws changes nothing.
 ///
-/// The model `mixed:SHARE` (mixed_model.hpp) takes two solutions: a solution with corotational tiles only,
-/// and a solution in which the worst tiles have all of their beams. A session keeps both solutions and
-/// continues from both after an edit. If other tiles become the worst, the second solution starts again.
+/// The model `mixed:SHARE` (mixed_model.hpp) takes two solutions: one of corotational tiles only, and one in
+/// which the worst tiles have all of their beams. A session keeps both and continues from both after an edit.
+/// If other tiles become the worst, the second solution starts again.
 ///
 /// Only one thread at a time may use a session. SimulationOptions::models must live as long as the session.
 class Session {
@@ -57,9 +56,9 @@ class Session {
     Session& operator=(Session&&) noexcept;
     ~Session();
 
-    /// The surface as it is after all edits.
+    /// The surface after all edits.
     [[nodiscard]] const Surface& surface() const;
-    /// The load case as it is after all edits.
+    /// The load case after all edits.
     [[nodiscard]] const LoadCase& load_case() const;
     /// The options, with the model after all edits.
     [[nodiscard]] const SimulationOptions& options() const;
@@ -84,8 +83,7 @@ class Session {
     /// model needs a calibration that is missing.
     void set_calibrations(std::vector<std::vector<reduction::Calibration>> calibrations);
 
-    /// Replace the load case. Invalid after the edit: the loads, and the factors if other dofs are held than
-    /// before.
+    /// Replace the load case. Invalid after the edit: the loads and, if other dofs are held, the factors.
     void set_load_case(const LoadCase& load_case);
     /// Replace one of the load case's supports, or append a support if `entry` is the number of supports.
     /// Invalid after the edit: the same as after set_load_case().
@@ -99,19 +97,19 @@ class Session {
     /// The tiles that have all of their beams in a mixed model after solve(), ascending; none for other
     /// models.
     [[nodiscard]] std::vector<tiling::TileIndex> full_tiles() const;
-    /// The solution with corotational tiles from which a mixed model chose full_tiles(), after solve(). Null
+    /// The solution of corotational tiles that determined full_tiles() of a mixed model, after solve(). Null
     /// for other models.
     [[nodiscard]] const SurfaceResult* corotational_result() const;
 
     /// Solve for the equilibrium of the present surface. A linear solution uses the kept factors. A nonlinear
     /// solution starts from the last equilibrium if the nodes are the same and the options ask for one load
     /// step. In all other cases, and if the equilibrium may lie on another path, a nonlinear solution starts
-    /// from rest. The result has no subject; result_subject() makes the subject. Throws InputError if a tile
-    /// cannot be built after the edits, NumericalError if the structure has too few supports, and
-    /// base::Stopped. After an error, all edits are kept, and the next call continues.
+    /// from rest. The result has no subject; result_subject() makes one. Throws InputError if a tile cannot
+    /// be built after the edits, NumericalError if the structure has too few supports, and base::Stopped.
+    /// After an error, all edits are kept, and the next call continues.
     ///
-    /// @param check  whether to check the stability; StabilityCheck::Skipped is for loads that a user drags
-    /// in small steps, and is ignored by linear solutions and by paths of several load steps
+    /// @param check  whether to check the stability; Skipped is for a user who drags a load in small steps,
+    /// and is ignored by linear solutions and by paths of several load steps
     /// @param first_iterate  receiver of the first iterate of a nonlinear solution that starts from the last
     /// equilibrium; not called for mixed models and linear solutions; may be empty
     SurfaceResult solve(const base::Control& control = {},
@@ -131,8 +129,8 @@ class Session {
     /// tangent is singular at the equilibrium; Stopped.
     [[nodiscard]] Linearization linearize(TileQuantities quantities = TileQuantities::Strains,
                                           const base::Control& control = {});
-    /// The derivatives of a function J of the displacements with respect to all that the equilibrium of the
-    /// last solve(), linear or nonlinear, depends on. In a linear solution, the strains of a tile are its
+    /// The derivatives of a function J of the displacements with respect to all inputs of the equilibrium of
+    /// the last solve(), linear or nonlinear. In a linear solution, the strains of a tile are its
     /// displacements in its own axes. Throws as linearize(), and InputError if the number of rows of
     /// `gradient` is wrong.
     /// @param gradient  the derivatives of J with respect to displacements and rotation vectors, one row for
@@ -140,25 +138,23 @@ class Session {
     [[nodiscard]] Sensitivity sensitivity(const mechanics::NodeValues& gradient,
                                           const base::Control& control = {});
     /// The gradient of the elastic energy with respect to displacements and rotation vectors (N, N m), one
-    /// row for each node of a solution that this session gave since the last edit. This gradient is the
-    /// internal forces.
+    /// row for each node of a solution since the session's last edit. It equals the internal forces.
     [[nodiscard]] mechanics::NodeValues energy_gradient(const mechanics::Solution& solution) const;
 
     /// The deformation of each tile in a solution of this session; zero for tiles made of beams.
     [[nodiscard]] std::vector<TileDeformation> tile_deformations(const mechanics::Solution& solution) const;
 
-    /// The motions of a tile's beams in a solution that this session gave since the last edit; nothing if the
-    /// tile's model does not give the motions. Several threads may call this function at once.
+    /// The motions of a tile's beams in a solution since the session's last edit; nothing if the tile's model
+    /// does not give them. Several threads may call this function at once.
     [[nodiscard]] std::optional<reduction::BeamMotion> beam_motion(tiling::TileIndex tile,
                                                                    const mechanics::Solution& solution) const;
     /// The gradient of a function of beam_motion() with respect to the rows of the tile's interface nodes;
-    /// see reduction::TileStructure::motion_gradient(). Nothing if the tile's model does not give this
-    /// gradient.
+    /// see reduction::TileStructure::motion_gradient(). Nothing if the tile's model does not give it.
     [[nodiscard]] std::optional<mechanics::NodeValues> motion_gradient(
         tiling::TileIndex tile, const mechanics::Solution& solution,
         const mechanics::NodeValues& by_beams) const;
 
-    /// The report of the last solve() or solve_adjoint() about what was computed and what was reused.
+    /// The computed and the reused parts of the last solve() or solve_adjoint().
     struct Report {
         std::size_t tiles_built = 0;  ///< number of tiles built; a shared tile counts once
         /// The effect on the factors.
@@ -178,7 +174,7 @@ class Session {
     [[nodiscard]] Impl& answering() const;
 
     std::unique_ptr<Impl> impl_;
-    /// For mixed models, for which `impl_` has only corotational tiles; null for other models.
+    /// For mixed models, where `impl_` has only corotational tiles; null for other models.
     std::unique_ptr<Mixture> mixture_;
 };
 

@@ -33,13 +33,13 @@ struct SimulationOptions {
     bool estimate_where_doubtful = false;
     /// Number of equal steps of the load, each with a result; only for nonlinear analyses.
     int load_steps = 1;
-    /// The equilibria to follow when the path becomes unstable. Any branch but the primary needs a nonlinear
-    /// model that is not mixed, and excludes estimates of errors.
+    /// The equilibria to follow after a loss of stability. All branches except the primary need a nonlinear
+    /// model that is not mixed, and exclude estimates of errors.
     mechanics::Branch branch = mechanics::Branch::Primary;
     /// Modes are computed by simulate(), but not by a session.
     int vibration_modes = 0;  ///< number of natural frequencies of the surface at rest, with all of its beams
-    int buckling_modes =
-        0;  ///< number of critical load factors by linearized buckling, with all of its beams
+    /// Number of critical load factors by linearized buckling, with all of its beams.
+    int buckling_modes = 0;
     bool estimate_linear_range = false;  ///< true: fill SurfaceResult::linear_range; for linear solutions
     /// Number of threads; 0: one for each processor. The number does not change a bit of the result.
     int threads = 0;
@@ -47,23 +47,23 @@ struct SimulationOptions {
     void validate(const Surface& surface) const;
 };
 
-/// The tile model, in a mixed model, of the tiles that do not have all of their beams.
+/// The tile model of the reduced tiles of a mixed model.
 inline constexpr const char* kMixedTiles = "corotational";
 
-/// The share of the tiles that have all of their beams in the model `mixed:SHARE`; none for a model of any
-/// other name. Throws InputError unless the share is a number from 0 to 1.
+/// The share of tiles with all of their beams in the model `mixed:SHARE`; none for any other name. Throws
+/// InputError unless the share is a number from 0 to 1.
 std::optional<double> mixed_share(const std::string& model);
 /// The name `mixed:SHARE` of a mixed model.
 std::string mixed_model(double share);
 
 /// The choice of tile models by the options. For a mixed model, ModelChoice::name is kMixedTiles.
 ModelChoice model_choice(const SimulationOptions& options);
-/// The choice of the full model, which is the first reference in the catalogue, for every tile. Throws
-/// InputError if the catalogue has no reference.
+/// The choice of the full model for every tile: the first reference in the catalogue. Throws InputError if
+/// the catalogue has no reference.
 ModelChoice reference_choice(const SimulationOptions& options);
 
-/// True if equilibrium is sought in the deformed state, because a tile model of the surface is for large
-/// displacements and the analysis is OfTheModel. Throws InputError if a model is unknown.
+/// True if the analysis is OfTheModel and a tile model of the surface is for large displacements: equilibrium
+/// is then sought in the deformed state. Throws InputError if a model is unknown.
 bool is_nonlinear(const Surface& surface, const SimulationOptions& options);
 
 /// True if every tile has all of its beams.

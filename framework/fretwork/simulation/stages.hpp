@@ -16,20 +16,18 @@
 
 namespace fretwork::simulation {
 
-/// A load stage, as the changes that it makes. All loads, supports and prescribed displacements that the load
-/// stage does not name stay as the previous load stage left them. A load stage names a component in one of
-/// `prescribed`, `keep` and `free` only.
+/// A load stage: changes of loads and held components. Everything else stays as at the end of the previous
+/// load stage. A load stage may name a component in only one of `prescribed`, `keep` and `free`.
 struct LoadStage {
     std::string name;  ///< name in reports
-    /// Load cases, each with the factor to which its loads and prescribed displacements change; 0 removes the
-    /// loads, and holds the prescribed components at 0. Supports of these load cases are ignored.
+    /// Load cases with the new factors on their loads and prescribed displacements. 0 removes the loads, and
+    /// holds the prescribed components at 0. Supports of these load cases are ignored.
     std::vector<LoadCase::Share> loads{};
-    /// Components with the values to which they change, also where `loads` prescribes another value. A
-    /// support moves to its value.
+    /// Components with their new values, which take precedence over `loads`. A support moves to its value.
     std::vector<LoadCase::PrescribedDisplacement> prescribed{};
     /// Components that are held at their present values.
     std::vector<LoadCase::Support> keep{};
-    /// Components that are released, after they were prescribed or kept. Supports stay.
+    /// Prescribed or kept components that are released. Supports stay.
     std::vector<LoadCase::Support> free{};
 };
 
@@ -50,26 +48,25 @@ std::string stages_text(std::span<const LoadStage> stages);
 /// Read a file of load stages. Throws as parse_stages.
 std::vector<LoadStage> read_stages(const std::filesystem::path& path);
 
-/// The names of the load stages that were begun, one for each of Result::load_steps. Empty for results
-/// without load stages. Throws InputError as parse_stages.
+/// The names of the begun load stages, one for each of Result::load_steps. Empty for results without load
+/// stages. Throws InputError as parse_stages.
 std::vector<std::string> stage_names(const SurfaceResult& result);
 
-/// Load stages with the load cases that they need.
+/// Load stages with their load cases.
 struct StagePlan {
-    base::Borrowed<LoadCase> supports;  ///< load case whose supports hold the surface; the rest of it acts
-                                        ///< only if a load stage names it
+    /// Load case with the surface's supports; its loads act only if a load stage names it.
+    base::Borrowed<LoadCase> supports;
     std::span<const LoadCase> cases;    ///< the load cases that load stages may name
-    std::span<const LoadStage> stages;  ///< load stages, one after the other
+    std::span<const LoadStage> stages;  ///< load stages in order
 };
 
-/// Simulate load stages one after the other with a model for large displacements. Each load stage starts from
-/// the equilibrium to which the previous load stage has led (mechanics::StagedPath). With Branch::Snapping, a
-/// load stage continues beyond limit loads; with other branches, it ends at a limit load. Result::load_steps
-/// has one solution for each load stage that was begun. The subject of the result names the load stages, and
-/// the load cases that they name. The error of corotational tiles is estimated by the same load stages where
-/// the worst tiles have all of their beams. The doubt and the error in the result are the largest at the end
-/// of any load stage. Throws InputError if a model is not for large displacements, if there is no load stage,
-/// and as check_stages().
+/// Simulate load stages in order with a model for large displacements. Each load stage starts from the last
+/// equilibrium of the previous one (mechanics::StagedPath). With Branch::Snapping, a load stage continues
+/// beyond limit loads; with other branches, it ends at a limit load. Result::load_steps has one solution for
+/// each begun load stage. The subject of the result contains the load stages and their load cases. The error
+/// of corotational tiles is estimated by the same load stages with all beams in the worst tiles. The doubt
+/// and the error in the result are the largest at the end of any load stage. Throws InputError if a model is
+/// not for large displacements, if there is no load stage, and as check_stages().
 SurfaceResult simulate_stages(const Surface& surface, const StagePlan& plan, const SimulationOptions& options,
                               const base::Control& control = {});
 

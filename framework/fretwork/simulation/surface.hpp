@@ -18,22 +18,22 @@ struct Surface {
     pattern::NodeLayout layout;         ///< node layout of all patterns
     tiling::Tessellation tessellation;  ///< painted tiles
     reduction::Setting setting;         ///< setting, with material and section of the beams
-    /// For each of Tessellation::patterns, the pattern's best calibration for each tile model, as far as the
-    /// library has calibrations.
+    /// For each of Tessellation::patterns, its best calibration for each tile model with calibrations in the
+    /// library.
     std::vector<std::vector<reduction::Calibration>> calibrations;
     /// The name of each tile's own tile model; "" for a tile with the simulation's model. If the vector is
     /// empty, all tiles have the simulation's model.
     base::IndexVector<tiling::TileIndex, std::string> tile_models{};
 };
 
-/// Make the surface of a project. If `library` is null, the surface has no calibrations. The setting is the
-/// setting from setting_of(). Throws InputError if the library has another layout or setting.
+/// Make the surface of a project, with the setting from setting_of(). If `library` is null, there are no
+/// calibrations. Throws InputError if the library has another layout or setting.
 Surface make_surface(const Project& project, const library::Library* library);
 
 /// All beams of all tiles as one graph. Throws InputError that names an unpainted tile.
 tiling::TessellationFan surface_fan(const Surface& surface);
 
-/// The mass of the beams of each tile, kg, on which gravity acts.
+/// The mass of each tile's beams under gravity, kg.
 base::IndexVector<tiling::TileIndex, double> tile_masses(const Surface& surface);
 
 }  // namespace fretwork::simulation

@@ -51,8 +51,7 @@ class CandidateTiles {
     [[nodiscard]] const std::vector<Eigen::Vector3d>& interface_nodes(std::size_t tile_class) const {
         return classes_[tile_class].interface_nodes;
     }
-    /// The coefficients by which a . K e follows from a column of packed(): a . K e = pack_form(a, e) .
-    /// column.
+    /// The coefficients of the form a . K e for a column of packed(): a . K e = pack_form(a, e) . column.
     static Eigen::VectorXd pack_form(const Eigen::VectorXd& a, const Eigen::VectorXd& e);
 
   private:

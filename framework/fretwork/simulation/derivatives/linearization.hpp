@@ -10,9 +10,9 @@
 
 namespace fretwork::simulation {
 
-/// A tile at an equilibrium: the strains of the tile, and their derivatives with respect to motions of its
-/// nodes. A tile with n interface nodes has 6n strains e, in axes that turn with the tile. The energy of the
-/// tile is e . K e / 2, where K is its condensed stiffness.
+/// A tile at an equilibrium: its strains, and their derivatives with respect to motions of its nodes. A tile
+/// with n interface nodes has 6n strains e, in axes that turn with the tile. The energy of the tile is e . K
+/// e / 2, where K is its condensed stiffness.
 struct TileLinearization {
     std::vector<tiling::InterfaceIndex> nodes;  ///< interface nodes of the tile
     Eigen::VectorXd strains;                    ///< strains e (m, rad); empty for tile models without strains

@@ -15,7 +15,7 @@ struct TileSensitivity {
     Eigen::VectorXd adjoint_strains;
     /// Derivative of J with respect to a factor on the tile's stiffness, at 1; NaN for tiles made of beams.
     double stiffness = 0.0;
-    /// Derivative of J with respect to the tile's mass, whose weight is a load, 1/kg.
+    /// Derivative of J with respect to the tile's mass, through the load by its weight, 1/kg.
     double mass = 0.0;
     double own_mass = 0.0;  ///< mass of the tile, kg; zero if gravity does not act
     double energy = 0.0;    ///< elastic energy of the tile, J; zero for tile models without strains
@@ -24,8 +24,7 @@ struct TileSensitivity {
 /// The derivatives of a function J of a surface's displacements at an equilibrium, with respect to loads,
 /// held values and tiles. The adjoint method gives all derivatives with one back-substitution.
 struct Sensitivity {
-    /// Derivatives of J with respect to forces and true moments on each node, which are the adjoint motions
-    /// l.
+    /// Derivatives of J with respect to forces and true moments on each node: the adjoint motions l.
     mechanics::NodeValues loads;
     /// The derivatives of J with respect to the values of held components (prescribed or zero), one row for
     /// each node; zero for free components.
@@ -44,21 +43,19 @@ struct Sensitivity {
 Sensitivity sensitivity(const Linearization& linearization, const mechanics::NodeValues& gradient,
                         const base::Control& control = {});
 
-/// The sensitivity of J + weight U, where U is the elastic energy. The function adds the derivative of U with
-/// respect to stiffnesses while no node moves. The gradient from which `by` was computed must include weight
-/// times Session::energy_gradient().
+/// The sensitivity of J + weight U, where U is the elastic energy. Adds the derivatives of U with respect to
+/// stiffnesses at fixed nodes. The gradient behind `by` must include weight times Session::energy_gradient().
 /// @param energy  the elastic energy U of the surface, J
 Sensitivity with_energy(Sensitivity by, double weight, double energy);
 
-/// The change of J, to first order, if one tile had another pattern: one row for each tile, one column for
-/// each pattern. The change of the tile's weight is included. NaN for tiles that are neither corotational nor
-/// condensed.
+/// The change of J, to first order, if one tile has another pattern: one row for each tile, one column for
+/// each pattern. The tile's weight is included. NaN for tiles that are neither corotational nor condensed.
 Eigen::MatrixXd pattern_derivatives(const Sensitivity& sensitivity, const CandidateTiles& candidates);
 
 /// The derivative of J along a curve of settings, at 0 of its parameter. Sections, joints, material and
-/// density act on the stiffness and the weight of the tiles. The derivatives of stiffness and weight are
-/// central differences of fourth order; no differences of J are taken.
-/// @param setting  the curve, which is evaluated from -2 `step` to 2 `step`
+/// density act on the tiles' stiffness and weight. The derivatives of these two are central differences of
+/// fourth order; J itself is not differenced.
+/// @param setting  the curve, evaluated from -2 `step` to 2 `step`
 /// @param step  the step of the curve's parameter for the differences
 double derivative_along(const Sensitivity& sensitivity, const Surface& surface,
                         const std::function<reduction::Setting(double)>& setting, double step);

@@ -17,8 +17,8 @@ struct SmoothStressOptions {
     void validate() const;
 };
 
-/// A smooth stand-in for the largest von Mises stress v over the beams of a surface: the p-norm over the m
-/// points of mechanics::SectionPoints at both ends of all beams,
+/// A smooth approximation of the largest von Mises stress v over the beams of a surface: the p-norm over the
+/// m points of mechanics::SectionPoints at both ends of all beams,
 ///
 ///     value = (sum of v^p)^(1/p),     largest <= value <= largest m^(1/p).
 struct SmoothStress {
@@ -29,21 +29,21 @@ struct SmoothStress {
     mechanics::NodeValues gradient;
 };
 
-/// The smooth stress in a solution that the session gave since its last edit. Value and gradient are exact
-/// for condensed and corotational tiles, whose beams depend linearly on the strains of their tile. Throws
-/// InputError for other tiles, whose stresses or derivatives of stresses are not known.
+/// The smooth stress in a solution since the session's last edit. Value and gradient are exact for condensed
+/// and corotational tiles, because their beams depend linearly on the strains of the tile. Throws InputError
+/// for other tiles: their stresses or derivatives of stresses are not known.
 SmoothStress smooth_stress(const Session& session, const mechanics::Solution& solution,
                            const SmoothStressOptions& options = {});
 
 /// A curve of settings.
 struct SettingCurve {
-    /// The curve, which is evaluated from -2 `step` to 2 `step`.
+    /// The curve, evaluated from -2 `step` to 2 `step`.
     std::function<reduction::Setting(double)> setting;
     double step = 1e-3;  ///< step of the curve's parameter for the differences
 };
 
-/// The derivative of the smooth stress along a curve of settings while no node moves, at 0 of the curve's
-/// parameter, by central differences of fourth order. The whole derivative is the sum of this derivative and
+/// The derivative of the smooth stress along a curve of settings at fixed nodes, at 0 of the curve's
+/// parameter, by central differences of fourth order. The total derivative is the sum of this one and
 /// derivative_along().
 double smooth_stress_along(const Session& session, const SurfaceResult& result, const SettingCurve& curve,
                            const SmoothStressOptions& options = {});

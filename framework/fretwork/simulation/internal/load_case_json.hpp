@@ -39,7 +39,7 @@ void write_selection(const Selection& selection, base::Json& json);
 /// The inverse of read_load_case.
 base::Json load_case_json(const LoadCase& load_case);
 
-// Lists of entries as a load case holds them. Throw InputError with the JSON pointer.
+// Lists of entries of a load case. The readers throw InputError with the JSON pointer.
 std::vector<LoadCase::Support> read_supports(const base::JsonReader& list);
 std::vector<LoadCase::PrescribedDisplacement> read_prescribed(const base::JsonReader& list);
 base::Json supports_json(std::span<const LoadCase::Support> supports);

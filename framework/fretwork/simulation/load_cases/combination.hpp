@@ -10,10 +10,10 @@ namespace fretwork::simulation {
 /// The load case with this name. Throws InputError that suggests the nearest name, or lists all names.
 const LoadCase& load_case_of(const std::string& name, std::span<const LoadCase> cases);
 
-/// A load case merged with the load cases that it combines. From each of these, loads, area loads, prescribed
-/// displacements and gravity are added, multiplied by its factor, and so are all its supports, without the
-/// factor. A load case that combines no others is returned unchanged. Throws InputError if a combined load
-/// case is not among `cases`, is the load case itself, or is also a combination.
+/// Merge a load case with the load cases that it combines. Their loads, area loads, prescribed displacements
+/// and gravity are multiplied by their factors and added; their supports are added, too. A load case that
+/// combines no others is returned unchanged. Throws InputError if a combined load case is not among `cases`,
+/// is the load case itself, or is also a combination.
 LoadCase combined(const LoadCase& load_case, std::span<const LoadCase> cases);
 
 }  // namespace fretwork::simulation

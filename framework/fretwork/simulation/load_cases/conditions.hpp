@@ -11,7 +11,7 @@
 
 namespace fretwork::simulation {
 
-/// A load case on a surface: the supports and loads of each interface node, which are the same for every
+/// A load case on a surface: the supports and loads of its interface nodes. They are the same for every
 /// model.
 struct Conditions {
     std::vector<mechanics::Support> supports;                   ///< components that stay zero
@@ -21,8 +21,8 @@ struct Conditions {
     std::size_t weights = 0;                  ///< number of entries of `loads` that are shares of the weight
 };
 
-/// Apply a load case to the nodes of a surface. Throws InputError that names an entry of the load case which
-/// selects no node. Throws InputError if gravity acts on beams without density.
+/// Apply a load case to the nodes of a surface. Throws InputError if an entry of the load case selects no
+/// node, or if gravity acts on beams without density.
 Conditions resolve(const LoadCase& load_case, const Surface& surface);
 /// Apply a load case to the nodes of a surface. `tile_masses` has the masses of all tiles, kg, and may be
 /// empty if needs_masses() is false.
@@ -30,11 +30,11 @@ Conditions resolve(const LoadCase& load_case, const Surface& surface, std::span<
 /// True if the load case has gravity and the surface has mass.
 bool needs_masses(const LoadCase& load_case, const Surface& surface);
 
-/// The loads, one row for each of `nodes` nodes, the first of which are the interface nodes.
+/// The loads, one row for each of `nodes` nodes; interface nodes come first.
 mechanics::NodeValues load_rows(const Conditions& conditions, std::size_t nodes);
 
-/// Apply conditions to an assembly whose first nodes are the interface nodes: add the supports, and replace
-/// prescribed displacements and loads.
+/// Apply conditions to an assembly: add the supports, and replace prescribed displacements and loads. The
+/// interface nodes are the first nodes of the assembly.
 void apply(const Conditions& conditions, mechanics::Assembly& assembly);
 
 /// The nodes that the entries of a load case select, and the loads on these nodes. Each list is in the order
@@ -56,8 +56,8 @@ struct EntryMarks {
     std::vector<std::vector<tiling::InterfaceIndex>> prescribed;  ///< nodes of each entry
 };
 
-/// The marks of one load case's entries, without gravity and without the load cases that the load case
-/// combines. Throws InputError as check_selections().
+/// The marks of a load case's entries, without gravity and without combined load cases. Throws InputError as
+/// check_selections().
 EntryMarks entry_marks(const LoadCase& load_case, const tiling::Tessellation& tessellation);
 
 /// Check that every entry of a load case selects interface nodes of a tessellation, painted or not. Throws

@@ -12,22 +12,22 @@
 
 namespace fretwork::simulation {
 
-/// A load case: supports and loads of a surface, and other load cases to combine. All supports and loads are
-/// on interface nodes, because every tile model has these nodes.
+/// A load case: supports and loads of a surface, and other load cases to combine. Supports and loads act on
+/// interface nodes, because every tile model has these.
 struct LoadCase {
-    /// The support of some nodes.
+    /// The support of selected nodes.
     struct Support {
         Selection where;          ///< the nodes
         mechanics::DofSet fixed;  ///< components that stay zero
         friend bool operator==(const Support&, const Support&) = default;
     };
-    /// The meaning of a load's force and moment. Each: every selected node gets the force and the moment.
-    /// Total: all selected nodes share the force and the moment equally. PerLength: the force is a line load
-    /// along the rim, in N/m, either along a side of the bounding box (NodesAtSide) or along the shorter way
-    /// between the places nearest to two points (NodesNearest). Each interface node on a tile's side
-    /// represents an equal length of the side, measured at rest.
+    /// The meaning of a load's force and moment. Each: every selected node gets both. Total: all selected
+    /// nodes share both equally. PerLength: the force is a line load along the rim, in N/m, either along a
+    /// side of the bounding box (NodesAtSide) or along the shorter way between the rim's places nearest to
+    /// two points (NodesNearest). Each interface node on a tile's side represents an equal length of the
+    /// side, measured at rest.
     enum class Amount { Each, Total, PerLength };
-    /// A load on some nodes.
+    /// A load on selected nodes.
     struct Load {
         Selection where;                                   ///< the nodes
         Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< N
@@ -35,7 +35,7 @@ struct LoadCase {
         Amount amount = Amount::Each;                      ///< meaning of force and moment
         friend bool operator==(const Load&, const Load&) = default;
     };
-    /// A given value of a component of the displacement of some nodes.
+    /// A given value of a displacement component at selected nodes.
     struct PrescribedDisplacement {
         Selection where;                          ///< the nodes
         mechanics::Dof dof = mechanics::Dof::ux;  ///< the component
@@ -50,7 +50,7 @@ struct LoadCase {
             std::vector<int> numbers;  ///< numbers of the tiles, from 0
             friend bool operator==(const Tiles&, const Tiles&) = default;
         };
-        /// Nodes, which stand for the area that they represent, or tiles.
+        /// Nodes, for the area that they represent, or tiles.
         std::variant<Selection, Tiles> where;
         Eigen::Vector3d per_area = Eigen::Vector3d::Zero();  ///< N/m2
         friend bool operator==(const AreaLoad&, const AreaLoad&) = default;
@@ -68,8 +68,8 @@ struct LoadCase {
     std::vector<PrescribedDisplacement> prescribed;  ///< given displacements of nodes
     std::vector<AreaLoad> area_loads{};              ///< loads per area
     std::vector<Share> combines{};                   ///< other load cases, with factors
-    /// The acceleration of gravity, m/s^2. In every model, the interface nodes of a tile share the weight of
-    /// its beams equally: paper, Section 7.3.
+    /// The acceleration of gravity, m/s^2. In every model, a tile's interface nodes share the weight of its
+    /// beams equally (paper, Section 7.3).
     Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
     friend bool operator==(const LoadCase&, const LoadCase&) = default;
 };

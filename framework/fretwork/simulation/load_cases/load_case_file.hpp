@@ -14,7 +14,7 @@ inline constexpr std::string_view kLoadCaseFormat = "fretwork/load-case/4";
 
 /// Parse a load case. Throws InputError with source and JSON pointer.
 LoadCase parse_load_case(std::string_view text, const std::string& source);
-/// The load case as JSON text, from which parse_load_case makes an equal load case.
+/// The load case as JSON text; parse_load_case gives an equal load case.
 std::string load_case_text(const LoadCase& load_case);
 /// Read a load case file. Throws InputError with file and JSON pointer.
 LoadCase read_load_case(const std::filesystem::path& path);

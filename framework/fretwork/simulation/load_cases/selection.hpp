@@ -22,7 +22,7 @@ struct NodesById {
     std::vector<int> ids;  ///< numbers of interface nodes, from 0
     friend bool operator==(const NodesById&, const NodesById&) = default;
 };
-/// All interface nodes in a box, whose edge belongs to the box.
+/// All interface nodes in a box, its edge included.
 struct NodesInBox {
     std::array<double, 4> box{};  ///< xmin, ymin, xmax, ymax, m
     friend bool operator==(const NodesInBox&, const NodesInBox&) = default;

@@ -22,11 +22,11 @@ class StageConditions {
     /// conditions.
     StageConditions(const Surface& surface, const StagePlan& plan);
 
-    /// The conditions at the end of the next load stage, as LoadStage describes.
-    /// @param displacements  displacements of the interface nodes at the end of the previous load stage,
-    /// which
-    ///                       LoadStage::keep holds
-    /// @param nodes  number of rows of the loads; the first rows are those of the interface nodes
+    /// The conditions at the end of the next load stage; see LoadStage.
+    /// @param displacements  displacements of the interface nodes at the end of the previous load stage, for
+    /// LoadStage::keep
+    /// @param nodes  number of rows of the loads; interface nodes come first
+    ///
     /// Throws InputError that names the load stage and its entry, as check_stages().
     mechanics::StageTarget advance(const LoadStage& stage, const mechanics::NodeValues& displacements,
                                    std::size_t nodes);
@@ -51,13 +51,13 @@ class StageConditions {
     std::map<std::string, double> factors_;     ///< of the load cases that act
 };
 
-/// A load case that a load stage names, with the load cases that it combines added up. Throws InputError if
-/// it does not exist.
+/// The load case with a name in a load stage, merged with the load cases that it combines. Throws InputError
+/// if it does not exist.
 LoadCase stage_load_case(const StagePlan& plan, const std::string& name);
 
-/// Check load stages before they are simulated. Throws InputError that names the load stage and the entry if
-/// an entry selects no node, if a load case does not exist or is named twice in one load stage, if one load
-/// stage gives two values to a component or names it in two of `free`, `keep` and `prescribed`, or if an
+/// Check load stages before they are simulated. Throws InputError, with the load stage and the entry, in
+/// these cases: an entry selects no node; a load case does not exist or is named twice in one load stage; one
+/// load stage gives two values to a component, or names it in two of `free`, `keep` and `prescribed`; an
 /// entry of `free` releases nothing.
 void check_stages(const Surface& surface, const StagePlan& plan);
 

@@ -21,24 +21,24 @@ enum class TilesFrom {
 
 /// Options of make_project().
 struct NewProjectOptions {
-    /// The name of the outline's file, with which messages about the outline begin; may be empty.
+    /// The name of the outline's file at the start of messages about the outline; may be empty.
     std::string outline_name{};
     /// Wanted mean side of the tiles, m; none: the setting's tile side.
     std::optional<double> edge_length{};
-    std::optional<double> angle{};                   ///< of the rows of tiles, rad; none: the most regular
-    TilesFrom tiles = TilesFrom::Outline;            ///< source of the tiles
+    std::optional<double> angle{};         ///< angle of the rows of tiles, rad; none: the most regular
+    TilesFrom tiles = TilesFrom::Outline;  ///< source of the tiles
     tiling::Narrow narrow = tiling::Narrow::Refine;  ///< treatment of an outline that is narrower than a tile
     /// Name or file of the node layout; empty: the library's layout, or paper7.
     std::string layout{};
     std::optional<pattern::NodeLayout> own_layout{};  ///< the node layout itself, which replaces `layout`
     /// The setting. None: the library's setting or, without a library, reduction::made_setting().
     std::optional<reduction::Setting> setting{};
-    PaintingChoice painting{};  ///< the way in which tiles are painted
+    PaintingChoice painting{};  ///< painting of the tiles
     base::Control control{};    ///< progress and stop
 };
 
-/// Options of tiles with a wanted mean side, m, and an angle of the rows, rad (none: the most regular). No
-/// side is shorter than the smaller of the width of the setting's bars and a quarter of the wanted side.
+/// Options of tiles with a wanted mean side, m, and an angle of the rows, rad (none: the most regular). The
+/// smallest side is the width of the setting's bars, or a quarter of the wanted side if this is smaller.
 tiling::TessellationOptions tiling_options(const reduction::Setting& setting, double edge_length,
                                            std::optional<double> angle);
 
@@ -49,13 +49,12 @@ struct NewProject {
     double edge_length = 0.0;           ///< wanted side, m; for a mesh, the mean side of its faces
 };
 
-/// Tile an outline and paint it. No side of a tile is shorter than the smaller of two lengths: the width of
-/// the setting's bars in the plane, and a quarter of the wanted side. `library` may be null; the project
-/// takes the library's setting, but no link to the library. Throws as tiling::tessellate(), with the
-/// outline's name, and as paint(). Throws InputError if the library has another layout or setting.
+/// Tile an outline with tiling_options(), and paint it. `library` may be null; the project takes the
+/// library's setting, but no link to the library. Throws as tiling::tessellate(), with the outline's name,
+/// and as paint(). Throws InputError if the library has another layout or setting.
 NewProject make_project(const outlines::Outline& outline, const NewProjectOptions& options,
                         const library::Library* library);
-/// Tile several separate outlines, part after part, as one tessellation, and paint the tessellation.
+/// Tile several separate outlines, part by part, as one tessellation, and paint it.
 NewProject make_project(const std::vector<outlines::Outline>& parts, const NewProjectOptions& options,
                         const library::Library* library);
 

@@ -19,8 +19,8 @@
 
 namespace fretwork::simulation {
 
-/// The palette from which a painting chooses: listed patterns or, if none are listed, the patterns of a
-/// painting file or, without a file, the calibrated patterns of the library.
+/// The palette of a painting: listed patterns; if none are listed, the patterns of a painting file; without a
+/// file, the calibrated patterns of the library.
 struct PaletteChoice {
     std::vector<std::string> ids{};  ///< ids of patterns
     std::filesystem::path file{};    ///< painting file, used if `ids` is empty
@@ -59,20 +59,19 @@ struct FileContent {
     std::string bytes;  ///< content of the file
     friend bool operator==(const FileContent&, const FileContent&) = default;
 };
-/// A field over the surface: the darkness of a PNG image that is stretched over the surface (white 0, black
-/// 1).
+/// A field over the surface: the darkness of a PNG image, stretched over the surface (white 0, black 1).
 struct FieldImage {
     std::filesystem::path file;            ///< PNG file; with a content, its name in messages
     std::optional<FileContent> content{};  ///< content of the file; none: it is read from `file`
     friend bool operator==(const FieldImage&, const FieldImage&) = default;
 };
 
-/// Paint by a field with values from 0 to 1, which selects patterns along a palette.
+/// Paint by a field with values from 0 to 1. The values select patterns along a palette.
 struct PaintByField {
     std::variant<FieldExpression, FieldImage> field;  ///< the field
     PaletteChoice palette{};                          ///< the palette
-    /// The property by which the patterns of the palette are ordered, such as `bending_stiffness`; empty: the
-    /// order of the palette is used.
+    /// The property that orders the patterns of the palette, such as `bending_stiffness`; empty: the
+    /// palette's own order.
     std::string property{};
     /// The values of the property, SI, for the field values 0 and 1. None: the smallest and the largest value
     /// of the palette.
@@ -91,7 +90,7 @@ struct PaintByColours {
     friend bool operator==(const PaintByColours&, const PaintByColours&) = default;
 };
 
-/// The way in which tiles are painted; monostate: they are not painted.
+/// How tiles are painted; monostate: they are not painted.
 using PaintingChoice =
     std::variant<std::monostate, PaintOnePattern, PaintFromFile, PaintAtRandom, PaintByField, PaintByColours>;
 
@@ -107,7 +106,7 @@ struct PaintingRecipe {
 /// The layout, setting and library that pattern ids refer to. `library` may be null.
 struct PaintingGround {
     base::Borrowed<pattern::NodeLayout> layout;  ///< node layout of the patterns
-    base::Borrowed<reduction::Setting> setting;  ///< setting in which missing properties are computed
+    base::Borrowed<reduction::Setting> setting;  ///< setting for properties that the library lacks
     const library::Library* library = nullptr;   ///< library that has properties; may be null
 };
 
@@ -122,8 +121,8 @@ std::vector<tiling::TileIndex> paint(tiling::Tessellation& tessellation,
                                      std::span<const tiling::TileIndex> tiles, const PaintingChoice& choice,
                                      const PaintingGround& ground);
 
-/// Replace the patterns of some tiles by their mirror images. Throws InputError that names a pattern whose
-/// mirror image the layout does not have, or a tile that is not painted.
+/// Replace the patterns of the listed tiles by their mirror images. Throws InputError that names a pattern
+/// without a mirror image in the layout, or a tile that is not painted.
 void mirror(tiling::Tessellation& tessellation, std::span<const tiling::TileIndex> tiles,
             const pattern::NodeLayout& layout);
 

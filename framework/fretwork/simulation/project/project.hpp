@@ -22,9 +22,9 @@ struct Project {
     std::vector<outlines::Outline> further_outlines{};
     tiling::Tessellation tessellation;  ///< tiles with their painting
     std::vector<LoadCase> load_cases;   ///< load cases with distinct names
-    /// The setting, taken from the library or chosen when the project was made. A project with a setting
-    /// gives the same results without its library. If there is none, as in older files, the
-    /// present setting of the library is used or, without a library, the paper's setting.
+    /// The setting of the library when the project was made, or a chosen one. A project with a setting gives
+    /// the same results without its library. Older files have none: the present setting of the library is
+    /// used or, without a library, the paper's setting.
     std::optional<reduction::Setting> setting{};
     /// A tile model for some tiles.
     struct TileModelChoice {
@@ -40,9 +40,9 @@ struct Project {
     std::string library_hash;  ///< content hash of the library when the project was made
 };
 
-/// The load case with this name, merged with the load cases that it combines. The name "" stands for the only
-/// load case of a project. Throws InputError if the project has no load case, if no load case has this
-/// name, or if the name is "" and the project has several load cases. Throws the errors of combined(), too.
+/// The load case with this name, merged with the load cases that it combines. "" is the name of the only load
+/// case of a project. Throws InputError if no load case has this name, or if the name is "" and the project
+/// has none or several. Throws as combined().
 LoadCase find_load_case(const Project& project, const std::string& name);
 
 /// The name of each tile's own tile model, "" for tiles without one. The vector is empty if no tile has

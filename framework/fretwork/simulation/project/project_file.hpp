@@ -11,7 +11,7 @@ namespace fretwork::simulation {
 
 /// Parse a project. Throws InputError with source and JSON pointer.
 Project parse_project(std::string_view text, const std::string& source);
-/// The project as JSON text, from which parse_project makes an equal project.
+/// The project as JSON text; parse_project gives an equal project.
 std::string project_text(const Project& project);
 /// Read a project file. Throws InputError with file and JSON pointer.
 Project read_project(const std::filesystem::path& path);

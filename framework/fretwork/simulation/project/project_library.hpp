@@ -22,32 +22,32 @@ std::string library_path_from(const std::string& project_file, const std::filesy
 /// The path of a project's library; empty if the project names none.
 std::string library_path_of(const std::string& project_file, const Project& project);
 
-/// Make the path of a project's library lead from another project file, to which the project is written.
+/// Make the path of a project's library relative to another project file, in which the project will be
+/// written.
 void move_library_path(Project& project, const std::string& from_file, const std::string& to_file);
 
-/// Open the library for simulating a project: the library at the path `wanted` or, if `wanted` is empty, the
-/// project's own library, whose path is relative to the project file. None if both are empty. Throws
-/// InputError if the project's own library has changed since the project was made.
+/// Open the library of a simulation: the library at the path `wanted` or, if `wanted` is empty, the project's
+/// own library. The path of the project's library is relative to the project file. None if there is no path.
+/// Throws InputError if the project's own library has changed since the project was made.
 std::optional<library::Library> open_project_library(const std::string& project_file, const Project& project,
                                                      const std::string& wanted);
 
 /// The setting of a project: its own setting or, if it has none, the library's setting or, without a library,
-/// the paper's setting. `library` may be null. If project and library both have a setting, the two may differ
-/// only in the strength of the material, which is then the project's, and in the shape of the section, with
-/// equal areas and moments. Throws InputError if they differ in any other value.
+/// the paper's setting. `library` may be null. The settings of project and library may differ in the strength
+/// of the material (the project's is used), and in the shape of the section, with equal areas and moments.
+/// Throws InputError if they differ in any other value.
 reduction::Setting setting_of(const Project& project, const library::Library* library);
 
-/// True if a project with this choice of models needs its library, because a tile's model has calibrated
-/// parameters or because the project has no setting. If false, the project gives the same results without the
-/// library.
+/// True if a project with this choice of models needs its library: a tile's model has calibrated parameters,
+/// or the project has no setting. Otherwise the results do not depend on the library.
 bool needs_library(const Project& project, const ModelChoice& choice);
 
 /// Read a project, and check that the tile models assigned to individual tiles exist. Throws InputError that
 /// names the file and the place.
 Project read_checked_project(const std::string& file);
 
-/// Check that every tile has the calibration that its tile model needs. Throws InputError that names the file
-/// and the place at which the project sets the tile's model.
+/// Check that every tile has the calibration for its tile model. Throws InputError that names the file and
+/// the place of the tile's model in it.
 void check_calibrations(const std::string& file, const Project& project, const Surface& surface,
                         const ModelChoice& choice);
 

@@ -16,7 +16,7 @@ namespace fretwork::simulation {
 struct RetilingOptions {
     /// Wanted mean side of the new tiles, m. None: the mean side of the present tiles.
     std::optional<double> edge_length{};
-    std::optional<double> angle{};                   ///< of the rows of tiles, rad; none: the most regular
+    std::optional<double> angle{};  ///< angle of the rows of tiles, rad; none: the most regular
     tiling::Narrow narrow = tiling::Narrow::Refine;  ///< treatment of places narrower than a tile
     /// The node layout of the new tiles. None: the layout of the project.
     std::optional<pattern::NodeLayout> layout{};
@@ -33,23 +33,23 @@ struct NewTiles {
     tiling::TessellationReport report;                     ///< measures of the tiles
 };
 
-/// Tile the outline of a project again, with tiling_options(). The project is not changed. Its present tiles
-/// have no effect if options.edge_length is given. Throws as tiling::tessellate().
+/// Tile the outline of a project again, with tiling_options(). The project does not change. Throws as
+/// tiling::tessellate().
 NewTiles new_tiles(const Project& project, const RetilingOptions& options);
 
-/// The entries of load cases that are left out, because they have no place on the new tiles: those that
-/// select interface nodes by number, unless the interface nodes are the same as before, and loads on tiles
-/// from which no new tile comes.
+/// The numbers of load-case entries that are left out because they have no place on the new tiles. These
+/// entries select interface nodes by number, and the interface nodes have changed; or they load tiles that no
+/// new tile comes from.
 struct DroppedEntries {
     int supports = 0;    ///< number of supports
     int loads = 0;       ///< number of loads, on nodes and on areas
-    int prescribed = 0;  ///< number of prescribed displacements; components of one entry count once
+    int prescribed = 0;  ///< number of prescribed displacements; all components of an entry count as one
 };
 
 /// A project on other tiles.
 struct CarriedOver {
-    Project project;  ///< the project with new tiles, and the parts of the old one that have a place on them
-    /// For each new tile the old tile whose centroid is nearest; of several the one with the smallest number.
+    Project project;  ///< the project with new tiles
+    /// The old tile nearest to each new tile, by their centroids; the smallest number if there are several.
     base::IndexVector<tiling::TileIndex, tiling::TileIndex> from;
     DroppedEntries dropped;  ///< entries of load cases that were left out
 };
@@ -64,7 +64,7 @@ struct CarriedOver {
 /// Throws InputError, with the load case and the entry, if an entry selects no node of the new tiles.
 CarriedOver carry_over(const Project& project, const NewTiles& tiles);
 
-/// A project on other tiles, as retile() gives it.
+/// The result of retile().
 struct RetiledProject {
     Project project;                    ///< the project with new tiles
     tiling::TessellationReport report;  ///< measures of the new tiles

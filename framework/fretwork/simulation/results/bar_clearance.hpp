@@ -19,9 +19,9 @@ struct CloseBars {
     double gap = 0.0;
 };
 
-/// All pairs of bars of a surface whose gap is smaller than `clearance` (m; 0: pairs that overlap). The bars
-/// have their width in the plane. Two bars that meet at a node always overlap at this node, so their gap is
-/// measured between the far end of one bar and the other bar. Unpainted tiles have no bars. Throws Stopped.
+/// All pairs of bars of a surface with a gap smaller than `clearance` (m; 0: pairs that overlap). The bars
+/// have their width in the plane. Two bars that meet at a node always overlap there, so their gap is measured
+/// between the far end of one bar and the other bar. Unpainted tiles have no bars. Throws Stopped.
 std::vector<CloseBars> close_bars(const Surface& surface, double clearance,
                                   const base::Control& control = {});
 

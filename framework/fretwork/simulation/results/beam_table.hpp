@@ -34,13 +34,13 @@ struct BeamRow {
 
 /// The beams of a surface in a result.
 struct BeamTable {
-    std::vector<BeamRow> rows;         ///< beams in tiles whose tile model gives the motions of beams
+    std::vector<BeamRow> rows;         ///< beams in tiles with a tile model that gives their motions
     std::size_t unknown = 0;           ///< number of beams in other tiles
-    std::optional<double> strength{};  ///< strength to which utilizations refer, Pa
-    reduction::Joints joints{};        ///< joints of the setting whose beams bear the forces
-    mechanics::SectionShape shape{};   ///< shape of the section for which stresses are computed
-    bool is_shape_given =
-        false;  ///< false: `shape` is the rectangle with the section's area and second moments
+    std::optional<double> strength{};  ///< strength behind the utilizations, Pa
+    reduction::Joints joints{};        ///< joints of the setting
+    mechanics::SectionShape shape{};   ///< shape of the section behind the stresses
+    /// False: `shape` is the rectangle with the section's area and second moments.
+    bool is_shape_given = false;
     /// The utilization of a beam: the largest von Mises stress divided by the strength. None if the strength
     /// is not known.
     [[nodiscard]] std::optional<double> utilization(const BeamRow& row) const;
@@ -57,7 +57,7 @@ std::vector<BeamTable> step_beam_tables(
     const Surface& surface, const SurfaceResult& result,
     std::span<const reduction::TileModel> models = reduction::tile_models());
 
-/// The table of a solution that the session gave since its last edit.
+/// The table of a solution since the session's last edit.
 BeamTable beam_table(const Session& session, const mechanics::Solution& solution);
 
 /// The `count` rows with the largest von Mises stresses, largest first; fewer if the table has fewer rows.

@@ -11,9 +11,9 @@ namespace fretwork::simulation {
 /// The distances between the interface nodes of a reduced model and of the full model: a row of the paper's
 /// Table 3.
 ///
-/// Means are taken over the interface nodes; sd is the population standard deviation of the errors. The sd
-/// columns of the paper are inconsistent with the errors in the paper, so they cannot be compared with the
-/// values here. A rotation error is the angle of the rotation between the two orientations of a node.
+/// Means are taken over the interface nodes; sd is the population standard deviation of the errors. The
+/// paper's sd columns are inconsistent with the paper's errors and cannot be compared with these values. A
+/// rotation error is the angle between the two orientations of a node.
 struct Comparison {
     /// Width of the bounding box of the interface nodes at rest, m.
     double width = 0.0;
@@ -31,22 +31,21 @@ struct Comparison {
     double relative_l2_error = 0.0;    ///< |full - reduced| / |full| over all translations
     double full_seconds = 0.0;         ///< wall time of the full model's solution, s
     double reduced_seconds = 0.0;      ///< wall time of the reduced model's solution, s
-    /// True if the full model's equilibrium is unstable, so that no specimen would stay in it.
+    /// True if the full model's equilibrium is unstable: no specimen would stay in it.
     bool full_is_unstable = false;
     /// Joints of the setting of both results; none if no file states them.
     std::optional<reduction::Joints> joints{};
 };
 
-/// The largest displacement of an interface node, m. Only interface nodes are considered, because every model
-/// of a surface has these nodes.
+/// The largest displacement of an interface node, m. Every model of a surface has these nodes.
 double largest_displacement(const SurfaceResult& result, const mechanics::Solution& solution);
 /// The largest rotation of an interface node, rad: the length of its rotation vector.
 double largest_rotation(const SurfaceResult& result, const mechanics::Solution& solution);
 
-/// Compare two results of one surface; nodes are matched by id. Throws InputError if a result did not
+/// Compare two results of one surface. Nodes are matched by id. Throws InputError if a result did not
 /// converge; if an interface node of one result is missing in the other or lies at another place; if the
 /// subjects differ in tessellation, painting, setting or load case; if both results have the same model; or
-/// if only the second result has the full model. Subjects are compared only if both results have a subject.
+/// if only the second result has the full model. Subjects are compared if both results have one.
 Comparison compare(const SurfaceResult& full, const SurfaceResult& reduced);
 
 /// The comparison in a few lines for people.

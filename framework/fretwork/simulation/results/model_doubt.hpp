@@ -9,21 +9,20 @@
 
 namespace fretwork::simulation {
 
-/// The limit of ModelDoubt::tile_rotation, rad. This limit is the first of three: the error of a result is
-/// estimated if the result exceeds one of kDoubtfulRotation, kDoubtfulChange and kDoubtfulIterations. In
-/// experiments/error_warnings, every result with an error of 5 % at its worst node exceeds one of the three
-/// limits.
+/// The limit of ModelDoubt::tile_rotation, rad. The error of a result is estimated if one of three limits is
+/// exceeded: kDoubtfulRotation, kDoubtfulChange or kDoubtfulIterations. In experiments/error_warnings, this
+/// is so for every result with an error of 5 % at its worst node.
 inline constexpr double kDoubtfulRotation = 0.09;
 /// The limit of ModelDoubt::change, the distance between a corotational solution and a mixed solution, as a
 /// share of the largest displacement.
 inline constexpr double kDoubtfulChange = 0.03;
-/// The limit of the number of linear solves from rest, or of a load stage. A path that needs more linear
-/// solves may have passed states from which small differences lead to different equilibria.
+/// The limit of the number of linear solves from rest, or of a load stage. A path with more linear solves may
+/// have passed states where small differences decide between equilibria.
 inline constexpr int kDoubtfulIterations = 40;
-/// The limit of warned_error() for estimates that were made with all beams of all tiles.
+/// The limit of warned_error() for estimates with all beams of all tiles.
 inline constexpr double kWarnedError = 0.05;
-/// The limit of warned_error() for estimates that were made with all beams of only some tiles. The limit is
-/// lower because these estimates may be too small by a third.
+/// The limit of warned_error() for estimates with all beams of only some tiles. It is lower because these
+/// estimates may be too small by a third.
 inline constexpr double kWarnedEstimate = 0.03;
 
 /// The indicators of the last solution of a session, which must be nonlinear.
@@ -31,17 +30,17 @@ ModelDoubt model_doubt(const Session& session, const SurfaceResult& result);
 /// The indicators of a solution with these deformations of its tiles.
 ModelDoubt model_doubt(std::span<const TileDeformation> tiles);
 
-/// True if an indicator of a result is above its limit, so that the error has to be estimated.
+/// True if an indicator of a result is above its limit: the error then has to be estimated.
 bool is_doubtful(const SurfaceResult& result);
 
-/// The estimated error at the worst node, as a share of the largest displacement, above which a warning is
-/// given: kWarnedError or kWarnedEstimate.
+/// The limit of the estimated error at the worst node, as a share of the largest displacement, for a warning:
+/// kWarnedError or kWarnedEstimate.
 double warned_error(const ModelError& error);
-/// The warning about a result that is no equilibrium under the whole load, or an equilibrium that is
-/// unstable. Empty if there is no reason to warn.
+/// The warning about a result that is no equilibrium under the whole load, or an unstable one. Empty if there
+/// is no reason to warn.
 std::string path_warning(const SurfaceResult& result);
-/// The warning about a converged result whose estimated error is large, or whose error is not known and may
-/// be large. Empty if there is no reason to warn.
+/// The warning about a converged result with an estimated error that is large, or with an unknown error that
+/// may be large. Empty if there is no reason to warn.
 std::string model_warning(const SurfaceResult& result);
 /// All warnings about a result, each in one line: path_warning(), linear_doubt_text() if is_out_of_range(),
 /// and model_warning(). Empty if there is no reason to warn.

@@ -15,12 +15,12 @@ namespace fretwork::simulation {
 
 /// The subject of a result of a surface under a load case.
 ///
-/// The tessellation's hash covers its polygons and nodes, but not the choice of each tile's first vertex. The
-/// painting's hash covers each tile's pattern and first vertex.
+/// The tessellation's hash covers its polygons and nodes, but not each tile's first vertex. The painting's
+/// hash covers each tile's pattern and first vertex.
 ResultSubject result_subject(const Surface& surface, const LoadCase& load_case,
                              const SimulationOptions& options);
 
-/// The numbers of tiles, as ResultSubject::full_tiles and SurfaceResult::buckled_tiles have them.
+/// The numbers of tiles, for ResultSubject::full_tiles and SurfaceResult::buckled_tiles.
 std::vector<int> tile_numbers(std::span<const tiling::TileIndex> tiles);
 
 /// The model of the tiles without their own tile model, in the form of `simulate --model`.
@@ -31,12 +31,12 @@ std::string main_model(const ResultSubject& subject);
 void check_subject(const ResultSubject& subject, const std::string& source,
                    std::span<const reduction::TileModel> models = reduction::tile_models());
 
-/// The differences between two subjects, in words ("the painting, the setting"); empty if there are no
-/// differences. Models and descriptions of load cases are not compared.
+/// The differences between two subjects ("the painting, the setting"); empty if there are none. Models and
+/// descriptions of load cases are not compared.
 std::string subject_difference(const ResultSubject& left, const ResultSubject& right);
 
-/// The data that the subjects of all results of a surface share. A caller should compute a SurfaceIdentity
-/// only once, because hashes take time.
+/// The common data of the subjects of all results of a surface. Compute it only once, because hashes take
+/// time.
 struct SurfaceIdentity {
     std::string tessellation_hash;  ///< hash of vertices, tiles and interface nodes
     std::string painting_hash;      ///< hash of the tiles' patterns
@@ -46,8 +46,7 @@ struct SurfaceIdentity {
 /// The identity of a surface.
 SurfaceIdentity surface_identity(const Surface& surface);
 
-/// The differences between a result's subject and a surface, whatever the load case; empty if there are no
-/// differences.
+/// The differences between a result's subject and a surface, load cases aside; empty if there are none.
 std::string subject_difference(const ResultSubject& result, const SurfaceIdentity& surface);
 
 }  // namespace fretwork::simulation

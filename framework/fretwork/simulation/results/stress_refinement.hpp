@@ -13,7 +13,7 @@ struct RefinedStress {
     SurfaceResult result;                         ///< solution with the full tiles
     BeamTable table{};                            ///< forces and stresses of the beams in this solution
     std::vector<tiling::TileIndex> full_tiles{};  ///< tiles with all of their beams, ascending
-    int solutions = 0;                            ///< number of solutions that the refinement took
+    int solutions = 0;                            ///< number of solutions of the refinement
     /// True if all tiles around the most stressed beam have all of their beams. False if an equilibrium was
     /// not found before.
     bool is_settled = false;
@@ -22,16 +22,15 @@ struct RefinedStress {
 /// The tile of a beam and all tiles that share an interface node with it, ascending.
 std::vector<tiling::TileIndex> tiles_around(const Surface& surface, const BeamRow& beam);
 
-/// Solve a session of reduced tiles repeatedly. After each solution, the tiles around the most stressed beam
-/// get all of their beams; the refinement ends if these tiles have all of their beams already. The refinement
-/// is needed because stresses peak at few places, and reduced tiles smooth the peaks. The session keeps the
-/// changed tile models.
+/// Solve a session of reduced tiles repeatedly, because stresses peak at few places, and reduced tiles smooth
+/// the peaks. After each solution, the tiles around the most stressed beam get all of their beams. The
+/// refinement ends if they have them already. The session keeps the changed tile models.
 ///
 /// @param full_tiles  the tiles with all of their beams in the first solution
 RefinedStress refine_stress(Session& session, std::vector<tiling::TileIndex> full_tiles,
                             const base::Control& control = {});
-/// Refine the stress as the function above, for a session whose last solution is `first`, in which
-/// `full_tiles` have all of their beams. This solution is not computed again.
+/// Refine the stress as above, beginning with `first`, the last solution of the session, in which
+/// `full_tiles` have all of their beams.
 RefinedStress refine_stress(Session& session, SurfaceResult first, std::vector<tiling::TileIndex> full_tiles,
                             const base::Control& control = {});
 

@@ -12,18 +12,18 @@
 
 namespace fretwork::simulation {
 
-/// The beams of a surface at rest, for drawings and stresses, whatever the tile models of the surface.
+/// The beams of a surface at rest, for drawings and stresses. They do not depend on the tile models.
 struct SurfaceBeams {
-    std::size_t interface_nodes = 0;  ///< number of interface nodes, which come first, with their own numbers
-    std::vector<Eigen::Vector3d>
-        nodes;  ///< positions at rest, m; inner nodes follow the interface nodes, tile by tile
+    std::size_t interface_nodes = 0;  ///< number of interface nodes; these come first, with their own numbers
+    /// Positions at rest, m; inner nodes follow the interface nodes, tile by tile.
+    std::vector<Eigen::Vector3d> nodes;
     std::vector<std::array<mechanics::NodeIndex, 2>> ends;  ///< the two ends of each beam
     std::vector<tiling::TileIndex> tiles;                   ///< tile of each beam
     std::vector<double> joint_reaches;                      ///< reduction::joint_reaches of each beam
     /// The first inner node and the first beam of each tile; one further entry holds the numbers of both.
     struct Start {
-        std::size_t inner_node = 0;  ///< index of the tile's first
-        std::size_t beam = 0;        ///< index of the tile's first
+        std::size_t inner_node = 0;  ///< index of the tile's first inner node
+        std::size_t beam = 0;        ///< index of the tile's first beam
     };
     std::vector<Start> starts;  ///< first inner node and first beam of each tile
 };
@@ -32,7 +32,7 @@ struct SurfaceBeams {
 /// tiles have no beams.
 SurfaceBeams surface_beams(const Surface& surface);
 
-/// For each beam, the object that computes section forces from the motions of the beam's ends.
+/// For each beam, an object that computes section forces from the motions of the beam's ends.
 std::vector<mechanics::BeamSection> beam_sections(const SurfaceBeams& beams,
                                                   const reduction::Setting& setting);
 
@@ -52,15 +52,15 @@ inline constexpr Eigen::Index kStressField = 6;
 /// The column of the largest von Mises stress.
 inline constexpr Eigen::Index kVonMisesField = 7;
 
-/// The state of the beams in a solution that the session gave since its last edit.
+/// The state of the beams in a solution since the session's last edit.
 ///
 /// @param sections  the result of beam_sections(); empty: forces are not computed
 BeamState beam_state(const Session& session, const mechanics::Solution& solution, const SurfaceBeams& beams,
                      std::span<const mechanics::BeamSection> sections);
-/// The state of the beams in a result from a file. The tiles are built with the tile models that the subject
-/// of the result names, which must be rows of `models`. A result without a subject counts as a result of the
-/// full model if it has a row for each node of the beams. Throws InputError if the result does not belong to
-/// the surface with these tile models.
+/// The state of the beams in a result from a file. The tiles are built with the tile models in the result's
+/// subject, which must be rows of `models`. A result without a subject counts as one of the full model if it
+/// has a row for each node of the beams. Throws InputError if the result does not belong to the surface with
+/// these tile models.
 BeamState beam_state(const Surface& surface, const SurfaceResult& result, const SurfaceBeams& beams,
                      std::span<const mechanics::BeamSection> sections,
                      std::span<const reduction::TileModel> models = reduction::tile_models());

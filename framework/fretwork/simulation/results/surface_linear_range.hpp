@@ -11,9 +11,9 @@
 
 namespace fretwork::simulation {
 
-/// The limit of the estimated error of a linear solution, as a share of the largest displacement. A linear
-/// solution is out of its range if the error exceeds this limit, or if the structure loses its stability.
-/// experiments/large_deflections measures how often this verdict is right.
+/// A linear solution is out of its range if its estimated error, as a share of the largest displacement,
+/// exceeds this limit, or if the structure loses its stability. experiments/large_deflections measures how
+/// often this verdict is right.
 inline constexpr double kLinearRange = 0.05;
 /// True if a linear solution with this estimate is out of its range.
 [[nodiscard]] inline bool is_exceeded(const mechanics::LinearRange& range) {
@@ -34,7 +34,7 @@ void add_linear_range(const Surface& surface, const LoadCase& load_case, const S
                       const base::Control& control, SurfaceResult& result);
 
 /// Estimate the error of a linear solution of a surface relative to the solution for large displacements. The
-/// estimate uses corotational tiles, whatever the model of the solution. Throws as simulate().
+/// estimate uses corotational tiles for solutions of any model. Throws as simulate().
 mechanics::LinearRange surface_linear_range(const Surface& surface, const LoadCase& load_case,
                                             int threads = 0, const base::Control& control = {});
 

@@ -13,12 +13,12 @@
 
 namespace fretwork::simulation {
 
-/// The subject of a result: the surface, load case and model to which the result belongs. Two results belong
-/// together if their hashes are equal.
+/// The subject of a result: its surface, load case and model. Two results belong together if their hashes are
+/// equal.
 struct ResultSubject {
-    /// Name of the tile model, and of the further tile models if tiles have their own.
+    /// Names of the tile models.
     std::string model;
-    /// True if every tile has all of its beams, so that other results are compared with this result.
+    /// True if every tile has all of its beams: other results are compared with this one.
     bool is_reference = false;
     std::string load_case;                      ///< name of the load case
     std::string load_case_text;                 ///< text of the load case's file
@@ -28,7 +28,7 @@ struct ResultSubject {
     std::optional<reduction::Joints> joints{};  ///< joints of the setting; none in older files
     std::vector<int> full_tiles{};              ///< tiles with all of their beams in a mixed model, ascending
     std::string stages_text{};                  ///< text of the file of load stages; empty: no load stages
-    /// Texts of the files of the load cases that the load stages name.
+    /// Texts of the files of the load stages' load cases.
     std::vector<std::string> stage_load_cases{};
     friend bool operator==(const ResultSubject&, const ResultSubject&) = default;
 };
@@ -42,17 +42,16 @@ struct ModelError {
     /// The relative error of the largest von Mises stress over all beams, which is also the relative error of
     /// the largest utilization. None if the model does not give the motions of all beams.
     std::optional<double> largest_stress{};
-    /// The share of the tiles that have all of their beams in the better solution. 1: the numbers above are
-    /// the error itself; below 1, they may be too small. 0 in files that do not name it.
+    /// The share of the tiles with all of their beams in the better solution. 1: the numbers above are the
+    /// error itself; below 1, they may be too small. 0 if a file does not state it.
     double full_share = 0.0;
     friend bool operator==(const ModelError&, const ModelError&) = default;
 };
 
-/// Indicators, of negligible cost, that a solution of corotational tiles may be far from the solution of the
-/// full model.
+/// Cheap indicators that a solution of corotational tiles may be far from the solution of the full model.
 struct ModelDoubt {
     /// The largest rotation of a node relative to the corotating axes of its tile, rad. A tile is linear in
-    /// these axes, so it is in error if displacements relative to the axes are large.
+    /// these axes, so large displacements relative to them cause an error.
     double tile_rotation = 0.0;
     /// For mixed models, the distance between the mixed solution and the corotational solution, at the worst
     /// interface node, as a share of the largest displacement.
@@ -60,27 +59,27 @@ struct ModelDoubt {
     friend bool operator==(const ModelDoubt&, const ModelDoubt&) = default;
 };
 
-/// The solution of a surface, and the estimates that the options asked for. The first rows are the rows of
-/// the interface nodes.
+/// The solution of a surface, and the estimates requested by the options. The interface nodes' rows come
+/// first.
 struct SurfaceResult : mechanics::Result {
     std::optional<ResultSubject> subject{};  ///< subject of the result; results of Session::solve() have none
     /// For linear solutions, if the options ask for it.
     std::optional<mechanics::LinearRange> linear_range{};
     /// For linear solutions of tiles with fitted parameters, together with linear_range: the largest distance
-    /// between a translation in the solution and the translation computed with the tiles' condensed
-    /// stiffness, as a share of the largest displacement.
+    /// between a translation in the solution and in a solution with condensed tiles, as a share of the
+    /// largest displacement.
     std::optional<double> fit_error{};
     /// For nonlinear results of reduced tiles, if the options ask for it.
     std::optional<ModelDoubt> model_doubt{};
     /// For reduced models, if the options ask for it and it is known.
     std::optional<ModelError> model_error{};
-    /// The tiles whose beams buckle between their interface nodes, ascending, if the options ask for the
+    /// The tiles with beams that buckle between the interface nodes, ascending, if the options ask for the
     /// model error.
     std::optional<std::vector<int>> buckled_tiles{};
 };
 
 /// Parse the text of a surface's result file. Throws InputError that names `source` and a place in the text,
-/// also if values contradict each other, or if the result has no subject, as the result of a frame.
+/// also if values contradict each other, or if there is no subject, as in the result of a frame.
 SurfaceResult parse_surface_result(std::string_view text, const std::string& source);
 /// The text of a surface's result file. Throws NumericalError if a value is not finite, and InputError if the
 /// result has no subject.

@@ -10,12 +10,12 @@
 
 namespace fretwork::simulation {
 
-/// The tiles, ascending, whose beams buckle between their interface nodes. Each tile is solved alone, with
-/// all of its beams, while its interface nodes move to their places in a solution of the surface. A tile
-/// buckles if it has no stable equilibrium at some point of this motion, which a reduced tile cannot show. A
-/// tile whose equilibrium is not found is included.
+/// Find the tiles with beams that buckle between the interface nodes, which a reduced tile cannot show. Each
+/// tile is solved alone, with all of its beams, while its interface nodes move to their places in a solution
+/// of the surface. A tile buckles if it has no stable equilibrium at some point of this motion, or if none is
+/// found. Returns ascending indices.
 ///
-/// @param solution  a solution whose first rows are the interface nodes
+/// @param solution  a solution with the interface nodes' rows first
 ///
 /// Throws as TileBuilder does, and Stopped.
 std::vector<tiling::TileIndex> buckled_tiles(const Surface& surface, const mechanics::Solution& solution,
