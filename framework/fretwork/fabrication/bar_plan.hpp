@@ -14,7 +14,7 @@ namespace fretwork::fabrication {
 using tiling::TessellationNodeIndex;
 using tiling::TileIndex;
 
-/// A bar: a beam with the width with which it is made.
+/// A bar: a beam as it is made, with its width.
 struct Bar {
     std::array<TessellationNodeIndex, 2> nodes;  ///< the ends of the bar
     double width = 0.0;                          ///< m
@@ -28,12 +28,12 @@ struct BarPlan {
     std::vector<Bar> bars{};          ///< bars of all tiles, and bars of the border
     double width = 0.0;               ///< width of the surface's beams, m
     double height = 0.0;              ///< thickness of the sheet or print, m
-    std::size_t interface_nodes = 0;  ///< number of interface nodes, which come first
-    /// Two nodes at the same place, such as a corner where three tiles meet. All bars end at one of these
-    /// nodes, `taken`. The model's beams are not connected at this place, but the material is one piece.
+    std::size_t interface_nodes = 0;  ///< number of interface nodes; these come first
+    /// Two nodes at the same place, such as a corner of three tiles. All bars there end at the node `taken`.
+    /// The model's beams are not connected at this place, but the material is one piece.
     struct Coincidence {
-        TessellationNodeIndex node;   ///< the node that is left out
-        TessellationNodeIndex taken;  ///< the node that stands for `node`
+        TessellationNodeIndex node;   ///< the unused node
+        TessellationNodeIndex taken;  ///< the node that replaces `node`
     };
     std::vector<Coincidence> coincidences{};  ///< pairs of nodes at the same place
 };

@@ -34,7 +34,7 @@ double signed_area(const Contour& contour);
 /// The length of a contour, m, exact with arcs.
 double length(const Contour& contour);
 
-/// The contour with chords in place of arcs; no chord is further than `tolerance` (m) from its arc.
+/// The contour with chords instead of arcs. No chord is farther than `tolerance` (m) from its arc.
 geometry::Polygon flattened(const Contour& contour, double tolerance);
 
 /// A counterclockwise circle, as two arcs.

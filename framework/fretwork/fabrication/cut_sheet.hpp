@@ -21,13 +21,13 @@ struct CutSheet {
     std::string title;              ///< title of the drawing
     std::vector<Piece> pieces;      ///< pieces to be cut along their contours
     std::vector<Label> engraved;    ///< marks on the material
-    std::vector<Label> labels;      ///< text for people, which the cutter ignores
-    std::vector<Contour> guides{};  ///< lines for people, which the cutter ignores: the edge of the material
+    std::vector<Label> labels;      ///< text that the cutter ignores
+    std::vector<Contour> guides{};  ///< lines that the cutter ignores, such as the edge of the material
 };
 
 /// The whole surface in one sheet, with the numbers of its tiles as labels.
 CutSheet whole_sheet(const simulation::Surface& surface, const ShapeOptions& options);
-/// The sheet with a shape that was made from the surface.
+/// The sheet with a given shape of the surface.
 CutSheet sheet_of_shape(const simulation::Surface& surface, const Shape& shape);
 
 /// Labels with the numbers of the tiles, at the tiles' centers.

@@ -16,12 +16,12 @@ namespace fretwork::fabrication {
 
 /// Options of facts(): the limits of a machine and a material.
 struct FactsOptions {
-    /// Limit of the width of gaps and openings, m; narrower gaps and openings give a warning.
+    /// Gaps and openings narrower than this, m, give a warning.
     double clearance = 5e-4;
     double layer_height = 2e-4;  ///< height of a layer of a print, m
-    /// Limit of the angle between bars, rad; a smaller angle gives a warning.
+    /// Angles between bars smaller than this, rad, give a warning.
     double sharp_angle = 0.35;
-    /// Limit of the stress, Pa; a higher stress gives a warning; none: the strength in the setting.
+    /// Stresses higher than this, Pa, give a warning; none: the strength in the setting.
     std::optional<double> strength{};
     /// Catalogue with the tile models of the result.
     std::span<const reduction::TileModel> models = reduction::tile_models();
@@ -36,11 +36,11 @@ struct Warning {
     std::optional<geometry::Point2> place{};  ///< m; none if the warning is about the whole surface
 };
 
-/// The facts that a maker needs before making a surface, in SI units.
+/// The facts about a surface that its maker needs, in SI units.
 ///
 /// The sag, and the stress under a load case with gravity, are computed with the weight of the true outline:
-/// gravity on the whole surface is multiplied by `mass` / `beam_mass`. In this way, the weight of a border
-/// and of eyes for bolts is spread over the tiles. The stiffness of border and eyes is ignored.
+/// gravity on the whole surface is multiplied by `mass` / `beam_mass`. This spreads the weight of a border
+/// and of eyes for bolts over the tiles. The stiffness of border and eyes is ignored.
 struct Facts {
     std::size_t tiles = 0;     ///< number of tiles
     std::size_t bars = 0;      ///< number of bars
@@ -54,21 +54,21 @@ struct Facts {
     double volume = 0.0;  ///< m3
     /// Mass of the true outline, kg; 0 if the material has no density.
     double mass = 0.0;
-    double beam_mass = 0.0;   ///< mass of the model's beams, which overlap in joints, kg
+    double beam_mass = 0.0;   ///< mass of the model's beams, kg; beams overlap in joints
     double cut_length = 0.0;  ///< m
-    /// Number of contours, which is the number of times that a cutter pierces the material.
+    /// Number of contours: a cutter pierces the material once for each.
     std::size_t pierces = 0;
     std::size_t layers = 0;       ///< number of layers of a print
-    double wall_length = 0.0;     ///< length of the contours of all layers together, m
+    double wall_length = 0.0;     ///< total length of the contours of all layers, m
     double sharpest_angle = 0.0;  ///< smallest angle between two bars at a node, rad
     /// The narrowest gap or opening, if one is narrower than twice a bar's width.
     std::optional<NarrowPlace> narrowest{};
     double smallest_radius = 0.0;  ///< smallest radius of an inner corner, m; 0: sharp
     /// The deflection under the surface's own weight on the supports of a load case, computed with
-    /// corotational tiles at large displacements. If the equilibrium path does not reach the whole weight,
-    /// the facts have a warning and no sag.
+    /// corotational tiles. If the equilibrium path does not reach the whole weight, there is a warning and no
+    /// sag.
     struct Sag {
-        std::string load_case;    ///< name of the load case whose supports are used
+        std::string load_case;    ///< name of the load case with the supports
         double weight = 0.0;      ///< load on the supports, N: `mass` times 9.80665 m/s2
         double deflection = 0.0;  ///< largest deflection, m
         geometry::Point2 place;   ///< place of the largest deflection, m, at rest
@@ -85,14 +85,14 @@ struct Facts {
     };
     std::optional<Stress> stress{};    ///< largest stress under FactsLoads
     std::optional<double> strength{};  ///< strength, Pa: the strength in FactsOptions or in the setting
-    std::vector<Warning> warnings;     ///< warnings about what may fail when the surface is made
+    std::vector<Warning> warnings;     ///< warnings about possible failures in making the surface
 };
 
-/// The load case or the result from which sag and stress follow.
+/// The load case or the result for sag and stress.
 struct FactsLoads {
     const simulation::LoadCase* load_case = nullptr;  ///< load case; may be null
-    /// A result of the surface for the stress. The weight in the result is the weight of the beams, which is
-    /// not scaled to `mass`. If null, the load case is solved with corotational tiles.
+    /// A result of the surface for the stress. Its weight is the weight of the beams, not scaled to `mass`.
+    /// If null, the load case is solved with corotational tiles.
     const simulation::SurfaceResult* result = nullptr;
 };
 

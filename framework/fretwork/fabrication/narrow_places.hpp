@@ -11,8 +11,8 @@ namespace fretwork::fabrication {
 struct NarrowPlace {
     /// The kind of a narrow place.
     enum class Kind {
-        Gap,      ///< a gap between two edges of the material, which widens in both directions
-        Opening,  ///< a narrow opening, whose cut-out is a sliver; the place is its largest inner circle
+        Gap,      ///< a gap between two edges of the material; it widens in both directions
+        Opening,  ///< a narrow opening, with a sliver as cut-out; the place is its largest inner circle
     };
     Kind kind = Kind::Gap;       ///< kind of the place
     geometry::Point2 place;      ///< the middle of the gap or of the circle, m
@@ -21,8 +21,8 @@ struct NarrowPlace {
     TessellationNodeIndex node;  ///< node nearest to the place
 };
 
-/// All places narrower than `clearance` (m), the narrowest first. Corners of openings between bars do not
-/// count as gaps, because fillets round such corners. Throws Stopped.
+/// All places narrower than `clearance` (m), the narrowest first. Corners of openings between bars are not
+/// gaps, because fillets round them. Throws Stopped.
 std::vector<NarrowPlace> narrow_places(const Shape& shape, const BarPlan& plan, double clearance,
                                        const base::Control& control = {});
 

@@ -24,7 +24,7 @@ struct Shape {
 
 /// Options of the outline: fillets, kerf, and material besides the bars.
 struct ShapeOptions {
-    /// Radius of inner corners, m; a radius is smaller where two fillets do not fit; 0: sharp corners.
+    /// Radius of inner corners, m; it is smaller where two fillets do not fit; 0: sharp corners.
     double fillet = 0.0;
     /// Width that the cutter removes, m; contours lie half this width outside the material.
     double kerf = 0.0;
@@ -42,15 +42,15 @@ struct ShapeOptions {
     [[nodiscard]] double hole_radius() const { return 0.5 * (bolt_diameter - kerf); }
     /// The radius of the contours' fillets, m, corrected for the kerf.
     [[nodiscard]] double contour_fillet() const;
-    /// The same options with a kerf of 0, for the finished part in place of the cutter's path.
+    /// The same options with a kerf of 0, for the finished part instead of the cutter's path.
     [[nodiscard]] ShapeOptions without_kerf() const;
 };
 
-/// Make the outline of a surface's bars: all points within half a bar's width of the bar's centreline. So
-/// joints and free ends are round. Boolean operations are exact on a grid of a nanometre, and arcs stay arcs.
-/// Throws as bar_plan(), InputError for invalid options and holes that meet, and Stopped.
+/// Make the outline of a surface's bars: all points within half a bar's width of its centreline, so joints
+/// and free ends are round. Boolean operations are exact on a grid of a nanometre, and arcs stay arcs. Throws
+/// as bar_plan(), InputError for invalid options and holes that meet, and Stopped.
 Shape make_shape(const simulation::Surface& surface, const ShapeOptions& options = {});
-/// Make the outline of a plan; `options.frame_width` is ignored, because the plan contains its border.
+/// Make the outline of a plan. The plan contains its border, so `options.frame_width` is ignored.
 Shape make_shape(const BarPlan& plan, const ShapeOptions& options);
 
 /// The number of openings between bars and for bolts.
@@ -71,7 +71,7 @@ struct RemarkedShape {
     Shape shape;                       ///< the outline
     std::vector<std::string> remarks;  ///< remarks about options that could not be met
 };
-/// Make a shape with its remarks. With a kerf, the call takes as long as making two shapes.
+/// Make a shape with its remarks. With a kerf, this takes the time of two shapes.
 RemarkedShape make_remarked_shape(const simulation::Surface& surface, const ShapeOptions& options);
 
 }  // namespace fretwork::fabrication

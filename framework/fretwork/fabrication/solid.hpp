@@ -24,12 +24,11 @@ struct SolidOptions {
 };
 
 /// Extrude a shape from z = 0 to its height. Vertices lie on a grid with a spacing of a tenth of a
-/// micrometre, or of 2^-22 of the size for shapes of more than a metre. So two vertices differ even if they
-/// are stored as 32-bit numbers in millimetres.
+/// micrometre, or of 2^-22 of the size for shapes of more than a metre, so that they still differ as 32-bit
+/// numbers in millimetres.
 ///
-/// Every edge of the solid belongs to two triangles, in opposite directions. Throws GeometryError that names
-/// a place where the shape touches itself, because no solid with this property exists for such a shape.
-/// Throws Stopped.
+/// Every edge of the solid belongs to two triangles, in opposite directions. A shape that touches itself has
+/// no such solid: throws GeometryError that names the place. Throws Stopped.
 Solid make_solid(const Shape& shape, const SolidOptions& options = {});
 
 /// The volume of a solid, m3.
