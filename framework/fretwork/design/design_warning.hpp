@@ -15,10 +15,10 @@ struct WarnedValue {
     Quantity quantity = Quantity::Length;  ///< kind of the number
 };
 
-/// One reason why a design falls short of what was asked for.
+/// One reason why a design does not meet the target or the options.
 struct DesignWarning {
     std::string text;  ///< one line without a full stop; "{0}" stands for the first of `values`, and so on
-    bool factor_may_help = false;       ///< true if another factor on the loads, which was not free, may help
+    bool factor_may_help = false;       ///< true if a free factor on the loads may help
     std::vector<WarnedValue> values{};  ///< numbers with a unit in the text
 };
 

@@ -9,8 +9,7 @@
 
 namespace fretwork::design::detail {
 
-/// Write the painting of a point, and its unknowns, into the project and the other fields of a report that
-/// describe them.
+/// Write the painting and the unknowns of a point into a report: its project, and the fields about them.
 /// @param names  names of the load cases
 void write_point(const Trials& trials, const Point& point, const std::vector<std::string>& names,
                  DesignReport& report);

@@ -16,9 +16,9 @@ struct FinerBeams {
     int threads = 0;
 };
 
-/// The largest von Mises stress (Pa) at the ends of the elements of all beams of a surface, if each beam has
-/// so many elements, in the nonlinear equilibrium under a load case. Compared with one element a beam, it
-/// shows the error of the division. None if the equilibrium was not found. Throws Stopped.
+/// The largest von Mises stress (Pa) at the ends of all elements in the nonlinear equilibrium of a surface
+/// under a load case, with FinerBeams::elements for each beam. The difference from one element for each beam
+/// shows the discretization error. None if the equilibrium was not found. Throws Stopped.
 std::optional<double> largest_stress(const simulation::Surface& surface,
                                      const simulation::LoadCase& load_case, const FinerBeams& options,
                                      const base::Control& control);

@@ -17,7 +17,7 @@
 
 namespace fretwork::design::detail {
 
-/// A linear function of one node's displacement and rotation vector, with the difference from its wanted
+/// A linear function of one node's displacement and rotation vector, and its difference from the wanted
 /// value.
 struct Observation {
     Eigen::Index node = 0;
@@ -26,7 +26,7 @@ struct Observation {
     double weight = 1.0;    ///< weight of the squared residual
 };
 
-/// The goals of a target under one load case, for the nodes of a tessellation. A rotation is measured by the
+/// The goals of a target under one load case, for the nodes of a tessellation. A rotation counts as the
 /// displacement that it causes at a distance of one mean tile side.
 class CaseGoals {
   public:
@@ -48,19 +48,19 @@ class CaseGoals {
     [[nodiscard]] std::size_t node_count() const { return goals_.size(); }
     /// True if nodes may slide along a surface.
     [[nodiscard]] bool slides() const;
-    /// A warning about each goal that wants nodes at other places than the places at which `held` holds them.
+    /// A warning about each goal that contradicts the components held by `held`.
     [[nodiscard]] std::vector<DesignWarning> against(const simulation::Conditions& held) const;
-    /// A node with a wanted place.
+    /// A node with a wanted position.
     struct Place {
         Eigen::Index node = 0;
-        /// Wanted place, m; free components are the present components.
+        /// Wanted position, m; free components equal those of the present position.
         Eigen::Vector3d wanted = Eigen::Vector3d::Zero();
         double distance = 0.0;
     };
     [[nodiscard]] std::vector<Place> places(const mechanics::NodeValues& displacements) const;
-    /// Three weighted sums over the observations, m^2: of the squares of the wanted values (`wanted`), of the
-    /// squares of the present values (`there`), and of their products (`both`). If the displacements are
-    /// multiplied by t, the weighted sum of squared residuals is wanted - 2 t both + t^2 there.
+    /// Three weighted sums over the observations, m^2: of squared wanted values (`wanted`), of squared
+    /// present values (`there`), and of the products of both (`both`). For displacements multiplied by t, the
+    /// weighted sum of squared residuals is wanted - 2 t both + t^2 there.
     struct Products {
         double wanted = 0.0;
         double both = 0.0;
@@ -89,7 +89,7 @@ class CaseGoals {
                  std::vector<Observation>& list) const;
 
     std::vector<NodeGoal> goals_;
-    double length_ = 0.0;  ///< distance at which the displacement by a rotation is measured, m
+    double length_ = 0.0;  ///< distance that turns rotations into displacements, m
     double largest_ = 0.0;
 };
 

@@ -8,7 +8,7 @@
 
 namespace fretwork::design::detail {
 
-/// A surface of triangles in space, which finds its point nearest to a given point.
+/// A surface of triangles in space that finds its point nearest to a given point.
 class SpaceMesh {
   public:
     /// Read the surface from a mesh file. Throws InputError if the file is not a mesh.

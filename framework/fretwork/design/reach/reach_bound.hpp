@@ -9,21 +9,20 @@ namespace fretwork::design::detail {
 
 /// A lower bound of the misfit of every painting with the palette, in linear theory.
 ///
-/// Let A <= K_p <= B, as quadratic forms, for the stiffness K_p of a tile with any pattern p that it may
-/// have. Summed over the tiles, K_A <= K <= K_B holds for every painting, and therefore K_B^-1 <= K^-1 <=
+/// Let A <= K_p <= B, as quadratic forms, for the stiffness K_p of a tile with any of its possible patterns
+/// p. Summed over the tiles, K_A <= K <= K_B holds for every painting, and therefore K_B^-1 <= K^-1 <=
 /// K_A^-1. With D = K_A^-1 - K_B^-1, it follows that K^-1 = (K_A^-1 + K_B^-1) / 2 + D^1/2 X D^1/2 / 2 with
 /// |X| <= 1. So the displacements K^-1 F of all paintings lie in an ellipsoid, and so do the observations C
-/// K^-1 F. The bound is the distance of the wanted values from the ellipsoid of the observations, along the
-/// directions that matter. A Lagrange multiplier gives this distance.
+/// K^-1 F. The bound is the distance of the wanted values from the ellipsoid of the observations, in the
+/// directions of the goals. A Lagrange multiplier gives this distance.
 ///
-/// None if the bound does not hold or is of no use: for displacements that are too large for linear theory,
-/// for weight, which changes with the painting, for moved supports, for free unknowns besides the painting,
-/// and for goals with a surface on which nodes may slide.
+/// None if the bound does not hold or is of no use: displacements are too large for linear theory; weight
+/// acts and changes with the painting; supports are moved; there are free unknowns besides the painting; or
+/// nodes may slide along a surface.
 std::optional<double> reach_bound(const Trials& trials, const std::vector<std::size_t>& palette,
                                   const base::Control& control);
 
-/// Two matrices that enclose some positive definite matrices, as quadratic forms: one is below all of these,
-/// and the other is above all of these.
+/// A lower and an upper bound of positive definite matrices, as quadratic forms.
 struct Enclosure {
     Eigen::MatrixXd below;
     Eigen::MatrixXd above;

@@ -13,7 +13,7 @@ void survey(const Trials& trials, const std::vector<Solved>& uniform, DesignRepo
 void add_reached_curvatures(const Trials& trials, const std::vector<Solved>& uniform, Gamut& gamut);
 
 /// The largest displacement of the softest uniform painting under ten times its loads, as a share of the
-/// largest wanted displacement. None if such loads are not needed, if there are no loads, or if there is no
+/// largest wanted displacement. None if its own loads suffice, if there are no loads, or if there is no
 /// equilibrium. Throws Stopped.
 std::optional<double> reach_of_ten_loads(Trials& trials, const std::vector<Solved>& uniform,
                                          const DesignReport& report, const base::Control& control);

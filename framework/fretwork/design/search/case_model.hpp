@@ -14,8 +14,8 @@
 namespace fretwork::design::detail {
 
 /// The goals of one load case, linearized at an equilibrium. Swaps of patterns reach only a subspace of the
-/// observations. The orthonormal basis of this subspace comes from the responses to random swaps, and k
-/// coefficients describe a vector in the subspace.
+/// observations. The responses to random swaps give an orthonormal basis of this subspace; a vector in it has
+/// k coefficients.
 struct CaseModel {
     Eigen::VectorXd residual;  ///< k coefficients of the residual, dimensionless; the sum of their squares is
                                ///< a mean of squared shares
@@ -39,9 +39,9 @@ struct CaseModel {
     base::IndexVector<tiling::TileIndex, Eigen::Index> first;
 };
 
-/// The effect of a swap in one tile: the stress f = -(1 + dk G)^-1 dk e on the tile after a change dk of its
-/// stiffness, where e are the tile's strains and G its flexibility, and the energy f . G f. The effect is
-/// exact for a swap in one tile of the linearized surface.
+/// The effect of a swap in one tile: the stress f = -(1 + dk G)^-1 dk e on the tile, and the energy f . G f.
+/// dk is the change of the tile's stiffness, e are its strains, and G is its flexibility. The effect is exact
+/// for a swap in one tile of the linearized surface.
 struct SwapAnswer {
     Eigen::VectorXd stress;
     double energy = 0.0;
@@ -59,7 +59,7 @@ struct CaseState {
     /// Loads at the factor 1, without the surface's weight, one row for each node.
     mechanics::NodeValues unit_loads;
 };
-/// The random swaps whose responses span the subspace of a CaseModel.
+/// Random swaps; their responses span the subspace of a CaseModel.
 struct SwapSample {
     const simulation::CandidateTiles& candidates;
     const TileStrains& strains;

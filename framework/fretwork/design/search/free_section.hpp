@@ -7,11 +7,10 @@
 
 namespace fretwork::design::detail {
 
-/// The largest factor by which the width and the thickness of the bars may change, up or down.
+/// The width and the thickness of the bars may change at most by this factor, up or down.
 inline constexpr double kLargestSectionChange = 3.0;
 
-/// Check that a section is the section of a rectangle, which has a width and a thickness. Throws InputError
-/// that names the section.
+/// Check that a section is a rectangle. Throws InputError that names the section.
 void require_rectangle(const mechanics::Section& section);
 
 /// The setting with rectangular bars of a given width in the plane and a given thickness, m; shear areas are

@@ -9,14 +9,14 @@
 
 namespace fretwork::design::detail {
 
-/// The number of patterns with which a design makes its first painting before it condenses the whole palette.
+/// The number of patterns for the first painting, before the whole palette is condensed.
 inline constexpr std::size_t kFirstPatterns = 24;
 
 /// The input of a search.
 struct Preparation {
     TrialParts parts;
     std::vector<std::string> load_cases;  ///< names of the load cases
-    std::vector<std::size_t> palette;     ///< candidates for groups; the most different candidates come first
+    std::vector<std::size_t> palette;     ///< candidates for groups, the most different first
     /// Coordinates of the palette's first members, from leading_coordinates().
     Eigen::MatrixXd coordinates;
     std::vector<DesignWarning> warnings{};       ///< warnings about goals for nodes that are held
@@ -25,7 +25,7 @@ struct Preparation {
 
 /// Prepare a search, and condense as many candidates as the time allows. Throws InputError that names an
 /// unsuitable value; Stopped.
-/// @param first  the largest number of candidates that are condensed now, drawn at random
+/// @param first  the largest number of candidates to condense now; they are drawn at random
 Preparation prepare(const simulation::Project& project, const library::Library* library, const Target& target,
                     const DesignOptions& options, std::size_t first = static_cast<std::size_t>(-1));
 
@@ -34,8 +34,8 @@ struct PaletteChoice {
     std::vector<std::size_t> palette;
     Eigen::MatrixXd coordinates;
 };
-/// Condense the candidates of the whole palette that the time allows, besides those that are there, whose
-/// indices stay. Throws Stopped.
+/// Condense further candidates of the whole palette, as many as the time allows. The indices of earlier
+/// candidates do not change. Throws Stopped.
 PaletteChoice extend_palette(Trials& trials, const std::vector<pattern::NamedPattern>& whole,
                              const DesignOptions& options);
 

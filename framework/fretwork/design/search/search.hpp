@@ -38,10 +38,10 @@ struct Solved {
 /// DesignOptions::most_solutions.
 int solution_limit(const DesignOptions& options, std::size_t groups);
 
-/// Objectives (squares of shares) below this are the reduced model's rounding.
+/// Objectives (squares of shares) below this are rounding of the reduced model.
 inline constexpr double kReachedObjective = 1e-14;
 
-/// The place of each pattern in the columns. Pre: the columns are sorted and have all these patterns.
+/// The index of each pattern in the columns. Pre: the columns are sorted and have all these patterns.
 std::vector<std::size_t> places_of(const std::vector<std::size_t>& patterns,
                                    const std::vector<std::size_t>& columns);
 /// The point with the patterns of a choice.
@@ -52,47 +52,46 @@ class Search {
   public:
     Search(Trials& trials, const DesignOptions& options, const Stopwatch& watch, DesignReport& report);
 
-    /// The uniform paintings and the painting with which a design begins.
+    /// The first paintings of a design.
     struct Beginning {
         std::vector<Solved> uniform;    ///< uniform paintings that were solved
-        std::optional<Solved> painted;  ///< painting that is better than these
+        std::optional<Solved> painted;  ///< better painting than these
     };
-    /// Make a first painting, soon: solve uniform paintings of the first few members of the palette, and
-    /// improve the best one by few steps.
+    /// Make a first painting quickly: solve uniform paintings of the palette's first members, and improve the
+    /// best one by few steps.
     Beginning begin(const std::vector<std::size_t>& palette);
-    /// Solve up to DesignOptions::uniform_paintings uniform paintings. The first of them have the first
-    /// members of the palette, which are the most different; from their solutions, the members are predicted
-    /// that are tried next. Returns the solved paintings, the best first; paintings without a stable
-    /// equilibrium are left out.
+    /// Solve up to DesignOptions::uniform_paintings uniform paintings. The first ones have the palette's
+    /// first members, which are the most different. Their solutions predict the next members to try. Returns
+    /// the solved paintings, the best first, without those that have no stable equilibrium.
     /// @param coordinates  Preparation::coordinates
-    /// @param found  uniform paintings that are solved already; each has its place in the palette
+    /// @param found  uniform paintings that are solved already
     std::vector<Solved> try_uniform(const std::vector<std::size_t>& palette,
                                     const Eigen::MatrixXd& coordinates, std::vector<Solved> found = {});
-    /// Improve a painting until no swap is predicted to improve its mean square distance by a share of
+    /// Improve a painting until no swap is predicted to reduce its mean square distance by a share of
     /// kLeastGain, or until only `reserve` (s) of the time is left. Returns the best point found.
     Solved improve(Solved start, double reserve);
-    /// Improve other starts, and the best painting with some of its tiles painted at random, until only
-    /// `left` solutions are left, or only `reserve` (s) of the time. Returns the best point found.
+    /// Improve other starts, and the best painting with some tiles painted at random, until only `left`
+    /// solutions or `reserve` (s) of the time are left. Returns the best point found.
     Solved improve_from_others(Solved best, const std::vector<Solved>& starts, double reserve, int left);
-    /// The misfit that mixtures of the shortlist's patterns in each group are predicted to reach around a
-    /// point, by relaxed_choice(). Pre: the last trial was that of the point.
+    /// The misfit around a point that relaxed_choice() predicts for mixtures of the shortlist's patterns in
+    /// each group. Pre: the last trial was that of the point.
     [[nodiscard]] double relaxed_misfit(const Solved& solved);
     /// The number of solutions that are left for the defect correction.
     [[nodiscard]] int left_for_defect() const;
-    /// Set the patterns from which steps choose.
+    /// Set the patterns that steps consider.
     void set_columns(std::vector<std::size_t> shortlist, std::vector<std::size_t> all);
 
     [[nodiscard]] DesignEnd end() const { return end_; }
     /// The best point among all points solved since the search began, or since forget_best() was called.
     [[nodiscard]] const std::optional<Point>& best_point() const { return best_point_; }
-    /// Forget the best point, which need not be the best after a change of the aims.
+    /// Forget the best point, because the aims have changed.
     void forget_best() {
         best_ = -1.0;
         best_point_.reset();
         seen_.clear();
     }
     [[nodiscard]] bool may_go_on(double reserve) const;
-    /// True if the solutions that are left are enough for one more point, which takes one for each load case.
+    /// True if enough solutions are left for one more point, with one for each load case.
     [[nodiscard]] bool may_solve() const;
     /// The largest number of nonlinear solutions, granted solutions included.
     [[nodiscard]] int most_solutions() const { return most_solutions_; }
@@ -110,13 +109,13 @@ class Search {
     [[nodiscard]] std::vector<std::size_t> columns_for(const Point& point, int round) const;
     [[nodiscard]] std::vector<bool> allowed_of(const std::vector<std::size_t>& columns) const;
     [[nodiscard]] Point kicked(const Point& point, double share, std::uint64_t number) const;
-    /// The improvement that a descent must promise to continue.
+    /// The conditions for continuing a descent.
     struct Demand {
         double gain = 0.0;   ///< smallest predicted gain, as a share of the misfit
         double rival = 0.0;  ///< misfit that the descent must beat; 0: none
     };
     enum class Step { Better, NoBetter, Hopeless };
-    /// Take one step. Hopeless means that the misfit which the step promises is far above Demand::rival.
+    /// Take one step. Hopeless: the predicted misfit is far above Demand::rival.
     Step step(Solved& current, double& radius, int round, const Demand& demand);
     Solved descend(Solved start, double reserve, const Demand& demand);
     [[nodiscard]] bool is_seen(const Point& point) const;
@@ -124,9 +123,9 @@ class Search {
     [[nodiscard]] bool is_small() const;
     /// True if all paintings can be ranked by a table of pairs.
     [[nodiscard]] bool can_rank_all() const;
-    /// On small surfaces: solve the paintings that a table at the best one predicts to be the best, and
-    /// continue from each that is better. The paintings are all paintings if can_rank_all(), and else those
-    /// that differ in one group or in two.
+    /// On small surfaces, solve the paintings that a table at the best painting ranks first, and continue
+    /// from each better one. The table ranks all paintings if can_rank_all(), and otherwise those that differ
+    /// in one or two groups.
     Solved search_nearby(Solved best, double reserve, int last_solution);
     std::vector<Point> promising(Solved& best);
     [[nodiscard]] double mass_for_groups(const Point& point, const SwapTable& table,
@@ -140,15 +139,15 @@ class Search {
     DesignReport& report_;
     std::vector<std::size_t> shortlist_;
     std::vector<std::size_t> all_;
-    std::vector<std::size_t> limited_;  ///< patterns that may be used; empty: these are not chosen yet, or
-                                        ///< there is no limit on their number
-    double best_ = -1.0;                ///< objective of the best point; below zero: none
+    /// Patterns that may be used; empty: not chosen yet, or no limit on their number.
+    std::vector<std::size_t> limited_;
+    double best_ = -1.0;  ///< objective of the best point; below zero: none
     std::optional<Point> best_point_;
     DesignEnd end_ = DesignEnd::NoSwapImproves;
     std::map<std::vector<std::size_t>, double> seen_;  ///< misfits of paintings, without further unknowns
     int most_solutions_;
-    std::uint64_t kicks_ = 0;    ///< number of starts that were kicked so far
-    double step_seconds_ = 0.0;  ///< time of the longest step so far; the next may take as long
+    std::uint64_t kicks_ = 0;    ///< number of starts with random tiles so far
+    double step_seconds_ = 0.0;  ///< time of the longest step so far: an estimate for the next
 };
 
 }  // namespace fretwork::design::detail

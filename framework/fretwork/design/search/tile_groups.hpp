@@ -11,8 +11,7 @@
 
 namespace fretwork::design::detail {
 
-/// A group of tiles that are painted together, each with the pattern of the group or with the mirror image of
-/// this pattern.
+/// A group of tiles that are painted together. Each gets the pattern of the group or its mirror image.
 struct TileGroup {
     struct Member {
         tiling::TileIndex tile;
@@ -22,12 +21,12 @@ struct TileGroup {
 };
 
 /// The groups of the tiles that are not kept: each tile by itself or, with a symmetry, together with its
-/// images. Throws InputError that names a tile without an image, or a tile that is kept while its image is
-/// not.
+/// images. Throws InputError that names a tile without an image, or a kept tile with an image that is not
+/// kept.
 std::vector<TileGroup> tile_groups(const tiling::Tessellation& tessellation,
                                    std::span<const tiling::TileIndex> kept, const Symmetry& symmetry);
 
-/// The indices of the candidates that are the patterns of kept tiles.
+/// The indices of the kept tiles' patterns among the candidates.
 std::set<std::size_t> kept_candidates(const simulation::CandidateTiles& candidates,
                                       const tiling::Tessellation& tessellation,
                                       const std::vector<tiling::TileIndex>& keep);

@@ -22,10 +22,9 @@ struct DesignCase {
     CaseGoals goals;
 };
 
-/// A point of the search space: for each group of tiles, the index of its pattern among the candidates; and
-/// the continuous unknowns. The continuous unknowns are, as far as they are free: for each load case, the
-/// factor on its loads and the values of its prescribed displacements; then the width and the thickness of
-/// all bars.
+/// A point of the search space: the index of each group's pattern among the candidates, and the continuous
+/// unknowns. These are, as far as they are free: for each load case, the factor on its loads and the values
+/// of its prescribed displacements; then the width and the thickness of all bars.
 struct Point {
     std::vector<std::size_t> patterns;
     Eigen::VectorXd unknowns;
@@ -35,12 +34,12 @@ struct Point {
 /// The solution of a point.
 struct Trial {
     bool is_found = false;  ///< true if all equilibria were found and are stable
-    double objective =
-        0.0;  ///< weighted mean of the squared distances, as shares of the largest wanted displacement
+    /// Weighted mean of the squared distances, as shares of the largest wanted displacement.
+    double objective = 0.0;
     std::vector<mechanics::NodeValues> displacements{};  ///< rows of the interface nodes for each load case
 };
 
-/// The choice which unknowns besides the painting are free.
+/// The free unknowns besides the painting.
 struct FreeUnknowns {
     bool factor = false;
     bool prescribed = false;
@@ -66,8 +65,7 @@ struct Lightest {
     std::size_t pattern = 0;  ///< index of the pattern of the first group among the candidates
 };
 
-/// A solver of points, one after the other, each from the last equilibrium. Trials also predicts the effects
-/// of swaps at the last equilibrium.
+/// Solves points, each from the last equilibrium, and predicts the effects of swaps at the last equilibrium.
 class Trials {
   public:
     /// Begin with the painting of the given surface. Throws Stopped.
@@ -76,13 +74,13 @@ class Trials {
     [[nodiscard]] const TrialParts& parts() const { return parts_; }
     [[nodiscard]] Eigen::VectorXd initial_unknowns() const;
     [[nodiscard]] Point uniform(std::size_t pattern) const;
-    /// The unknowns, moved into their bounds, which keep width and thickness of the bars above zero.
+    /// The unknowns, moved into their bounds.
     [[nodiscard]] Eigen::VectorXd bounded(Eigen::VectorXd unknowns) const;
     /// Set the displacements that are added to the wanted positions, for each load case; see
     /// CaseGoals::observe().
     void set_aims(std::vector<mechanics::NodeValues> aims) { aims_ = std::move(aims); }
 
-    /// Condense other candidates, the first of which are those that are there. Throws Stopped.
+    /// Condense other candidates. The present candidates must come first. Throws Stopped.
     void take_candidates(std::vector<pattern::NamedPattern> candidates, std::vector<std::size_t> mirrored,
                          const base::Control& control);
 
@@ -94,17 +92,18 @@ class Trials {
     /// @param columns  the candidates that are the columns of the table
     SwapTable table(const Point& point, const Trial& trial, const std::vector<std::size_t>& columns,
                     std::uint64_t seed, const base::Control& control);
-    /// The same table with the interactions of any two groups, for surfaces with few groups and columns.
+    /// The same table with the interactions between pairs of groups, for surfaces with few groups and
+    /// columns.
     PairTable pair_table(const Point& point, const Trial& trial, const std::vector<std::size_t>& columns,
                          std::uint64_t seed, const base::Control& control);
-    /// True if pair_table() with so many columns takes no longer than some ten solutions.
+    /// True if pair_table() with this number of columns takes no longer than about ten solutions.
     [[nodiscard]] bool has_few_pairs(std::size_t columns) const;
     /// The objective of displacements, as in Trial::objective, with the aims of set_aims().
     [[nodiscard]] double misfit(const std::vector<mechanics::NodeValues>& displacements) const {
         return objective(displacements, aims_);
     }
     [[nodiscard]] int solutions() const { return solutions_; }
-    /// Add the number of solutions that were made elsewhere to solutions().
+    /// Add solutions made elsewhere to solutions().
     void count_solutions(int more) { solutions_ += more; }
 
     /// The surface with the painting of a point. load_case_at() and setting_at() give a load case and the
@@ -131,11 +130,11 @@ class Trials {
     /// The factor from the root of the sum of weighted squared distances to the misfit, 1/m.
     [[nodiscard]] double scale() const { return scale_; }
     [[nodiscard]] const TileStrains& strains() const { return strains_; }
-    /// The indices of the candidates that a tile may have if groups have candidates of the palette.
+    /// The indices of a tile's possible candidates if groups have candidates of the palette.
     [[nodiscard]] std::set<std::size_t> possible(tiling::TileIndex tile,
                                                  const std::vector<std::size_t>& palette) const;
-    /// The smallest objective if the displacements of a trial under each load case are multiplied by their
-    /// own factor, at least zero.
+    /// The smallest objective of a trial if the displacements of each load case may be multiplied by a factor
+    /// of their own, at least zero.
     [[nodiscard]] double scaled_objective(const Trial& trial) const;
 
   private:
@@ -153,7 +152,7 @@ class Trials {
     void add_section(const std::vector<CaseModel>& models, const Point& point, SwapTable& table) const;
     [[nodiscard]] double objective(const std::vector<mechanics::NodeValues>& displacements,
                                    const std::vector<mechanics::NodeValues>& aims) const;
-    /// What the models of the load cases have beside the answers of single tiles.
+    /// The couplings in the models of the load cases.
     enum class Between { Nothing, Tiles };
     std::vector<CaseModel> models_at(const Trial& trial, const std::vector<std::size_t>& columns,
                                      std::uint64_t seed, Between between, const base::Control& control);
@@ -191,7 +190,7 @@ class Trials {
     int solutions_ = 0;
 };
 
-/// The load case with its loads, but not the weight, multiplied by a factor.
+/// The load case with its loads multiplied by a factor; the weight does not change.
 simulation::LoadCase with_factor(simulation::LoadCase load_case, double factor);
 
 }  // namespace fretwork::design::detail

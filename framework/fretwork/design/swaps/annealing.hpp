@@ -23,9 +23,9 @@ struct Annealed {
     long scored = 0;                   ///< number of proposals that were scored
 };
 
-/// Anneal a choice by random changes of one group, accepted by Metropolis' rule at a falling temperature as
-/// long as the energy of the change stays below a limit. The continuous unknowns take their best values after
-/// every change: only the part of the residuals that they cannot remove is counted. Throws Stopped.
+/// Anneal a choice by random changes of one group. Metropolis' rule accepts changes at a falling temperature,
+/// as long as the energy of the change stays below a limit. The continuous unknowns take their best values
+/// after every change: only the part of the residuals that they cannot remove counts. Throws Stopped.
 /// @param unknowns  an orthonormal basis of the columns of SwapTable::by_factors; a matrix without columns if
 /// there are no continuous unknowns
 Annealed anneal_choice(const SwapTable& table, const Eigen::MatrixXd& unknowns,

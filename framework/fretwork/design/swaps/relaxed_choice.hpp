@@ -17,10 +17,9 @@ struct RelaxedChoice {
     double gap = 0.0;  ///< no mixture has a predicted sum of squares below `objective` - `gap`
 };
 
-/// Solve the relaxation of the integer least squares problem of a table, in which a group takes a weighted
-/// mean of its columns' responses: a convex problem, solved by pairwise Frank-Wolfe steps of one group after
-/// the other [LacosteJulien2015]. There is no limit on the energy of the change or on the mass, and the steps
-/// of the continuous unknowns have no limit either. Throws Stopped.
+/// Solve the relaxation of the integer least squares problem of a table: each group takes a weighted mean of
+/// its columns' responses. This convex problem is solved by pairwise Frank-Wolfe steps, group by group
+/// [LacosteJulien2015]. Energy, mass and the steps of the continuous unknowns have no limits. Throws Stopped.
 RelaxedChoice relaxed_choice(const SwapTable& table, const std::vector<std::size_t>& start,
                              const base::Control& control);
 

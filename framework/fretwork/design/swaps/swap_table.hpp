@@ -10,11 +10,11 @@
 
 namespace fretwork::design::detail {
 
-/// A table with the change of the residuals of all load cases by every swap; the changes by several swaps are
+/// A table with the change of the residuals of all load cases by every swap. Changes by several swaps are
 /// added. The tiles of a *group* are painted together. A *choice* is one column of the table for each group.
 struct SwapTable {
     Eigen::VectorXd residual;                ///< residual rho, k coefficients
-    double unreached = 0.0;                  ///< contribution to the sum of squares that no choice changes
+    double unreached = 0.0;                  ///< constant contribution to the sum of squares
     std::vector<Eigen::MatrixXd> responses;  ///< change of the residual, for each group a matrix of k rows
                                              ///< and one column for each pattern of the table
     Eigen::MatrixXd energies;                ///< energy f . G f of each swap, columns x groups, J
@@ -37,13 +37,12 @@ struct Choice {
     long scored = 0;         ///< number of swaps that were scored to find the choice
 };
 
-/// The steps of the continuous unknowns from zero that reduce the residual most; no step is larger than its
-/// largest step.
+/// The steps of the continuous unknowns that reduce the residual most, within SwapTable::largest_steps.
 Eigen::VectorXd best_steps(const SwapTable& table, const Eigen::VectorXd& residual);
 
 /// An orthonormal basis of the columns of SwapTable::by_factors; no columns if there are no unknowns.
 Eigen::MatrixXd unknown_basis(const SwapTable& table);
-/// What continuous unknowns leave of residuals: the part beside the columns of unknown_basis().
+/// The part of residuals that continuous unknowns cannot remove: the part orthogonal to unknown_basis().
 Eigen::MatrixXd left_by_unknowns(const Eigen::MatrixXd& basis, const Eigen::MatrixXd& residuals);
 
 struct SweepOptions {
@@ -71,8 +70,8 @@ std::vector<Choice> neighbours(const SwapTable& table, const std::vector<std::si
                                const std::vector<bool>& allowed, std::size_t count,
                                const base::Control& control);
 
-/// Remove columns until a choice has at most `most` different columns. Each time, the column is removed whose
-/// loss worsens the sweep least. Returns, for each column, true if it is left.
+/// Remove columns until a choice has at most `most` different columns. Each removal takes the column that
+/// worsens the sweep least. Returns true for each remaining column.
 std::vector<bool> fewer_columns(const SwapTable& table, const std::vector<std::size_t>& start,
                                 SweepOptions options, std::size_t most);
 

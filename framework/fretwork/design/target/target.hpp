@@ -49,7 +49,7 @@ struct RotationGoal {
     friend bool operator==(const RotationGoal&, const RotationGoal&) = default;
 };
 
-/// The smallest weight of a goal. Already a thousandth of another goal's weight has hardly any effect.
+/// The smallest weight of a goal. A goal has hardly any effect below a thousandth of another goal's weight.
 inline constexpr double kLeastWeight = 1e-6;
 inline constexpr double kMostWeight = 1e6;  ///< largest weight of a goal
 
