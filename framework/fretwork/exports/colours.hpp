@@ -10,10 +10,10 @@
 
 namespace fretwork::exports {
 
-/// The colour of tiles with the pattern of this index, from 0, as "#rrggbb". All colours are light, so that
-/// beams stand out. The first nine colours are distinct under a colour vision deficiency. Further colours are
-/// far apart in hue (golden angle) and differ in lightness. The colour of a negative index (not painted) is
-/// nearly white.
+/// The colour of tiles with a pattern of this index, from 0, as "#rrggbb". All colours are light, so that
+/// beams stand out. The first nine are distinct for people with a colour vision deficiency. Further colours
+/// are far apart in hue (golden angle) and differ in lightness. A negative index (not painted) is nearly
+/// white.
 std::string pattern_colour(int index);
 
 /// The colour of a value on a perceptually even scale, after viridis: dark purple (0), blue, green,
@@ -28,7 +28,7 @@ std::string signed_colour(double share);
 std::array<std::uint8_t, 3> colour_bytes(const std::string& colour);
 
 /// The colours of scale_colour() at equally spaced values, as "#rrggbb". The scale is linear between two
-/// neighbouring colours, so that a program without scale_colour() can draw with them.
+/// neighbouring colours, so other programs can reproduce it.
 std::vector<std::string> scale_samples();
 /// The colours of signed_colour() at equally spaced values, as "#rrggbb".
 std::vector<std::string> signed_samples();
@@ -40,11 +40,10 @@ struct ValueRange {
 };
 /// The range from the lowest to the highest value. NaN is ignored.
 ValueRange whole_range(std::span<const double> values);
-/// A range that starts at zero or, if any value is negative, is symmetric about zero. A few values whose
-/// absolute values are far above all others do not count, because otherwise only these values would be
-/// visible.
+/// A range that starts at zero or, if a value is negative, is symmetric about zero. A few values far above
+/// all others in size are ignored, because otherwise only these would be visible.
 ValueRange value_range(std::span<const double> values);
-/// The colour of values beyond the range. Neither scale has this colour, so that overloaded beams stand out.
+/// The colour of values beyond the range. It is in neither scale, so overloaded beams stand out.
 inline constexpr const char* kBeyondColour = "#f018b4";
 /// The largest absolute value beyond a range; nothing if no value is beyond it.
 std::optional<double> largest_beyond(std::span<const double> values, const ValueRange& range);

@@ -36,13 +36,13 @@ struct PictureOptions {
     std::string colour = "displacement";
     /// The shape at rest behind bent bars, in PNG pictures.
     enum class Ghost { Shown, Hidden };
-    Ghost ghost = Ghost::Shown;  ///< whether it is drawn
+    Ghost ghost = Ghost::Shown;  ///< whether the shape at rest is drawn
 };
 
 /// Options for making a surface.
 struct Making {
     fabrication::ShapeOptions shape{};  ///< widths, fillets and kerf
-    /// Size of the sheets on which the surface is cut in parts; none: the surface is one part.
+    /// Size of sheets for a surface in parts; none: the surface is one part.
     std::optional<fabrication::Bed> bed{};
     fabrication::FactsOptions facts{};  ///< limits for warnings
 };
@@ -59,10 +59,10 @@ struct Scene {
     std::optional<simulation::Conditions> conditions{};
     std::vector<LabelledResult> results{};  ///< results; the first is the main result
     double displacement_scale = 1.0;        ///< factor on displacements in drawings of deformed states
-    /// Direction of the viewer of deformed states; none: the direction that shows most.
+    /// Direction of the viewer of deformed states; none: chosen automatically.
     std::optional<ViewOptions> view{};
     PictureOptions picture{};  ///< size and colours of pictures
-    /// Strength to which utilizations refer, Pa; none: the strength in the setting.
+    /// Strength behind utilizations, Pa; none: the strength in the setting.
     std::optional<double> strength{};
     DrawnLabels labels{};                             ///< numbers on drawings from above
     Making making{};                                  ///< options for files to cut or print

@@ -34,10 +34,10 @@ struct Written {
 /// A row of the catalogue: a kind of file.
 struct WriterRow {
     std::string_view ending;         ///< file extension with its dot
-    Content content;                 ///< content, which distinguishes rows with the same file extension
+    Content content;                 ///< content; it distinguishes rows with the same file extension
     std::string_view description;    ///< description in `--help`
     Written (*write)(const Scene&);  ///< function that makes the text
-    /// The kind of members of a scene that a writer reads besides surface and results.
+    /// The members of a scene that a writer reads besides surface and results.
     enum class Kind {
         Data,     ///< no further members
         Drawing,  ///< conditions, scale and view
@@ -65,11 +65,10 @@ std::string_view unit_of(const WriterRow& writer);
 
 /// All kinds of files. A new kind needs a source file and a row.
 std::span<const WriterRow> writer_catalogue();
-/// The writer for a file, by the file extension. Among several writers for this extension, the writer with
-/// the wanted content is chosen or, if `content` is empty, the first writer. Throws InputError that lists the
-/// valid extensions or contents.
+/// The writer for a file extension and a content. If `content` is empty, it is the first writer for this
+/// extension. Throws InputError that lists the valid extensions or contents.
 const WriterRow& find_writer(const std::filesystem::path& path, std::optional<Content> content = {});
-/// True if a writer is the first with its file extension, which is used if no content is given.
+/// True if a writer is the first with its file extension: the default without a given content.
 bool is_default(const WriterRow& writer);
 
 }  // namespace fretwork::exports

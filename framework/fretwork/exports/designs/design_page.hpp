@@ -13,8 +13,7 @@ namespace fretwork::exports {
 /// curvatures, and the limits of the result. The template design.html is built into the library.
 std::string design_html(const design::DesignReport& report, const design::Target& target);
 
-/// List the reasons why a design does not come nearer to the target, one sentence each, as far as the report
-/// tells.
+/// List the reasons in a report why the design does not come nearer to the target, one sentence each.
 std::vector<std::string> design_limits(const design::DesignReport& report);
 
 }  // namespace fretwork::exports

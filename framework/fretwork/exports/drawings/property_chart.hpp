@@ -12,7 +12,7 @@
 
 namespace fretwork::exports {
 
-/// A pattern with its effective properties, as reduction::property_values() names them.
+/// A pattern with its effective properties, named as in reduction::property_values().
 struct PatternProperties {
     pattern::Pattern pattern;                ///< the pattern
     std::map<std::string, double> values{};  ///< value of each property by its name, SI
@@ -25,10 +25,10 @@ struct ChartSubject {
 };
 
 /// A property chart as SVG, after [Ashby2011]: in-plane stiffness over mass per area, and bending stiffness
-/// over in-plane stiffness, all on logarithmic axes. Each point is a pattern, with the in-plane Poisson's
-/// ratio as its colour. A point shows its pattern and properties when the mouse pointer rests on it. The
-/// extreme patterns are marked by letters and drawn below the chart. Throws InputError if there are no
-/// patterns, or if a pattern lacks a property; NumericalError if a stiffness or mass is not above zero.
+/// over in-plane stiffness, all on logarithmic axes. Each point is a pattern; its colour is the in-plane
+/// Poisson's ratio. A point under the mouse pointer shows its pattern and properties. The extreme patterns
+/// are marked by letters and drawn below the chart. Throws InputError if there are no patterns, or if a
+/// pattern lacks a property; NumericalError if a stiffness or mass is not above zero.
 std::string property_chart_svg(const ChartSubject& subject, std::span<const PatternProperties> patterns);
 
 }  // namespace fretwork::exports

@@ -18,7 +18,7 @@ struct ViewOptions {
 
 /// The numbers shown on a drawing.
 struct DrawnLabels {
-    /// The choice whether numbers are drawn.
+    /// Whether numbers are drawn.
     enum class Shown { No, Yes };
     Shown tiles = Shown::No;            ///< numbers of tiles
     Shown interface_nodes = Shown::No;  ///< numbers of interface nodes
@@ -33,7 +33,7 @@ struct DrawnLabels {
 std::string surface_svg(const simulation::Surface& surface,
                         const simulation::Conditions* conditions = nullptr, const DrawnLabels& labels = {});
 
-/// A deformed state, which may be drawn over other deformed states.
+/// A deformed state, for drawings of several states over each other.
 struct DeformedLayer {
     std::string label;   ///< text in the legend
     std::string colour;  ///< colour of the lines, "#rrggbb"
@@ -42,9 +42,9 @@ struct DeformedLayer {
 
 /// Options of drawings of deformed states.
 struct DeformedViewOptions {
-    /// Factor on the displacements, which the drawing states.
+    /// Factor on the displacements, stated on the drawing.
     double scale = 1.0;
-    /// Joints of the surface, which the drawing states.
+    /// Joints of the surface, stated on the drawing.
     reduction::Joints joints = reduction::Joints::Centreline;
     ViewOptions view{};  ///< direction of the viewer
     LineSet rest{};      ///< lines drawn dashed below everything, such as rim_lines()

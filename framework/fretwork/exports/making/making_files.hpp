@@ -19,7 +19,7 @@ std::string cut_dxf(const fabrication::CutSheet& sheet);
 /// cut_dxf() are marked for Inkscape. y points up as in the DXF.
 std::string cut_svg(const fabrication::CutSheet& sheet);
 
-/// A solid as binary STL in millimetres, the unit that slicers assume; the header names the unit.
+/// A solid as binary STL in millimetres, as slicers expect; the header names the unit.
 std::string solid_stl(const fabrication::Solid& solid);
 /// A solid as Wavefront OBJ in millimetres; the first line names the unit.
 std::string solid_obj(const fabrication::Solid& solid);
@@ -39,10 +39,9 @@ std::string facts_json(const fabrication::Facts& facts);
 /// The facts of a surface, and a sheet with its outline.
 struct FactsOfScene {
     fabrication::Facts facts;     ///< facts for the maker
-    fabrication::CutSheet sheet;  ///< outline on which the warnings are marked
+    fabrication::CutSheet sheet;  ///< outline with marks for the warnings
 };
-/// The facts of a surface as an HTML page that needs no other file, with the table and a picture on which the
-/// warnings are marked.
+/// The facts of a surface as a self-contained HTML page with the table and a picture that marks the warnings.
 std::string facts_html(const FactsOfScene& scene);
 
 }  // namespace fretwork::exports

@@ -13,14 +13,14 @@ namespace fretwork::exports::detail {
 
 static_assert(std::endian::native == std::endian::little, "numbers are written as they lie in memory");
 
-/// Numbers for the data of a page: base64 of their bytes.
+/// The bytes of numbers in Base64, for the data of a page.
 template <class Number>
 std::string packed(const std::vector<Number>& numbers) {
     return base::encode_base64(
         {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number)});
 }
 
-/// The page with the data in place of its mark "@DATA@".
+/// The page with its mark "@DATA@" replaced by the data.
 std::string page_with_data(std::string_view page, const base::Json& data);
 
 }  // namespace fretwork::exports::detail

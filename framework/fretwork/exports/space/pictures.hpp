@@ -8,22 +8,21 @@
 namespace fretwork::exports {
 
 /// A picture of the deformed bars as a PNG file, in perspective. A sky and a lamp cast soft shadows on a
-/// ground that is otherwise transparent. Scene::picture gives the size and the colours, and Scene::view gives
-/// the direction of the camera. Without Scene::view, the camera has the direction that shows tiles and
-/// displacements best. Throws InputError for an unknown field, and as make_bar_scene(). Throws Stopped if
-/// Scene::control asks to stop.
+/// transparent ground. Scene::picture gives the size and the colours, and Scene::view the direction of the
+/// camera. Without Scene::view, the direction that shows tiles and displacements best is chosen. Throws
+/// InputError for an unknown field, and as make_bar_scene(). Throws Stopped if Scene::control asks to stop.
 std::string picture_png(const Scene& scene);
 
 /// A binary glTF 2.0 file (.glb) with the bars at rest as triangles, a morph target for each load step of the
-/// first result, and an animation through them: at its k-th time the bars are as in the k-th step. A result
-/// without load steps has one target, its own state. Lengths are in metres; z is up, by a rotation of the
-/// file's node. Scene::picture gives the colours, which are those of the result. Throws InputError for an
-/// unknown field, and as make_bar_scene(). Throws Stopped if Scene::control asks to stop.
+/// first result, and an animation: at its k-th time, the bars are as in the k-th step. A result without load
+/// steps has one target, its own state. Lengths are in metres. z is up, by a rotation of the file's node.
+/// Scene::picture selects the colours; they show the result. Throws InputError for an unknown field, and as
+/// make_bar_scene(). Throws Stopped if Scene::control asks to stop.
 std::string motion_glb(const Scene& scene);
 
-/// A self-contained HTML page that shows the bars in 3D in any browser with WebGL 2. The user of the page can
-/// turn and zoom the view, switch between the deformed state and rest, and choose a colour map. The page is
-/// made from view.html, which is built into the library. Throws as make_bar_scene().
+/// A self-contained HTML page that shows the bars in 3D in any browser with WebGL 2. The user can turn and
+/// zoom the view, switch between the deformed state and rest, and choose a colour map. The template view.html
+/// is built into the library. Throws as make_bar_scene().
 std::string view_html(const Scene& scene);
 
 }  // namespace fretwork::exports

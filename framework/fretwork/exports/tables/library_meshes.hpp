@@ -35,7 +35,7 @@ struct MeshOptions {
 /// (`<id>.paper6.obj`). A missing folder is created. Returns the number of files. Throws IoError.
 std::size_t export_meshes(const library::Library& library, std::span<const pattern::NamedPattern> patterns,
                           const std::filesystem::path& folder, const MeshOptions& options = {});
-/// Add the files of export_meshes() to a batch, which the caller commits.
+/// Add the files of export_meshes() to a batch. The caller commits it.
 std::size_t add_meshes(const library::Library& library, std::span<const pattern::NamedPattern> patterns,
                        const MeshOptions& options, base::FolderBatch& batch);
 

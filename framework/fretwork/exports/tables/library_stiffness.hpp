@@ -26,14 +26,14 @@ struct StiffnessOptions {
 std::string stiffness_array(const library::Library& library, std::span<const pattern::NamedPattern> patterns,
                             const StiffnessOptions& options = {});
 
-/// Add `stiffness.npy` and `patterns.txt`, whose lines name the patterns of the array in order, to a batch,
-/// which the caller commits. Throws as stiffness_array(), and IoError.
+/// Add `stiffness.npy` and `patterns.txt` to a batch; the caller commits it. The lines of `patterns.txt` name
+/// the patterns of the array in order. Throws as stiffness_array(), and IoError.
 void add_stiffness(const library::Library& library, std::span<const pattern::NamedPattern> patterns,
                    const StiffnessOptions& options, base::FolderBatch& batch);
 
-/// Check that no file of a batch would replace other content in a folder, byte by byte. So an export may be
-/// repeated, and none replaces the stiffness of another library, setting or choice of patterns, nor a file of
-/// somebody else. Throws InputError that names the file, and Stopped.
+/// Check that a batch would replace files of a folder only by equal bytes. An export may then be repeated,
+/// but does not replace the stiffness of another library, setting or choice of patterns, or any other file.
+/// Throws InputError that names the file, and Stopped.
 void require_same_stiffness(const std::filesystem::path& folder, const base::FolderBatch& batch,
                             const base::Control& control = {});
 

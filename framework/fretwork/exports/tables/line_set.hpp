@@ -47,15 +47,15 @@ LineSet surface_lines(const simulation::Surface& surface);
 /// Check that the first nodes of a result are the surface's interface nodes. Throws InputError.
 void require_same_surface(const simulation::Surface& surface, const simulation::SurfaceResult& result);
 
-/// A result as lines. For a result of the full model, which has a row for each node of the beams, the lines
-/// are all beams. For any other result, the lines of a tile are the closed line through its interface nodes.
-/// Throws InputError if the result does not belong to the surface.
+/// A result as lines. A result of the full model has a row for each node of the beams, and gives all beams.
+/// Any other result gives a closed line through the interface nodes of each tile. Throws InputError if the
+/// result does not belong to the surface.
 LineSet result_lines(const simulation::Surface& surface, const simulation::SurfaceResult& result);
 
 /// The beams of a surface with fields of a result, also in condensed tiles. The fields are the radius (of a
 /// round bar with the section's area), the section forces (each at the end where it is larger), the stress,
-/// the modes and, if `strength` (Pa) is given, the utilization. A tile whose model does not give the motions
-/// of its beams has the line of result_lines(), without forces. Throws as result_lines().
+/// the modes and, if `strength` (Pa) is given, the utilization. If a tile's model does not give the motions
+/// of beams, the tile has the line of result_lines(), without forces. Throws as result_lines().
 LineSet beam_lines(const simulation::Surface& surface, const simulation::SurfaceResult* result,
                    std::optional<double> strength = {},
                    std::span<const reduction::TileModel> models = reduction::tile_models());
