@@ -78,10 +78,10 @@ struct Release {
     friend bool operator==(const Release&, const Release&) = default;
 };
 
-/// The largest number of elements of one beam. For a cantilever with so many elements, the relative error of
-/// the tip's deflection is at most 1e-5 (2.4e-7 under a force at the tip, 2e-6 under its own weight). With
-/// more elements, rounding dominates, because an element's stiffness grows with the cube of the number: ten
-/// thousand elements lose a third of the deflection.
+/// The largest number of elements of one beam. For a cantilever with this number of elements, the relative
+/// error of the tip's deflection is at most 1e-5 (2.4e-7 under a force at the tip, 2e-6 under its own
+/// weight). With more elements, rounding dominates, because an element's stiffness grows with the cube of the
+/// number: ten thousand elements lose a third of the deflection.
 inline constexpr int kMostDivisions = 1000;
 
 /// A straight beam between two nodes.
