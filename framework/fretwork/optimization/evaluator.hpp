@@ -29,8 +29,8 @@ struct TracePoint {
     friend bool operator==(const TracePoint&, const TracePoint&) = default;
 };
 
-/// The access of a method to the problem. Every evaluation passes through the evaluator, which charges the
-/// evaluation to the budget and remembers the best point.
+/// The access of a method to the problem. Every evaluation passes through the evaluator, which charges it to
+/// the budget and remembers the best point. Only one thread at a time may use it.
 ///
 /// An evaluation is refused and returns nothing if the rest of the budget does not cover it, or if the point
 /// is outside the bounds. An evaluation throws base::Stopped if the caller asks to stop. The best point is

@@ -53,7 +53,8 @@ struct NodeLayoutDescription {
     friend bool operator==(const NodeLayoutDescription&, const NodeLayoutDescription&) = default;
 };
 
-/// The nodes that a pattern may use, and the edges that a pattern may choose.
+/// The nodes that a pattern may use, and the edges that it may choose. Threads may share a NodeLayout, which
+/// is immutable.
 ///
 /// Numbering: center, radial nodes on v0 v1, radial nodes on v0 v2, face nodes, interface nodes (from v1 to
 /// v2), corners. Candidate edges are sorted by first, then second node. Three kinds of edges are not

@@ -30,7 +30,7 @@ enum class StabilityCheck {
 using FirstIterate = std::function<void(const Solution&)>;
 
 /// Solves for the nonlinear equilibrium of a structure under its full load after each of many edits: the
-/// counterpart of LinearSolver for large displacements.
+/// counterpart of LinearSolver for large displacements. Only one thread at a time may use it.
 ///
 /// A solution from the last equilibrium is accepted only if the edit seems to keep the structure stable: both
 /// equilibria are stable, and the tangents at both ends predict the move between them. Otherwise the path is

@@ -26,7 +26,7 @@ namespace fretwork::mechanics {
 /// T is not symmetric if moments of fixed direction act. Held components do not move.
 ///
 /// EquilibriumSolver creates an EquilibriumTangent at its last equilibrium and lends it the factors. It is
-/// valid until the next call of that solver.
+/// valid until the next call of that solver. Only one thread at a time may use it.
 class EquilibriumTangent {
   public:
     class Impl;

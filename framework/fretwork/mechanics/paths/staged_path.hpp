@@ -15,9 +15,10 @@ struct StageTarget {
     NodeValues loads;  ///< loads, one row for each node of the assembly
 };
 
-/// A path of load stages. Each load stage begins at the equilibrium at the end of the previous one. During a
-/// load stage, loads and prescribed values change linearly to the values of the target. A newly prescribed
-/// component starts from its present value; the reaction on a released component is reduced to zero.
+/// A path of load stages. Each load stage begins at the equilibrium at the end of the previous one. Only one
+/// thread at a time may use a path. During a load stage, loads and prescribed values change linearly to the
+/// values of the target. A newly prescribed component starts from its present value; the reaction on a
+/// released component is reduced to zero.
 ///
 /// Each load stage is followed as in follow_load_path() with Branch::Stable: one load stage from rest gives
 /// the equilibrium of that function. The structure leaves an unstable equilibrium along a descent direction.

@@ -11,7 +11,7 @@
 namespace fretwork::simulation {
 
 /// The condensed stiffness of every tile of a surface with each pattern of a palette. Congruent tiles form a
-/// *class* and share the stiffness.
+/// *class* and share the stiffness. Threads may share a CandidateTiles, which is immutable.
 class CandidateTiles {
   public:
     /// Options of condensing the candidates.
