@@ -164,7 +164,7 @@ class Library {
     [[nodiscard]] std::vector<pattern::NamedPattern> patterns_with_responses() const;
     /// The patterns, in the order of patterns(), whose responses are neither stored nor recorded as failed.
     [[nodiscard]] std::vector<pattern::NamedPattern> patterns_without_responses() const;
-    /// The patterns, in the order of patterns(), with a calibration of this key that is neither stored nor
+    /// The patterns, in the order of patterns(), for which a calibration of this key is neither stored nor
     /// recorded as failed. Patterns with failed responses are left out.
     [[nodiscard]] std::vector<pattern::NamedPattern> patterns_without_calibration(
         const CalibrationKey& key) const;
