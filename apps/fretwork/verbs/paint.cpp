@@ -147,7 +147,8 @@ std::vector<TileIndex> paint_project(Project& project, std::vector<TileIndex> ti
 void warn_of_large_file(const Project& project, const std::vector<TileIndex>& tiles,
                         const PaintOptions& options) {
     const std::string& patterns = options.painting.patterns;
-    if (options.mirror || !(patterns.starts_with("image:") || patterns.starts_with("colours:"))) return;
+    const bool has_file = patterns.starts_with("image:") || patterns.starts_with("colours:");
+    if (!has_file || options.mirror || tiles.empty()) return;
     for (const simulation::PaintingRecipe& recipe : project.recipes)
         if (std::ranges::binary_search(recipe.tiles, tiles.front())) return;
     warn("the project does not keep the file of --patterns, which has more than " +
