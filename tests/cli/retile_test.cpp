@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork retile, as a person runs it.
-#include "cli/command.hpp"
+#include "cli/refusal.hpp"
 #include "support.hpp"
 
 #include <fretwork/base/internal/json_text.hpp>
@@ -12,6 +12,7 @@
 namespace fretwork::app {
 namespace THIS_TEST {
 
+using test::expect_refused;
 using test::Outcome;
 using test::run_command;
 using test::TemporaryFolder;
@@ -43,11 +44,7 @@ class RetileCommand : public testing::Test {
     }
     /// Exit 2 with one line, and nothing is written.
     void expect_refusal(const std::string& options, const std::string& problem) const {
-        const Outcome refused = run("fretwork retile p.json --out new.json " + options);
-        EXPECT_EQ(refused.exit_code, 2) << options;
-        EXPECT_THAT(refused.err, HasSubstr(problem)) << options;
-        EXPECT_EQ(std::ranges::count(refused.err, '\n'), 1) << refused.err;
-        EXPECT_FALSE(std::filesystem::exists(folder_.path() / "new.json")) << options;
+        expect_refused("fretwork retile p.json --out new.json " + options, folder_.path(), problem);
     }
     TemporaryFolder folder_;
 };
@@ -142,9 +139,8 @@ TEST_F(RetileCommand, RefusesInOneLineAndWritesNothing) {
     expect_refusal("--angle 0 --palette 0-1+1-6", "--palette");
     expect_refusal("--angle 0 --library none.db", "--library: is for --patterns");
     expect_refusal("--angle 0 --patterns 0-1+1-6 --library none.db", "none.db");
-    const Outcome itself = run("fretwork retile p.json --angle 0 --out p.json");
-    EXPECT_EQ(itself.exit_code, 2);
-    EXPECT_THAT(itself.err, HasSubstr("p.json: is read by this command"));
+    expect_refused("fretwork retile p.json --angle 0 --out p.json", folder_.path(),
+                   "p.json: is read by this command");
 }
 
 /// A box that holds a node of the old tiles and none of the new ones.
@@ -165,9 +161,8 @@ TEST_F(RetileCommand, ReplacesNoProjectWithOtherLoadCases) {
                   .exit_code,
               0);
     const std::string before = base::read_text_file(folder_.path() / "other.json");
-    const Outcome refused = run("fretwork retile p.json --edge-length 20mm --out other.json");
-    EXPECT_EQ(refused.exit_code, 2);
-    EXPECT_THAT(refused.err, AllOf(HasSubstr("other.json: is another project"), HasSubstr("would be lost")));
+    expect_refused("fretwork retile p.json --edge-length 20mm --out other.json", folder_.path(),
+                   "other.json: is another project: its load case 'own-weight' would be lost");
     EXPECT_EQ(base::read_text_file(folder_.path() / "other.json"), before);
 }
 
@@ -201,8 +196,8 @@ TEST(ProjectsFromPipes, KeepTheLibraryOfTheCurrentFolder) {
               0);
     for (const std::string words :
          {"retile /dev/stdin --edge-length 50mm --patterns 0-5+5-6", "paint /dev/stdin --patterns 0-5+5-6"}) {
-        for (const std::string line : {"cat p.json | fretwork " + words + " --out sub/q.json",
-                                       "fretwork " + words + " --out sub/q.json < p.json"}) {
+        for (const std::string& line : {"cat p.json | fretwork " + words + " --out sub/q.json",
+                                        "fretwork " + words + " --out sub/q.json < p.json"}) {
             const Outcome done = run(line);
             ASSERT_EQ(done.exit_code, 0) << line << "\n" << done.err;
             EXPECT_EQ(simulation::read_project(folder.path() / "sub/q.json").library_path, "../L.db") << line;
