@@ -70,5 +70,20 @@ TEST(Rotation, DerivativeOfTheSpinMapAgreesWithFiniteDifferences) {
     }
 }
 
+TEST(RigidMotions, AreATranslationAndARotationAboutTheOrigin) {
+    const Eigen::Vector3d translation(0.1, -0.2, 0.3);
+    const Eigen::Vector3d rotation(0.4, 0.5, -0.6);
+    Eigen::Matrix3Xd points(3, 2);
+    points << 1.0, 0.2, -2.0, 0.5, 3.0, 0.0;
+    Eigen::Matrix<double, 6, 1> motion;
+    motion << translation, rotation;
+    const Eigen::VectorXd rows = rigid_motions(points) * motion;
+    for (int i = 0; i < 2; ++i) {
+        const Eigen::Vector3d expected = translation + rotation.cross(points.col(i));
+        EXPECT_LT((rows.segment<3>(6 * i) - expected).norm(), 1e-15);
+        EXPECT_EQ(rows.segment<3>(6 * i + 3), rotation);
+    }
+}
+
 }  // namespace THIS_TEST
 }  // namespace fretwork::geometry

@@ -51,6 +51,15 @@ Eigen::Matrix3d inverse_map_of(const Eigen::Vector3d& v, double second) {
 
 }  // namespace
 
+Eigen::MatrixXd rigid_motions(const Eigen::Ref<const Eigen::Matrix3Xd>& points) {
+    Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(6 * points.cols(), 6);
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+        motions.block<6, 6>(6 * i, 0).setIdentity();
+        motions.block<3, 3>(6 * i, 3) = -cross_matrix(points.col(i));
+    }
+    return motions;
+}
+
 Eigen::Quaterniond exponential(const Eigen::Vector3d& v) {
     const double half = 0.5 * v.norm();
     const double ratio = half < 1e-4 ? 0.5 * (1.0 - half * half / 6.0) : 0.5 * std::sin(half) / half;

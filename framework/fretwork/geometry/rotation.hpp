@@ -13,6 +13,10 @@ inline Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
     return m;
 }
 
+/// The six small rigid motions of points: displacements along the axes, then rotations about the axes through
+/// the origin, one in each column. A point has six rows: its displacement and its rotation vector.
+Eigen::MatrixXd rigid_motions(const Eigen::Ref<const Eigen::Matrix3Xd>& points);
+
 /// The rotation that a rotation vector of any length describes.
 Eigen::Quaterniond exponential(const Eigen::Vector3d& rotation_vector);
 

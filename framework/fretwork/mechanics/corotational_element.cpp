@@ -26,19 +26,6 @@ void require_size(const char* name, const Eigen::MatrixXd& matrix, Eigen::Index 
                            std::to_string(matrix.rows()) + " x " + std::to_string(matrix.cols()));
 }
 
-/// The six rigid motions of the nodes. Rotations are divided by the radius, so that all columns have the same
-/// size.
-Eigen::MatrixXd rigid_motions(const Eigen::Matrix3Xd& arms, double radius) {
-    Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(kDofsPerNode * arms.cols(), 6);
-    for (Eigen::Index i = 0; i < arms.cols(); ++i) {
-        motions.block<3, 3>(kDofsPerNode * i, 0).setIdentity();
-        motions.block<3, 3>(kDofsPerNode * i, 3) = -geometry::cross_matrix(arms.col(i)) / radius;
-        motions.block<3, 3>(kDofsPerNode * i + 3, 3).setIdentity();
-        motions.block<3, 3>(kDofsPerNode * i + 3, 3) /= radius;
-    }
-    return motions;
-}
-
 }  // namespace
 
 CorotationalBody::CorotationalBody(Parts parts)
@@ -54,7 +41,9 @@ CorotationalBody::CorotationalBody(Parts parts)
     const double square = arms_.squaredNorm() / static_cast<double>(arms_.cols());
     if (!(square > 0.0)) throw base::InputError("all nodes of a corotational element are at one place");
     rotation_weight_ = kRotationShare * square;
-    const double largest = (stiffness_ * rigid_motions(arms_, std::sqrt(square))).cwiseAbs().maxCoeff();
+    Eigen::MatrixXd motions = geometry::rigid_motions(arms_);
+    motions.rightCols<3>() /= std::sqrt(square);
+    const double largest = (stiffness_ * motions).cwiseAbs().maxCoeff();
     if (!(largest <= kRigidForce * stiffness_.cwiseAbs().maxCoeff()))
         throw base::InputError("the stiffness of a corotational element resists a rigid motion");
 }

@@ -2,6 +2,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/design/search/tile_strains.hpp>
+#include <fretwork/geometry/rotation.hpp>
 
 #include <Eigen/Dense>
 
@@ -28,18 +29,6 @@ std::vector<Index> places(Index nodes, const std::array<Index, 3>& dofs) {
     return result;
 }
 
-/// The six rigid motions.
-MatrixXd rigid_motions_of(const std::vector<Eigen::Vector3d>& nodes) {
-    MatrixXd motions = MatrixXd::Zero(6 * std::ssize(nodes), 6);
-    for (Index i = 0; i < std::ssize(nodes); ++i) {
-        const Eigen::Vector3d& p = nodes[static_cast<std::size_t>(i)];
-        motions.block<3, 3>(6 * i, 0).setIdentity();
-        motions.block<3, 3>(6 * i + 3, 3).setIdentity();
-        motions.block<3, 3>(6 * i, 3) << 0, p.z(), -p.y(), -p.z(), 0, p.x(), p.y(), -p.x(), 0;
-    }
-    return motions;
-}
-
 /// Orthonormal strains of some dofs that no rigid motion of these makes.
 MatrixXd strains_of(const MatrixXd& rigid, const std::vector<Index>& rows,
                     const std::array<Index, 3>& motions) {
@@ -63,8 +52,10 @@ TileStrains::TileStrains(const simulation::CandidateTiles& candidates, int threa
                          const base::Control& control)
     : classes_(candidates.class_count()) {
     for (std::size_t c = 0; c < classes_.size(); ++c) {
-        const MatrixXd rigid = rigid_motions_of(candidates.interface_nodes(c));
-        const Index nodes = rigid.rows() / 6;
+        const auto& places_of_nodes = candidates.interface_nodes(c);
+        const Index nodes = std::ssize(places_of_nodes);
+        const MatrixXd rigid = geometry::rigid_motions(
+            Eigen::Map<const Eigen::Matrix3Xd>(places_of_nodes.front().data(), 3, nodes));
         const MatrixXd in_plane = strains_of(rigid, places(nodes, kInPlane), kInPlane);
         const MatrixXd out_of_plane = strains_of(rigid, places(nodes, kOutOfPlane), kOutOfPlane);
         classes_[c].basis.resize(rigid.rows(), in_plane.cols() + out_of_plane.cols());

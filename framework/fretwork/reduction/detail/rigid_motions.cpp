@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/geometry/rotation.hpp>
 #include <fretwork/pattern/fan.hpp>
 #include <fretwork/reduction/detail/rigid_motions.hpp>
 
@@ -22,40 +23,21 @@ constexpr std::array<const char*, 6> kMotions = {"translation along x", "transla
                                                  "translation along z", "rotation about x",
                                                  "rotation about y",    "rotation about z"};
 
-/// The rigid motions of nodes about their mean, one in each column. Rotations are scaled by the radius, so
-/// that all entries of a scaled stiffness are in N/m.
-struct RigidMotions {
-    Eigen::MatrixXd columns;
-    Eigen::VectorXd lengths;  ///< scale of each component: 1 for displacements, 1 / radius for rotations
-};
-
-RigidMotions rigid_motions(const Eigen::Matrix3Xd& nodes) {
-    const Eigen::Matrix3Xd arms = nodes.colwise() - nodes.rowwise().mean().eval();
-    const double radius = arms.colwise().norm().maxCoeff();
-    const double inverse = radius > 0.0 ? 1.0 / radius : 1.0;
-    RigidMotions rigid{Eigen::MatrixXd::Zero(kDofsPerNode * arms.cols(), 6),
-                       Eigen::VectorXd::Ones(kDofsPerNode * arms.cols())};
-    for (Eigen::Index i = 0; i < arms.cols(); ++i) {
-        const Eigen::Index row = kDofsPerNode * i;
-        rigid.columns.block<3, 3>(row, 0).setIdentity();
-        for (int axis = 0; axis < 3; ++axis) {
-            const Eigen::Vector3d turn = Eigen::Vector3d::Unit(axis);
-            rigid.columns.block<3, 1>(row, 3 + axis) = inverse * turn.cross(arms.col(i));
-        }
-        rigid.columns.block<3, 3>(row + 3, 3)
-            .setIdentity();  // components that are rotations times the radius
-        rigid.lengths.segment<3>(row + 3).setConstant(inverse);
-    }
-    return rigid;
-}
-
-void require_free(Eigen::MatrixXd stiffness, const Eigen::Matrix3Xd& nodes, const std::string& model) {
+void require_free(const Eigen::MatrixXd& stiffness, const Eigen::Matrix3Xd& nodes, const std::string& model) {
     const std::string what = "tile model " + model + ": the stiffness of a tile ";
     if (!stiffness.allFinite()) throw base::InputError(what + "is not finite");
-    const RigidMotions rigid = rigid_motions(nodes);
-    stiffness = rigid.lengths.asDiagonal() * stiffness * rigid.lengths.asDiagonal();
-    const double largest = stiffness.cwiseAbs().maxCoeff();
-    const Eigen::RowVectorXd forces = (stiffness * rigid.columns).cwiseAbs().colwise().maxCoeff();
+    const Eigen::Matrix3Xd arms = nodes.colwise() - nodes.rowwise().mean().eval();
+    const double radius = arms.colwise().norm().maxCoeff();
+    // Rotations times the radius are lengths, so that all entries are in N/m.
+    const double scale = radius > 0.0 ? radius : 1.0;
+    Eigen::VectorXd lengths = Eigen::VectorXd::Ones(stiffness.rows());
+    for (Eigen::Index node = 0; node < arms.cols(); ++node)
+        lengths.segment<3>(kDofsPerNode * node + 3).setConstant(1.0 / scale);
+    Eigen::MatrixXd motions = geometry::rigid_motions(arms);
+    motions.rightCols<3>() /= scale;
+    const Eigen::RowVectorXd forces =
+        (lengths.asDiagonal() * stiffness * motions).cwiseAbs().colwise().maxCoeff();
+    const double largest = (lengths.asDiagonal() * stiffness * lengths.asDiagonal()).cwiseAbs().maxCoeff();
     const double force = forces.maxCoeff();
     if (force <= kFree * largest) return;
     // Often several motions are resisted equally, up to rounding. In this case, the simplest motion is named.

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/disjoint_sets.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/geometry/rotation.hpp>
 #include <fretwork/geometry/symmetric_eigen.hpp>
 #include <fretwork/mechanics/frame/detail/rigid_motion.hpp>
 
-#include <Eigen/Geometry>
-
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -41,33 +39,25 @@ std::string motion_text(const Eigen::Matrix<double, 6, 1>& motion) {
     return "turn about " + direction_text(rotation);
 }
 
-struct PartOfFrame {
-    Eigen::Vector3d center = Eigen::Vector3d::Zero();
-    double size = 0.0;
-};
-
-PartOfFrame measure(const Frame& frame, const std::vector<std::size_t>& part) {
-    PartOfFrame measured;
-    for (const std::size_t i : part) measured.center += frame.nodes[i] / static_cast<double>(part.size());
-    for (const std::size_t i : part)
-        measured.size = std::max(measured.size, (frame.nodes[i] - measured.center).norm());
-    if (measured.size == 0.0) measured.size = 1.0;
-    return measured;
+/// The nodes of a part relative to their mean, as shares of the largest distance from it.
+Eigen::Matrix3Xd arms_of(const Frame& frame, const std::vector<std::size_t>& part) {
+    Eigen::Matrix3Xd arms(3, std::ssize(part));
+    for (std::size_t i = 0; i < part.size(); ++i) arms.col(i) = frame.nodes[part[i]];
+    arms.colwise() -= arms.rowwise().mean().eval();
+    const double size = arms.colwise().norm().maxCoeff();
+    return size > 0.0 ? Eigen::Matrix3Xd(arms / size) : arms;
 }
 
 /// The sum over the held dofs of the squared motion of the dof, as a quadratic form of the rigid motion.
 Eigen::Matrix<double, 6, 6> held_motion_form(const Frame& frame, const std::vector<std::size_t>& part,
                                              const std::vector<DofSet>& held) {
-    const PartOfFrame measured = measure(frame, part);
+    const Eigen::MatrixXd motions = geometry::rigid_motions(arms_of(frame, part));
     Eigen::Matrix<double, 6, 6> form = Eigen::Matrix<double, 6, 6>::Zero();
-    for (const std::size_t i : part) {
-        const Eigen::Vector3d arm = (frame.nodes[i] - measured.center) / measured.size;
-        for (int c = 0; c < 3; ++c) {
-            Eigen::Matrix<double, 6, 1> row = Eigen::Matrix<double, 6, 1>::Zero();
-            row[c] = 1.0;
-            row.tail<3>() = arm.cross(Eigen::Vector3d::Unit(c));
-            if (held[i].contains[c]) form += row * row.transpose();
-            if (held[i].contains[c + 3]) form(c + 3, c + 3) += 1.0;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+        for (int d = 0; d < kDofsPerNode; ++d) {
+            if (!held[part[i]].contains[d]) continue;
+            const auto row = motions.row(kDofsPerNode * static_cast<Eigen::Index>(i) + d);
+            form += row.transpose() * row;
         }
     }
     return form;
