@@ -47,6 +47,7 @@ def read_section(lines):
 
 
 def escape(text):
+    """Plain words as Markdown: other than in comments, a backslash is meant as one."""
     return re.sub(r"([*_<>\[\]|$\\])", r"\\\1", text)
 
 

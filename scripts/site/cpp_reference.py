@@ -5,16 +5,11 @@ import pathlib
 import re
 
 import cpp_headers
-
-
-def escape(text):
-    """Comments are Markdown but for what they mean literally."""
-    parts = re.split(r"(`[^`]*`|```.*?```)", text, flags=re.S)
-    return "".join(part if part.startswith("`") else re.sub(r"([<>*_$\[\]|])", r"\\\1", part) for part in parts)
+from markdown_pages import escaped
 
 
 def comment(symbol):
-    return "\n\n".join(filter(None, (escape(symbol.brief), escape(symbol.detail))))
+    return "\n\n".join(filter(None, (escaped(symbol.brief), escaped(symbol.detail))))
 
 
 def short(name):
@@ -32,7 +27,7 @@ def member_text(member):
 
 
 def symbol_text(symbol):
-    text = [f"### {escape(label(symbol.name))}", "", "```cpp", symbol.text, "```", "", comment(symbol), ""]
+    text = [f"### {escaped(label(symbol.name))}", "", "```cpp", symbol.text, "```", "", comment(symbol), ""]
     if symbol.kind == "enum":
         text += [f"- `{value.name}`" + (f": {' '.join(comment(value).split())}" if comment(value) else "") for value in symbol.members]
     else:

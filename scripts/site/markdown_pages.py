@@ -69,6 +69,12 @@ def without_code(text):
     return "\n".join(lines)
 
 
+def escaped(text):
+    """Words of a comment as Markdown that shows them as they are; code spans stay."""
+    parts = re.split(r"(`[^`]*`)", text)
+    return "".join(part if part.startswith("`") else re.sub(r"([<>*_$\[\]|])", r"\\\1", part) for part in parts)
+
+
 def slug(heading):
     """The anchor of a heading, as GitHub and MyST make it."""
     plain = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading.strip())

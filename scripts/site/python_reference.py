@@ -7,10 +7,7 @@ import inspect
 import re
 import sys
 
-
-def escape(text):
-    parts = re.split(r"(`[^`]*`)", text)
-    return "".join(part if part.startswith("`") else re.sub(r"([<>*_$\[\]|])", r"\\\1", part) for part in parts)
+from markdown_pages import escaped
 
 
 def split_doc(part):
@@ -33,31 +30,31 @@ def words_text(words):
         if code:
             text += ["", "```pycon", *code, "```", ""]
             code = []
-        text.append(escape(line))
+        text.append(escaped(line))
     return "\n".join(text)
 
 
 def function_text(name, part, level=2):
     signatures, words = split_doc(part)
-    return "\n".join([f"{'#' * level} {escape(name)}", "", *(["```python", *signatures, "```", ""] if signatures else []), words_text(words), ""])
+    return "\n".join([f"{'#' * level} {escaped(name)}", "", *(["```python", *signatures, "```", ""] if signatures else []), words_text(words), ""])
 
 
 def class_text(name, kind):
-    text = [f"## {escape(name)}", "", words_text(split_doc(kind)[1] or (kind.__doc__ or "")), ""]
+    text = [f"## {escaped(name)}", "", words_text(split_doc(kind)[1] or (kind.__doc__ or "")), ""]
     for key, part in sorted(vars(kind).items()):
         if key.startswith("_"):
             continue
         if inspect.isclass(part):
-            text.append(f"- `{name}.{key}`: {escape(' '.join((part.__doc__ or '').split()))}")
+            text.append(f"- `{name}.{key}`: {escaped(' '.join((part.__doc__ or '').split()))}")
         else:
             signatures, words = split_doc(part)
             shown = signatures[0] if signatures else key
-            text.append(f"- `{shown}`: {escape(' '.join(words.split('>>>')[0].split()))}".rstrip(": "))
+            text.append(f"- `{shown}`: {escaped(' '.join(words.split('>>>')[0].split()))}".rstrip(": "))
     return "\n".join(text) + "\n"
 
 
 def enum_text(name, kind):
-    return "\n".join([f"## {escape(name)}", "", escape(inspect.getdoc(kind) or ""), "", *(f"- `{value.name}`" for value in kind)]) + "\n"
+    return "\n".join([f"## {escaped(name)}", "", escaped(inspect.getdoc(kind) or ""), "", *(f"- `{value.name}`" for value in kind)]) + "\n"
 
 
 def parts_of(module):
