@@ -4,6 +4,7 @@
 #include <fretwork/geometry/polygon.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 /// Arithmetic of plane vectors of type Point2.
@@ -64,6 +65,16 @@ inline Point2 nearest_on_segment(Point2 a, Point2 b, Point2 point) {
     const double square = dot(side, side);
     const double share = square > 0.0 ? std::clamp(dot(point - a, side) / square, 0.0, 1.0) : 0.0;
     return between(a, b, share);
+}
+/// The straight line between two points.
+using Segment = std::array<Point2, 2>;
+/// True if the segments cross at a point that is an end of neither. Segments along one line do not cross.
+inline bool do_cross(const Segment& a, const Segment& b) {
+    const auto parts = [](const Segment& line, const Segment& ends) {
+        const Point2 along = line[1] - line[0];
+        return cross(along, ends[0] - line[0]) * cross(along, ends[1] - line[0]) < 0.0;
+    };
+    return parts(a, b) && parts(b, a);
 }
 /// The sum of the lengths of a polygon's sides.
 inline double perimeter(const Polygon& polygon) {

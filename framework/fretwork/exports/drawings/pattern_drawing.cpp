@@ -36,7 +36,7 @@ void draw_base_triangle(SvgCanvas& canvas, const NodeLayout& layout, const std::
                         double text) {
     const double size = geometry::distance(triangle[1], triangle[2]);
     canvas.polygon(triangle, {"#f4f6f8", detail::kRimColour, 0.008 * size, 1.0});
-    std::vector<std::array<Point2, 2>> edges;
+    detail::Segments edges;
     for (const pattern::Edge& edge : layout.candidate_edges()) {
         edges.push_back(
             {at(layout.nodes()[edge.first], triangle), at(layout.nodes()[edge.second], triangle)});

@@ -13,42 +13,31 @@ namespace {
 
 using geometry::Box;
 using geometry::Point2;
+using geometry::Segment;
 
 /// Bars nearer than this touch: what rounding leaves between a node and a bar that passes through it.
 constexpr double kTouching = 1e-9;  // m
 /// Bars of a common node at a smaller angle lie over each other.
 constexpr double kSameDirection = 1e-6;  // rad
 
-struct Segment {
-    Point2 from;
-    Point2 to;
-};
-
 Segment segment(const BarPlan& plan, const Bar& bar) {
     return {plan.nodes[bar.nodes[0]], plan.nodes[bar.nodes[1]]};
 }
 
-bool cross_properly(const Segment& a, const Segment& b) {
-    const auto side = [](const Segment& line, const Point2& point) {
-        return cross(line.to - line.from, point - line.from);
-    };
-    return side(a, b.from) * side(a, b.to) < 0.0 && side(b, a.from) * side(b, a.to) < 0.0;
-}
-
 /// Where two bars without a common node touch, if they do.
 std::optional<Point2> meeting_place(const Segment& a, const Segment& b) {
-    if (cross_properly(a, b)) {
-        const Point2 along = a.to - a.from;
-        const double share = cross(b.from - a.from, b.to - b.from) / cross(along, b.to - b.from);
-        return a.from + share * along;
+    if (do_cross(a, b)) {
+        const Point2 along = a[1] - a[0];
+        const double share = cross(b[0] - a[0], b[1] - b[0]) / cross(along, b[1] - b[0]);
+        return a[0] + share * along;
     }
     const auto touches = [](const Point2& point, const Segment& line) {
-        return distance(point, nearest_on_segment(line.from, line.to, point)) <= kTouching;
+        return distance(point, nearest_on_segment(line[0], line[1], point)) <= kTouching;
     };
-    if (touches(a.from, b)) return a.from;
-    if (touches(a.to, b)) return a.to;
-    if (touches(b.from, a)) return b.from;
-    if (touches(b.to, a)) return b.to;
+    for (const Point2& end : a)
+        if (touches(end, b)) return end;
+    for (const Point2& end : b)
+        if (touches(end, a)) return end;
     return std::nullopt;
 }
 
@@ -85,7 +74,7 @@ void require_no_crossings(const BarPlan& plan) {
     std::vector<Box> boxes;
     for (const Bar& bar : plan.bars) {
         const Segment line = segment(plan, bar);
-        boxes.push_back(grown(box_of(std::array{line.from, line.to}), kTouching));
+        boxes.push_back(grown(box_of(line), kTouching));
     }
     const geometry::BoxGrid grid(boxes);
     for (std::size_t i = 0; i < plan.bars.size(); ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/text.hpp>
 #include <fretwork/geometry/box_grid.hpp>
+#include <fretwork/geometry/plane.hpp>
 #include <fretwork/simulation/results/bar_clearance.hpp>
 #include <fretwork/simulation/results/surface_beams.hpp>
 
@@ -12,30 +13,15 @@
 namespace fretwork::simulation {
 namespace {
 
-using Place = Eigen::Vector2d;
-using Segment = std::array<Place, 2>;
+using geometry::Point2;
+using geometry::Segment;
 
-double distance(const Place& point, const Segment& segment) {
-    const Place along = segment[1] - segment[0];
-    const double share = std::clamp(along.dot(point - segment[0]) / along.squaredNorm(), 0.0, 1.0);
-    return (segment[0] + share * along - point).norm();
-}
-
-double cross(const Place& a, const Place& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
-
-bool do_cross(const Segment& a, const Segment& b) {
-    const Place along_a = a[1] - a[0];
-    const Place along_b = b[1] - b[0];
-    const auto parts = [](const Place& along, const Place& from, const Segment& other) {
-        return cross(along, other[0] - from) * cross(along, other[1] - from) < 0.0;
-    };
-    return parts(along_a, a[0], b) && parts(along_b, b[0], a);
+double distance(const Point2& point, const Segment& segment) {
+    return geometry::distance(geometry::nearest_on_segment(segment[0], segment[1], point), point);
 }
 
 double distance(const Segment& a, const Segment& b) {
-    if (do_cross(a, b)) return 0.0;
+    if (geometry::do_cross(a, b)) return 0.0;
     return std::min({distance(a[0], b), distance(a[1], b), distance(b[0], a), distance(b[1], a)});
 }
 
@@ -50,7 +36,7 @@ class PlaneBars {
     [[nodiscard]] std::vector<CloseBars> close(double reach, double width,
                                                const base::Control& control) const {
         std::vector<geometry::Box> boxes;
-        for (const Segment& segment : segments_) boxes.push_back(box_of(segment));
+        for (const Segment& segment : segments_) boxes.push_back(geometry::box_of(segment));
         const geometry::BoxGrid grid(boxes);
         std::vector<CloseBars> found;
         for (std::size_t bar = 0; bar < segments_.size(); ++bar) {
@@ -67,14 +53,10 @@ class PlaneBars {
 
   private:
     [[nodiscard]] Segment segment_of(std::size_t bar) const {
-        const auto place = [&](mechanics::NodeIndex node) -> Place { return beams_.nodes[node].head<2>(); };
+        const auto place = [&](mechanics::NodeIndex node) -> Point2 {
+            return {beams_.nodes[node].x(), beams_.nodes[node].y()};
+        };
         return {place(beams_.ends[bar][0]), place(beams_.ends[bar][1])};
-    }
-
-    static geometry::Box box_of(const Segment& segment) {
-        const auto [from, to] = segment;
-        return {std::min(from.x(), to.x()), std::min(from.y(), to.y()), std::max(from.x(), to.x()),
-                std::max(from.y(), to.y())};
     }
 
     /// Between the axes; of bars that meet, between the far end of one and the other.

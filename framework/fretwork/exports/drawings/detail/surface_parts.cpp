@@ -124,7 +124,7 @@ void draw_beams(SvgCanvas& canvas, const Surface& surface, const Projection& pro
     std::vector<Point2> places;
     for (const Eigen::Vector3d& node : drawn.nodes) places.push_back({node.x(), node.y()});
     const std::vector<Point2> nodes = projection.all(places);
-    std::vector<std::vector<std::array<Point2, 2>>> beams(surface.tessellation.tiles.size());
+    std::vector<Segments> beams(surface.tessellation.tiles.size());
     for (std::size_t b = 0; b < drawn.ends.size(); ++b) {
         const auto& ends = drawn.ends[b];
         beams[drawn.tiles[b]].push_back({nodes[ends[0]], nodes[ends[1]]});

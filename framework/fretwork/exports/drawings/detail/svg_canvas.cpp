@@ -103,11 +103,11 @@ void SvgCanvas::named_polygon(std::span<const Point2> points, const Style& style
     body_ += "\"" + attributes(style) + "><title>" + escaped(name) + "</title></polygon>\n";
 }
 
-void SvgCanvas::segments(std::span<const std::array<Point2, 2>> lines, const Style& style) {
+void SvgCanvas::segments(std::span<const geometry::Segment> lines, const Style& style) {
     named_segments(lines, style, "");
 }
 
-void SvgCanvas::named_segments(std::span<const std::array<Point2, 2>> lines, const Style& style,
+void SvgCanvas::named_segments(std::span<const geometry::Segment> lines, const Style& style,
                                std::string_view id) {
     if (lines.empty()) return;
     body_ += "<path";

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <fretwork/geometry/box.hpp>
+#include <fretwork/geometry/plane.hpp>
 
-#include <array>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,7 +21,7 @@ geometry::Box bounding_box(std::span<const geometry::Point2> points, double marg
 std::vector<geometry::Point2> moved(std::vector<geometry::Point2> points, const geometry::Point2& by);
 
 /// Lines by their two ends.
-using Segments = std::vector<std::array<geometry::Point2, 2>>;
+using Segments = std::vector<geometry::Segment>;
 /// The lines between points; each line has the numbers of its two ends.
 template <class Ends>
 Segments segments_of(const std::vector<Ends>& lines, std::span<const geometry::Point2> points) {
@@ -61,10 +61,9 @@ class SvgCanvas {
     void named_polygon(std::span<const geometry::Point2> points, const Style& style, std::string_view id,
                        std::string_view name);
     /// Several open lines as one path, with round ends.
-    void segments(std::span<const std::array<geometry::Point2, 2>> lines, const Style& style);
+    void segments(std::span<const geometry::Segment> lines, const Style& style);
     /// The same with an id for programs.
-    void named_segments(std::span<const std::array<geometry::Point2, 2>> lines, const Style& style,
-                        std::string_view id);
+    void named_segments(std::span<const geometry::Segment> lines, const Style& style, std::string_view id);
     void circle(const geometry::Point2& center, double radius, const Style& style);
     /// A circle that is shaded as a ball.
     void ball(const geometry::Point2& center, double radius, const Colour& colour);
