@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/geometry/plane.hpp>
 #include <fretwork/simulation/project/project_library.hpp>
 #include <fretwork/simulation/surface.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace fretwork::simulation {
 
@@ -28,9 +28,8 @@ base::IndexVector<tiling::TileIndex, double> tile_masses(const Surface& surface)
     const double mass_per_length = surface.setting.material.density * surface.setting.section.area;
     const tiling::TessellationFan fan = surface_fan(surface);
     for (const tiling::TessellationFan::Edge& edge : fan.edges) {
-        const geometry::Point2& a = fan.nodes[edge.nodes[0]];
-        const geometry::Point2& b = fan.nodes[edge.nodes[1]];
-        masses[edge.tile] += mass_per_length * std::hypot(b.x - a.x, b.y - a.y);
+        masses[edge.tile] +=
+            mass_per_length * geometry::distance(fan.nodes[edge.nodes[0]], fan.nodes[edge.nodes[1]]);
     }
     return masses;
 }

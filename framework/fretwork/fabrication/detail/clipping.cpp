@@ -151,7 +151,7 @@ std::vector<int> circles_of_edges(const Polygon& polygon, std::span<const Disc> 
 
 /// The angle that an edge takes at the center of a circle.
 double angle_at(const Point2& center, const Point2& from, const Point2& to) {
-    return std::atan2(cross(from - center, to - center), dot(from - center, to - center));
+    return turn(from - center, to - center);
 }
 
 /// Where a line goes through a circle, next to a point of it that is a little inside.

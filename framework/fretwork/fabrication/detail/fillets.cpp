@@ -50,7 +50,7 @@ class Filleting {
         if (contour_[i].bulge != 0.0 || contour_[before(i)].bulge != 0.0) return 0.0;
         const Point2 in = place(i) - place(before(i));
         const Point2 out = place(after(i)) - place(i);
-        const double turn = -std::atan2(cross(in, out), dot(in, out));
+        const double turn = -geometry::turn(in, out);
         return turn > kLeastCornerTurn ? turn : 0.0;
     }
     void add(Contour& rounded, std::size_t i, const Corner& corner) const {

@@ -2,7 +2,6 @@
 #include <fretwork/fabrication/detail/fillets.hpp>
 #include <fretwork/geometry/plane.hpp>
 
-#include <cmath>
 
 namespace fretwork::fabrication::detail {
 namespace {
@@ -19,7 +18,7 @@ void look_at(const Contour& contour, std::vector<double>& radii) {
         if (contour[i].bulge != 0.0 || before.bulge != 0.0) continue;
         const Point2 in = contour[i].place - before.place;
         const Point2 out = after - contour[i].place;
-        if (std::atan2(cross(in, out), dot(in, out)) < -kLeastCornerTurn) radii.push_back(0.0);
+        if (turn(in, out) < -kLeastCornerTurn) radii.push_back(0.0);
     }
 }
 

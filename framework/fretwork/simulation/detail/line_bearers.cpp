@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/geometry/plane.hpp>
 #include <fretwork/simulation/detail/line_bearers.hpp>
 #include <fretwork/tiling/tessellation.hpp>
 
@@ -18,7 +19,7 @@ using tiling::Tessellation;
 struct RimSide {
     std::array<Point2, 2> ends;
     std::vector<InterfaceIndex> nodes;
-    [[nodiscard]] double length() const { return std::hypot(ends[1].x - ends[0].x, ends[1].y - ends[0].y); }
+    [[nodiscard]] double length() const { return geometry::distance(ends[0], ends[1]); }
 };
 
 /// The closed lines of the rim, side after side.

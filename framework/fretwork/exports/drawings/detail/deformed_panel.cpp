@@ -124,10 +124,8 @@ class WhiteEdges {
         const double last = gap(line, 1);
         for (const int node : lines_.lines[line]) drawn_at_[node].push_back(line);
         if (!(first + last < length)) return;
-        const auto at = [&, from = start, to = end](double t) {
-            return Point2{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
-        };
-        const Segments edge = {{at(first / length), at(1.0 - last / length)}};
+        const Segments edge = {{geometry::between(start, end, first / length),
+                                geometry::between(start, end, 1.0 - last / length)}};
         canvas.segments(edge, {"none", "#ffffff", kEdge * width_, 1.0});
     }
 
@@ -153,8 +151,7 @@ class WhiteEdges {
     [[nodiscard]] double parting(const Point2& line, const Point2& other) const {
         const double clear =
             0.5 * (kEdge + 1.0) * width_;  // between the axes of white and line, whose ends are round
-        const double angle =
-            std::abs(std::atan2(line.x * other.y - line.y * other.x, line.x * other.x + line.y * other.y));
+        const double angle = std::abs(geometry::turn(line, other));
         if (angle >= 0.5 * std::numbers::pi) return clear;
         const double reach = geometry::length(other) + clear;
         return clear < reach * std::sin(angle) ? clear / std::sin(angle) : reach;

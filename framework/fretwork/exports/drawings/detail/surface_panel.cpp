@@ -5,10 +5,10 @@
 #include <fretwork/exports/drawings/detail/pattern_legend.hpp>
 #include <fretwork/exports/drawings/detail/print.hpp>
 #include <fretwork/exports/drawings/detail/surface_parts.hpp>
+#include <fretwork/geometry/plane.hpp>
 #include <fretwork/tiling/tessellation.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 namespace fretwork::exports::detail {
@@ -53,7 +53,6 @@ std::vector<LoadMark> few_of(std::vector<LoadMark> marks) {
         middle.x += mark.to.x / static_cast<double>(marks.size());
         middle.y += mark.to.y / static_cast<double>(marks.size());
     }
-    const auto distance = [](const Point2& a, const Point2& b) { return std::hypot(a.x - b.x, a.y - b.y); };
     std::vector<double> gaps;  // of each mark to those that are taken; before the first, its nearness
     for (const LoadMark& mark : marks) gaps.push_back(-distance(mark.to, middle));
     std::vector<LoadMark> few;
