@@ -3,6 +3,7 @@
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/provenance.hpp>
+#include <fretwork/base/named.hpp>
 #include <fretwork/base/text.hpp>
 
 namespace fretwork::app {
@@ -53,13 +54,9 @@ Program::Program(ExitCode& exit_code)
 }
 
 const CLI::App& find_verb(const CLI::App& app, const std::string& wanted) {
-    std::vector<std::string> names;
-    for (const CLI::App* verb : app.get_subcommands({})) {
-        if (verb->get_name() == wanted) return *verb;
-        names.push_back(verb->get_name());
-    }
-    if (names.empty()) throw base::InputError("'" + app.get_name() + "' has no verbs of its own");
-    throw base::InputError(base::unknown_name_message("verb", wanted, names));
+    const auto verbs = app.get_subcommands({});
+    if (verbs.empty()) throw base::InputError("'" + app.get_name() + "' has no verbs of its own");
+    return *base::find_named(wanted, verbs, &CLI::App::get_name, "verb");
 }
 
 }  // namespace fretwork::app

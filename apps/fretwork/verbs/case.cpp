@@ -6,6 +6,7 @@
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/file_lock.hpp>
+#include <fretwork/base/named.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/simulation/load_cases/combination.hpp>
 #include <fretwork/simulation/load_cases/conditions.hpp>
@@ -42,11 +43,9 @@ void check_on(const Project& project, const LoadCase& load_case) {
 }
 
 LoadCase& case_of(Project& project, const CaseOptions& options) {
-    const auto found = std::ranges::find(project.load_cases, options.name, &LoadCase::name);
-    if (found != project.load_cases.end()) return *found;
-    std::vector<std::string> names;
-    for (const LoadCase& load_case : project.load_cases) names.push_back(load_case.name);
-    throw base::InputError(options.project, "", base::unknown_name_message("load case", options.name, names));
+    return *base::located(options.project, "", [&] {
+        return &base::find_named(options.name, project.load_cases, &LoadCase::name, "load case");
+    });
 }
 
 /// Prints the pick of each entry, for people; warnings go to standard error.

@@ -9,6 +9,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/base/named.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/optimization/methods/outside_command.hpp>
@@ -142,10 +143,8 @@ std::vector<optimization::OptimizerRow> rows_of_commands(const std::vector<std::
 Contender chosen_contender(const std::string& word, const std::vector<Contender>& all) {
     const auto colon = word.find(':');
     const std::string name = word.substr(0, colon);
-    std::vector<optimization::OptimizerRow> rows;
-    for (const Contender& contender : all) rows.push_back(*contender.method);
-    const auto index = &optimization::find_optimizer(name, rows) - rows.data();
-    Contender contender = all[static_cast<std::size_t>(index)];
+    const auto name_of = [](const Contender& one) { return one.method->name; };
+    Contender contender = base::find_named(name, all, name_of, "optimizer");
     if (colon == std::string::npos) return contender;
     const auto starts = base::read_number<int>(word.substr(colon + 1));
     if (!starts)

@@ -2,6 +2,7 @@
 #include "options/painting_options.hpp"
 #include "verbs/tile_output.hpp"
 
+#include <fretwork/base/named.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/reduction/scenarios/setting_file.hpp>
 
@@ -12,15 +13,6 @@
 #include <vector>
 
 namespace fretwork::app {
-namespace {
-
-std::vector<std::string> names_of(const std::vector<simulation::LoadCase>& load_cases) {
-    std::vector<std::string> names;
-    for (const simulation::LoadCase& load_case : load_cases) names.push_back(load_case.name);
-    return names;
-}
-
-}  // namespace
 
 base::Json tiling_json(const tiling::TessellationReport& report, const simulation::Project& project) {
     std::optional<std::string> setting;
@@ -44,7 +36,7 @@ base::Json tiling_json(const tiling::TessellationReport& report, const simulatio
             {"library", project.library_path},
             {"setting", base::or_null(setting)},
             {"joints", base::or_null(joints)},
-            {"load_cases_kept", names_of(project.load_cases)}};
+            {"load_cases_kept", base::names_of(project.load_cases, &simulation::LoadCase::name)}};
 }
 
 void print_tiling(const tiling::TessellationReport& report, const simulation::Project& project) {

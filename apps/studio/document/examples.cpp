@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/error.hpp>
 #include <fretwork/base/json_reader.hpp>
-#include <fretwork/base/text.hpp>
+#include <fretwork/base/named.hpp>
 #include <fretwork/simulation/internal/load_case_json.hpp>
 #include <fretwork/simulation/load_cases/conditions.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
@@ -9,7 +8,6 @@
 #include <fretwork/studio/detail/embedded_examples.hpp>
 #include <studio/document/examples.hpp>
 
-#include <algorithm>
 #include <typed/painting_text.hpp>
 
 namespace fretwork::studio {
@@ -19,12 +17,9 @@ using base::JsonReader;
 
 /// An example's file: what `fretwork tile` takes, and a load case.
 JsonReader read_example(std::string_view name) {
-    const auto row = std::ranges::find(embedded_examples, name, [](const auto& file) { return file.first; });
-    if (row != embedded_examples.end())
-        return JsonReader::from_text(row->second, "example " + std::string(name));
-    std::vector<std::string> names;
-    for (const auto& [known, text] : embedded_examples) names.emplace_back(known);
-    throw base::InputError(base::unknown_name_message("example", name, names));
+    const auto name_of = [](const auto& file) { return file.first; };
+    const auto& file = base::find_named(name, embedded_examples, name_of, "example");
+    return JsonReader::from_text(file.second, "example " + std::string(name));
 }
 
 }  // namespace

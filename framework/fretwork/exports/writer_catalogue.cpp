@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/named.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/exports/drawings/surface_drawing.hpp>
 #include <fretwork/exports/making/making_files.hpp>
@@ -213,12 +214,7 @@ std::string_view unit_of(const WriterRow& writer) {
 }
 
 Content parse_content(const std::string& name) {
-    std::vector<std::string> names;
-    for (const ContentName& row : kContents) {
-        if (row.name == name) return row.content;
-        names.emplace_back(row.name);
-    }
-    throw base::InputError(base::unknown_name_message("content", name, names));
+    return base::find_named(name, kContents, &ContentName::name, "content").content;
 }
 
 const WriterRow& find_writer(const std::filesystem::path& path, std::optional<Content> content) {

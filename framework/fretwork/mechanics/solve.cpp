@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/text.hpp>
+#include <fretwork/base/named.hpp>
 #include <fretwork/mechanics/decks/calculix_file.hpp>
 #include <fretwork/mechanics/frame/frame_file.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
@@ -18,10 +18,10 @@ namespace {
 /// path without a jump.
 constexpr int kDefaultSteps = 10;
 
-constexpr std::pair<Solver, std::string_view> kSolvers[] = {
-    {Solver::Linear, "linear"},
-    {Solver::Newton, "newton"},
-    {Solver::DynamicRelaxation, "dynamic-relaxation"}};
+using NamedSolver = std::pair<Solver, std::string_view>;
+constexpr NamedSolver kSolvers[] = {{Solver::Linear, "linear"},
+                                    {Solver::Newton, "newton"},
+                                    {Solver::DynamicRelaxation, "dynamic-relaxation"}};
 
 using Clock = std::chrono::steady_clock;
 
@@ -130,12 +130,7 @@ std::vector<std::string_view> solver_names() {
 }
 
 Solver find_solver(std::string_view name) {
-    for (const auto& [solver, its_name] : kSolvers) {
-        if (its_name == name) return solver;
-    }
-    const auto names = solver_names();
-    const std::vector<std::string> known(names.begin(), names.end());
-    throw base::InputError(base::unknown_name_message("solver", std::string(name), known));
+    return base::find_named(name, kSolvers, &NamedSolver::second, "solver").first;
 }
 
 void SolveOptions::validate() const {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/error.hpp>
-#include <fretwork/base/text.hpp>
+#include <fretwork/base/named.hpp>
 #include <fretwork/optimization/methods/annealing_then_ceres.hpp>
 #include <fretwork/optimization/methods/ceres_residuals.hpp>
 #include <fretwork/optimization/methods/detail/nlopt_optimizer.hpp>
@@ -10,7 +9,6 @@
 #include <fretwork/optimization/methods/simulated_annealing.hpp>
 #include <fretwork/optimization/optimizer_catalogue.hpp>
 
-#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -162,11 +160,7 @@ std::span<const OptimizerRow> optimizer_catalogue() {
 }
 
 const OptimizerRow& find_optimizer(std::string_view name, std::span<const OptimizerRow> rows) {
-    const auto row = std::ranges::find(rows, name, &OptimizerRow::name);
-    if (row != rows.end()) return *row;
-    std::vector<std::string> names;
-    for (const OptimizerRow& candidate : rows) names.emplace_back(candidate.name);
-    throw base::InputError(base::unknown_name_message("optimizer", name, names));
+    return base::find_named(name, rows, &OptimizerRow::name, "optimizer");
 }
 
 }  // namespace fretwork::optimization

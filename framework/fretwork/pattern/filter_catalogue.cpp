@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/named.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/pattern/filters/filters.hpp>
@@ -120,12 +121,7 @@ std::span<const FilterKind> filter_catalogue() {
 }
 
 const FilterKind& find_filter_kind(std::string_view name) {
-    std::vector<std::string> names;
-    for (const FilterKind& kind : kCatalogue) {
-        if (kind.name == name) return kind;
-        names.emplace_back(kind.name);
-    }
-    throw base::InputError(base::unknown_name_message("filter", name, names));
+    return base::find_named(name, kCatalogue, &FilterKind::name, "filter");
 }
 
 FilterChoice parse_filter_choice(std::string_view text) {

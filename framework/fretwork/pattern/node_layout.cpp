@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/named.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/pattern/detail/embedded_layouts.hpp>
 #include <fretwork/pattern/detail/exact_geometry.hpp>
@@ -159,9 +160,7 @@ std::string node_layout_text(const NodeLayout& layout) {
 }
 
 std::vector<std::string> layout_names() {
-    std::vector<std::string> names;
-    for (const auto& [name, text] : embedded_layouts) names.emplace_back(name);
-    return names;
+    return base::names_of(embedded_layouts, [](const auto& layout) { return layout.first; });
 }
 
 bool is_layout_name(std::string_view name) {

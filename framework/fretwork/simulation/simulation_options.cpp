@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/named.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/simulation/simulation_options.hpp>
@@ -64,8 +65,7 @@ ModelChoice model_choice(const SimulationOptions& options) {
     if (!mixed_share(options.model) &&
         std::ranges::find(options.models, options.model, &reduction::TileModel::name) ==
             options.models.end()) {
-        std::vector<std::string> names;
-        for (const reduction::TileModel& model : options.models) names.push_back(model.name);
+        auto names = base::names_of(options.models, &reduction::TileModel::name);
         names.emplace_back("mixed:SHARE");
         throw base::InputError(base::unknown_name_message("tile model", options.model, names));
     }

@@ -2,7 +2,6 @@
 #include <fretwork/fabrication/detail/fillets.hpp>
 #include <fretwork/geometry/plane.hpp>
 
-
 namespace fretwork::fabrication::detail {
 namespace {
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/error.hpp>
-#include <fretwork/base/text.hpp>
+#include <fretwork/base/named.hpp>
 #include <fretwork/mechanics/paths/branch.hpp>
 
 #include <utility>
@@ -8,7 +7,8 @@
 namespace fretwork::mechanics {
 namespace {
 
-constexpr std::pair<Branch, std::string_view> kBranches[] = {
+using NamedBranch = std::pair<Branch, std::string_view>;
+constexpr NamedBranch kBranches[] = {
     {Branch::Primary, "primary"}, {Branch::Stable, "stable"}, {Branch::Snapping, "snapping"}};
 
 }  // namespace
@@ -21,16 +21,11 @@ std::string_view branch_name(Branch branch) {
 }
 
 std::vector<std::string> branch_names() {
-    std::vector<std::string> names;
-    for (const auto& [branch, name] : kBranches) names.emplace_back(name);
-    return names;
+    return base::names_of(kBranches, &NamedBranch::second);
 }
 
 Branch find_branch(std::string_view name) {
-    for (const auto& [branch, its_name] : kBranches) {
-        if (its_name == name) return branch;
-    }
-    throw base::InputError(base::unknown_name_message("branch", std::string(name), branch_names()));
+    return base::find_named(name, kBranches, &NamedBranch::second, "branch").first;
 }
 
 }  // namespace fretwork::mechanics

@@ -168,10 +168,7 @@ Result::Node read_node(const JsonReader& reader) {
 
 std::string read_solver(const JsonReader& reader) {
     std::string name = reader.string();
-    const auto names = solver_names();
-    const std::vector<std::string> known(names.begin(), names.end());
-    if (std::ranges::find(known, name) == known.end())
-        reader.fail(base::unknown_name_message("solver", name, known));
+    reader.located([&] { (void)find_solver(name); });
     return name;
 }
 

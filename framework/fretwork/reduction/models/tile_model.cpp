@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/named.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/reduction/detail/rigid_motions.hpp>
 #include <fretwork/reduction/models/tile_model.hpp>
@@ -15,20 +16,15 @@ std::shared_ptr<const TileStructure> build_tile(const TileModel& model, const Ti
 }
 
 const TileModel& find_tile_model(std::string_view name, std::span<const TileModel> models) {
-    const auto row = std::ranges::find(models, name, &TileModel::name);
-    if (row != models.end()) return *row;
-    std::vector<std::string> names;
-    for (const TileModel& model : models) names.push_back(model.name);
-    throw base::InputError(base::unknown_name_message("tile model", name, names));
+    return base::find_named(name, models, &TileModel::name, "tile model");
 }
 
 std::size_t parameter_index(const TileModel& model, std::string_view name) {
     const auto place = std::ranges::find(model.parameters, name, &TileParameter::name);
     if (place != model.parameters.end()) return place - model.parameters.begin();
-    std::vector<std::string> names;
-    for (const TileParameter& parameter : model.parameters) names.push_back(parameter.name);
     throw base::InputError("tile model " + model.name + ": " +
-                           base::unknown_name_message("parameter", name, names));
+                           base::unknown_name_message(
+                               "parameter", name, base::names_of(model.parameters, &TileParameter::name)));
 }
 
 }  // namespace fretwork::reduction

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/file.hpp>
-#include <fretwork/base/text.hpp>
+#include <fretwork/base/named.hpp>
 #include <fretwork/mechanics/internal/section_json.hpp>
 #include <fretwork/reduction/detail/scenario_json.hpp>
 #include <fretwork/reduction/internal/setting_json.hpp>
 #include <fretwork/reduction/scenarios/setting_file.hpp>
 
-#include <algorithm>
 #include <array>
 
 namespace fretwork::reduction {
@@ -41,12 +40,8 @@ mechanics::Material read_material(const JsonReader& json) {
 
 Scenario named_scenario(const JsonReader& json) {
     const std::string name = json.string();
-    const auto& known = paper_scenarios();
-    const auto found = std::ranges::find(known, name, &Scenario::name);
-    if (found != known.end()) return *found;
-    std::vector<std::string> names;
-    for (const Scenario& scenario : known) names.push_back(scenario.name);
-    json.fail(base::unknown_name_message("scenario", name, names));
+    return json.located(
+        [&] { return base::find_named(name, paper_scenarios(), &Scenario::name, "scenario"); });
 }
 
 Scenario read_scenario_entry(const JsonReader& json) {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/text.hpp>
+#include <fretwork/base/named.hpp>
 #include <fretwork/simulation/load_cases/combination.hpp>
-
-#include <algorithm>
 
 namespace fretwork::simulation {
 namespace {
@@ -29,11 +27,7 @@ void add(const LoadCase& part, double factor, LoadCase& sum) {
 }  // namespace
 
 const LoadCase& load_case_of(const std::string& name, std::span<const LoadCase> cases) {
-    const auto found = std::ranges::find(cases, name, &LoadCase::name);
-    if (found != cases.end()) return *found;
-    std::vector<std::string> names;
-    for (const LoadCase& other : cases) names.push_back(other.name);
-    throw base::InputError(base::unknown_name_message("load case", name, names));
+    return base::find_named(name, cases, &LoadCase::name, "load case");
 }
 
 LoadCase combined(const LoadCase& load_case, std::span<const LoadCase> cases) {

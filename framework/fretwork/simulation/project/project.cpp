@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/named.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/simulation/load_cases/combination.hpp>
 #include <fretwork/simulation/project/project.hpp>
@@ -15,8 +16,7 @@ LoadCase find_load_case(const Project& project, const std::string& name) {
     if (project.load_cases.empty())
         throw base::InputError("the project has no load case yet; add one with 'fretwork case add'");
     if (!name.empty()) return combined(load_case_of(name, project.load_cases), project.load_cases);
-    std::vector<std::string> names;
-    for (const LoadCase& load_case : project.load_cases) names.push_back(load_case.name);
+    const auto names = base::names_of(project.load_cases, &LoadCase::name);
     throw base::InputError("the project has several load cases; choose one: " + base::join(names, ", "));
 }
 
