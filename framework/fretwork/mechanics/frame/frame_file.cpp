@@ -5,6 +5,7 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/mechanics/frame/detail/frame_check.hpp>
 #include <fretwork/mechanics/frame/frame_file.hpp>
+#include <fretwork/mechanics/internal/dof_json.hpp>
 #include <fretwork/mechanics/internal/section_json.hpp>
 
 #include <algorithm>
@@ -95,17 +96,6 @@ class FrameReader {
         return NodeIndex(reader.integer(0, static_cast<long long>(frame_.nodes.size()) - 1));
     }
 
-    static DofSet read_dofs(const JsonReader& reader) {
-        DofSet dofs;
-        for (const JsonReader& name : reader.elements()) {
-            const std::string chosen = name.choice({"ux", "uy", "uz", "rx", "ry", "rz"});
-            for (std::size_t d = 0; d < kDofsPerNode; ++d) {
-                if (chosen == kDofNames[d]) dofs.contains[d] = true;
-            }
-        }
-        return dofs;
-    }
-
     [[nodiscard]] Beam read_beam(const JsonReader& reader) const {
         reader.allow_only({"nodes", "section", "material", "normal", "divisions", "releases"});
         const auto ends = reader.at("nodes").elements(2);
@@ -153,14 +143,6 @@ class FrameReader {
 
 Json vector_json(const Eigen::Vector3d& v) {
     return Json::array({v.x(), v.y(), v.z()});
-}
-
-Json dofs_json(const DofSet& dofs) {
-    Json names = Json::array();
-    for (std::size_t d = 0; d < kDofsPerNode; ++d) {
-        if (dofs.contains[d]) names.push_back(kDofNames[d]);
-    }
-    return names;
 }
 
 Json material_json(const Material& material) {

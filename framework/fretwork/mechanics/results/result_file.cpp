@@ -5,6 +5,7 @@
 #include <fretwork/base/json_reader.hpp>
 #include <fretwork/base/limits.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/mechanics/internal/dof_json.hpp>
 #include <fretwork/mechanics/internal/result_json.hpp>
 #include <fretwork/mechanics/results/result_file.hpp>
 #include <fretwork/mechanics/solve.hpp>
@@ -106,10 +107,7 @@ StabilityLoss read_loss(const JsonReader& reader, const std::vector<Result::Node
     if (named == nodes.end())
         reader.at("node").fail("is " + std::to_string(id) + ", and no node has that id");
     loss.node = NodeIndex(named - nodes.begin());
-    const std::string name = reader.at("component").choice({"ux", "uy", "uz", "rx", "ry", "rz"});
-    for (int d = 0; d < kDofsPerNode; ++d) {
-        if (kDofNames[d] == name) loss.dof = static_cast<Dof>(d);
-    }
+    loss.dof = read_dof(reader.at("component"));
     loss.pushed = reader.at("pushed").boolean();
     return loss;
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/files/file.hpp>
+#include <fretwork/mechanics/internal/dof_json.hpp>
 #include <fretwork/reduction/detail/embedded_scenarios.hpp>
 #include <fretwork/reduction/detail/scenario_json.hpp>
 #include <fretwork/reduction/scenarios/scenario.hpp>
 
-#include <algorithm>
 #include <utility>
 
 namespace fretwork::reduction {
@@ -20,12 +20,10 @@ int read_interface_node(const JsonReader& json) {
     return static_cast<int>(json.at("interface_node").integer(0, kLargestInterfaceNode));
 }
 
-mechanics::DofSet read_dofs(const JsonReader& json) {
+mechanics::DofSet read_fixed(const JsonReader& json) {
     mechanics::DofSet dofs;
     for (const JsonReader& element : json.elements()) {
-        const std::string name = element.choice({"ux", "uy", "uz", "rx", "ry", "rz"});
-        const auto position = std::ranges::find(mechanics::kDofNames, name) - mechanics::kDofNames.begin();
-        bool& contained = dofs.contains[position];
+        bool& contained = dofs[mechanics::read_dof(element)];
         if (std::exchange(contained, true)) element.fail("this component is listed twice");
     }
     return dofs;
@@ -39,7 +37,7 @@ std::array<double, 3> read_vector(const std::optional<JsonReader>& json) {
 
 Scenario::Support read_support(const JsonReader& json) {
     json.allow_only({"interface_node", "fixed"});
-    return {read_interface_node(json), read_dofs(json.at("fixed"))};
+    return {read_interface_node(json), read_fixed(json.at("fixed"))};
 }
 
 Scenario::Load read_load(const JsonReader& json) {
@@ -58,11 +56,7 @@ void check_remarks(const JsonReader& json) {
 }
 
 Json support_json(const Scenario::Support& support) {
-    Json fixed = Json::array();
-    for (std::size_t dof = 0; dof < mechanics::kDofNames.size(); ++dof) {
-        if (support.fixed.contains[dof]) fixed.push_back(mechanics::kDofNames[dof]);
-    }
-    return {{"interface_node", support.interface_node}, {"fixed", fixed}};
+    return {{"interface_node", support.interface_node}, {"fixed", mechanics::dofs_json(support.fixed)}};
 }
 
 Json load_json(const Scenario::Load& load) {

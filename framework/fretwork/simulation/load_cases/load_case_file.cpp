@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/base/limits.hpp>
+#include <fretwork/mechanics/internal/dof_json.hpp>
 #include <fretwork/simulation/internal/load_case_json.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
 
@@ -123,21 +124,13 @@ void allow_beside_selection(const JsonReader& json, std::initializer_list<std::s
 
 LoadCase::Support read_support(const JsonReader& json) {
     allow_beside_selection(json, {"fixed"});
-    LoadCase::Support support{read_selection(json), {}};
-    for (const JsonReader& name : json.at("fixed").elements()) {
-        const std::string dof = name.choice({"ux", "uy", "uz", "rx", "ry", "rz"});
-        support.fixed[*dof_of(dof)] = true;
-    }
-    return support;
+    return {read_selection(json), mechanics::read_dofs(json.at("fixed"))};
 }
 
 Json support_json(const LoadCase::Support& support) {
     Json json;
     write_selection(support.where, json);
-    json["fixed"] = Json::array();
-    for (std::size_t d = 0; d < kDofNames.size(); ++d) {
-        if (support.fixed.contains[d]) json["fixed"].push_back(kDofNames[d]);
-    }
+    json["fixed"] = mechanics::dofs_json(support.fixed);
     return json;
 }
 
