@@ -4,6 +4,7 @@
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/json_reader.hpp>
 #include <fretwork/base/limits.hpp>
+#include <fretwork/base/named.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/mechanics/internal/dof_json.hpp>
 #include <fretwork/mechanics/internal/result_json.hpp>
@@ -83,19 +84,14 @@ NodeValues read_rows(const JsonReader& reader, std::size_t count, const RowLimit
 }
 
 Termination read_termination(const JsonReader& reader) {
-    const std::string name = reader.choice({"converged", "limit-load", "diverged", "iterations-spent"});
-    for (const Termination termination : kTerminations) {
-        if (termination_name(termination) == name) return termination;
-    }
-    reader.fail("is " + reader.text() + ", an unknown termination");
+    const std::string name = reader.string();
+    return reader.located([&] { return base::find_named(name, kTerminations, termination_name, "choice"); });
 }
 
 StabilityTest read_stability(const JsonReader& reader) {
-    const std::string name = reader.choice({"none", "tangent", "symmetric-part"});
-    for (const StabilityTest test : kStabilityTests) {
-        if (stability_test_name(test) == name) return test;
-    }
-    reader.fail("is " + reader.text() + ", an unknown test of stability");
+    const std::string name = reader.string();
+    return reader.located(
+        [&] { return base::find_named(name, kStabilityTests, stability_test_name, "choice"); });
 }
 
 StabilityLoss read_loss(const JsonReader& reader, const std::vector<Result::Node>& nodes) {
