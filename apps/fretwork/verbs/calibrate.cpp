@@ -6,6 +6,7 @@
 #include "output.hpp"
 #include "verbs.hpp"
 
+#include <fretwork/base/stopwatch.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/library/fill.hpp>
 #include <fretwork/library/statistics.hpp>
@@ -14,7 +15,6 @@
 #include <fretwork/reduction/scenarios/setting_file.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <functional>
 #include <memory>
@@ -242,10 +242,10 @@ ExitCode calibrate(CalibrateOptions options) {
     result.key = options.fill.key();
     result.policy = sample_policy_name(library.setting().sample_policy);
     result.is_papers = is_papers(library);
-    const auto start = std::chrono::steady_clock::now();
+    const base::Stopwatch watch;
     result.report = library::fill(library, patterns, options.fill);
     result.is_stopped = work.is_stopped();
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    result.seconds = watch.seconds();
     result.statistics = library::calibration_statistics(library, patterns, result.key);
     result.failures = failure_reasons(library, patterns, result.key);
     options.json ? print_json(result) : print_text(result);

@@ -11,6 +11,7 @@
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/named.hpp>
 #include <fretwork/base/quantity.hpp>
+#include <fretwork/base/stopwatch.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/optimization/methods/outside_command.hpp>
 #include <fretwork/optimization/studies/known_value.hpp>
@@ -19,7 +20,6 @@
 #include <fretwork/reduction/calibration/study_problems.hpp>
 #include <fretwork/reduction/scenarios/setting_file.hpp>
 
-#include <chrono>
 #include <cstdio>
 #include <memory>
 
@@ -206,10 +206,9 @@ ExitCode run(OptimizersOptions options) {
     options.plan.threads = options.threads;
     options.plan.control = work.control();
     options.plan.validate();
-    const auto begin = std::chrono::steady_clock::now();
+    const base::Stopwatch watch;
     const optimization::study::StudyReport report = run_study(options.plan, made_folder(options.out));
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    print(report, seconds.count(), options);
+    print(report, watch.seconds(), options);
     return report.runs_left_out > 0 ? ExitCode::DidNotSucceed : ExitCode::Done;
 }
 

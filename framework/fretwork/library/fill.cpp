@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/parallel.hpp>
+#include <fretwork/base/stopwatch.hpp>
 #include <fretwork/library/fill.hpp>
 #include <fretwork/reduction/effective_properties.hpp>
 
@@ -12,12 +13,6 @@
 
 namespace fretwork::library {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 struct Task {
     pattern::NamedPattern entry;
@@ -64,7 +59,7 @@ class Filling {
         const Abandonment at_exit{is_abandoned_};
         while (computing.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
             progress.update(wait_for_more());
-            if (seconds_since(last_store_) >= options_.seconds_between_stores) store();
+            if (since_store_.seconds() >= options_.seconds_between_stores) store();
         }
         store();
         progress.update(report_.done + report_.failed);
@@ -121,7 +116,7 @@ class Filling {
         }
         report_.failed += failures.size();
         report_.done += batch.size() - failures.size();
-        last_store_ = Clock::now();
+        since_store_ = {};
     }
 
     /// The outcome of a task; empty if the work was stopped meanwhile.
@@ -159,12 +154,12 @@ class Filling {
 
     [[nodiscard]] CalibrationRecord calibrate(const pattern::Pattern& pattern,
                                               const std::vector<reduction::Response>& responses) const {
-        const auto start = Clock::now();
+        const base::Stopwatch watch;
         CalibrationRecord record;
         record.calibration = reduction::calibrate(
             model_, {library_.layout(), pattern, library_.setting(), responses}, calibration_options_);
         record.budget = key_.budget;
-        record.seconds = seconds_since(start);
+        record.seconds = watch.seconds();
         return record;
     }
 
@@ -181,7 +176,7 @@ class Filling {
     CalibrationKey key_;
     std::vector<Task> tasks_;
     FillReport report_;
-    Clock::time_point last_store_ = Clock::now();
+    base::Stopwatch since_store_;
     std::atomic<bool> is_abandoned_ = false;
     std::mutex library_mutex_;  ///< a library is used by one thread at a time
     std::mutex finished_mutex_;

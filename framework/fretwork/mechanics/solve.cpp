@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/named.hpp>
+#include <fretwork/base/stopwatch.hpp>
 #include <fretwork/mechanics/decks/calculix_file.hpp>
 #include <fretwork/mechanics/frame/frame_file.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/solve.hpp>
 
-#include <chrono>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -22,12 +22,6 @@ using NamedSolver = std::pair<Solver, std::string_view>;
 constexpr NamedSolver kSolvers[] = {{Solver::Linear, "linear"},
                                     {Solver::Newton, "newton"},
                                     {Solver::DynamicRelaxation, "dynamic-relaxation"}};
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 EquilibriumOptions path_options(const SolveOptions& options) {
     EquilibriumOptions path;
@@ -77,15 +71,15 @@ void add_modes(const Assembly& assembly, const SolveOptions& options, Result& re
 }
 
 /// The result of a path of solutions.
-/// @param start  the time at which the path was begun
+/// @param watch  runs since the path was begun
 Result result_of(const Assembly& assembly, Solver solver, std::vector<Solution> path,
-                 Clock::time_point start) {
+                 const base::Stopwatch& watch) {
     Result result;
     result.solver = solver_name(solver);
     result.nodes = reported_nodes(assembly);
     result.load_steps = std::move(path);
     result.solution = end_of_path(result.load_steps);
-    result.seconds = seconds_since(start);
+    result.seconds = watch.seconds();
     return result;
 }
 
@@ -99,9 +93,9 @@ Assembly assembled(const LabelledFrame& input, const SolveOptions& options) {
 }
 
 Result solve_frame(const LabelledFrame& input, const SolveOptions& options) {
-    const Clock::time_point start = Clock::now();
+    const base::Stopwatch watch;
     const Assembly assembly = assembled(input, options);
-    Result result = result_of(assembly, options.solver, equilibria(assembly, options), start);
+    Result result = result_of(assembly, options.solver, equilibria(assembly, options), watch);
     if (options.estimate_error)
         result.discretization_error = estimate_discretization_error(input.frame, load_factors(options),
                                                                     result.load_steps, path_options(options))
@@ -168,8 +162,8 @@ Result solve(const Assembly& assembly, const SolveOptions& options) {
     options.validate();
     require(!options.estimate_error, "a discretization error is estimated for a frame only");
     require(!options.lumped_gravity, "lumped-gravity is for a frame: an assembly has its loads");
-    const Clock::time_point start = Clock::now();
-    Result result = result_of(assembly, options.solver, equilibria(assembly, options), start);
+    const base::Stopwatch watch;
+    Result result = result_of(assembly, options.solver, equilibria(assembly, options), watch);
     finish(assembly, options, result);
     return result;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/stopwatch.hpp>
 #include <fretwork/mechanics/paths/staged_path.hpp>
 #include <fretwork/simulation/detail/joined_tiles.hpp>
 #include <fretwork/simulation/detail/tile_deformations.hpp>
@@ -14,7 +15,6 @@
 #include <fretwork/simulation/stages.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <set>
 
@@ -65,7 +65,7 @@ class StagedSimulation {
 
   private:
     FollowedStages follow(const Surface& surface) {
-        const auto started = std::chrono::steady_clock::now();
+        const base::Stopwatch watch;
         const auto tiles = builder_.build_all(surface, model_choice(options_), {options_.threads, control_});
         const detail::JoinedTiles joined = detail::join_tiles(surface, tiles, control_);
         const mechanics::Assembly assembly = reduction::assemble(joined.parts, control_);
@@ -75,7 +75,7 @@ class StagedSimulation {
         result.load_steps = ends_of(surface, assembly);
         result.solution = result.load_steps.back();
         result.solver = "newton";
-        result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+        result.seconds = watch.seconds();
         for (const mechanics::Solution& end : result.load_steps)
             add_deformations(detail::tile_deformations(assembly, joined.starts, end), followed);
         result.subject = result_subject(surface, plan_.supports, options_);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/stopwatch.hpp>
 #include <fretwork/mechanics/discretization.hpp>
 #include <fretwork/mechanics/paths/equilibrium.hpp>
 #include <fretwork/mechanics/solve.hpp>
@@ -8,12 +9,10 @@
 #include <fretwork/simulation/surface_frame.hpp>
 
 #include <algorithm>
-#include <chrono>
 
 namespace fretwork::simulation {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using tiling::TileIndex;
 
 }  // namespace
@@ -135,7 +134,7 @@ SurfaceResult Session::Impl::solve(const base::Control& control, mechanics::Stab
     // A surface that cannot be a frame is refused before the work.
     std::optional<mechanics::Frame> frame;
     if (options_.estimate_error) frame = surface_frame(surface_, choice(), conditions_, control);
-    const auto started = Clock::now();
+    const base::Stopwatch watch;
     is_at_equilibrium_ = false;
     update(control);
     SurfaceResult result = make_result();
@@ -149,7 +148,7 @@ SurfaceResult Session::Impl::solve(const base::Control& control, mechanics::Stab
     } else {
         solve_linear(result, control);
     }
-    result.seconds = std::chrono::duration<double>(Clock::now() - started).count();
+    result.seconds = watch.seconds();
     if (frame) {
         const auto factors = mechanics::even_load_factors(options_.load_steps);
         result.discretization_error =
