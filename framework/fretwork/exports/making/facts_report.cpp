@@ -2,6 +2,7 @@
 #include <fretwork/base/files/provenance.hpp>
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/exports/detail/markup.hpp>
 #include <fretwork/exports/making/making_files.hpp>
 
 #include <algorithm>
@@ -74,19 +75,6 @@ std::vector<Row> rows(const Facts& facts) {
 
 Json place_json(const geometry::Point2& place) {
     return Json::array({place.x, place.y});
-}
-
-std::string escaped(const std::string& text) {
-    std::string safe;
-    for (const char c : text) {
-        if (c == '&')
-            safe += "&amp;";
-        else if (c == '<')
-            safe += "&lt;";
-        else
-            safe += c;
-    }
-    return safe;
 }
 
 /// The outline with a circle around every warning, as an element of a page.
@@ -171,14 +159,15 @@ std::string facts_html(const FactsOfScene& scene) {
         "#guides{stroke:#c8102e;stroke-width:.8}#labels{opacity:.5}\nli{margin:.2rem 0}\n"
         "</style></head><body>\n<h1>Facts for making</h1>\n<table>\n";
     for (const Row& row : rows(scene.facts))
-        page += "<tr><th>" + escaped(row.name) + "</th><td>" + escaped(row.value) + "</td></tr>\n";
+        page += "<tr><th>" + detail::escaped(row.name) + "</th><td>" + detail::escaped(row.value) +
+                "</td></tr>\n";
     page += "</table>\n";
     if (scene.facts.warnings.empty()) {
         page += "<p>No warnings.</p>\n";
     } else {
         page += "<h2>Warnings</h2>\n<ul>\n";
         for (const fabrication::Warning& warning : scene.facts.warnings)
-            page += "<li>" + escaped(warning.message) + "</li>\n";
+            page += "<li>" + detail::escaped(warning.message) + "</li>\n";
         page += "</ul>\n";
     }
     return page +

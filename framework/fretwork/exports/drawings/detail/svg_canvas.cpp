@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/files/provenance.hpp>
+#include <fretwork/exports/detail/markup.hpp>
 #include <fretwork/exports/drawings/detail/svg_canvas.hpp>
 #include <fretwork/geometry/plane.hpp>
 
@@ -31,29 +32,6 @@ std::string identifier(std::string_view name) {
     std::string text;
     for (const char c : name) text += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '-';
     return text;
-}
-
-std::string escaped(std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                result += "&amp;";
-                break;
-            case '<':
-                result += "&lt;";
-                break;
-            case '>':
-                result += "&gt;";
-                break;
-            case '"':
-                result += "&quot;";
-                break;
-            default:
-                result += c;
-        }
-    }
-    return result;
 }
 
 }  // namespace
