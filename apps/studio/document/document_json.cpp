@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/mechanics/internal/node_json.hpp>
 #include <fretwork/reduction/internal/setting_json.hpp>
 #include <fretwork/reduction/scenarios/setting_file.hpp>
 #include <fretwork/simulation/internal/load_case_json.hpp>
@@ -12,6 +13,7 @@ namespace fretwork::studio {
 namespace {
 
 using base::Json;
+using mechanics::vector_json;
 
 /// The nodes along each side of the box, as a selection by side picks them.
 Json sides_json(const tiling::Tessellation& tessellation) {
@@ -49,10 +51,6 @@ Json lists_of_numbers(const std::vector<std::vector<Index>>& lists) {
     Json all = Json::array();
     for (const auto& list : lists) all.push_back(numbers_json(list));
     return all;
-}
-
-Json vector_json(const Eigen::Vector3d& vector) {
-    return {vector.x(), vector.y(), vector.z()};
 }
 
 /// Which nodes each entry is on, and what they bear, so that no page has to work it out.

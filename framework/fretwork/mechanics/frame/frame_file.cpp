@@ -5,7 +5,7 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/mechanics/frame/detail/frame_check.hpp>
 #include <fretwork/mechanics/frame/frame_file.hpp>
-#include <fretwork/mechanics/internal/dof_json.hpp>
+#include <fretwork/mechanics/internal/node_json.hpp>
 #include <fretwork/mechanics/internal/section_json.hpp>
 
 #include <algorithm>
@@ -140,10 +140,6 @@ class FrameReader {
     std::map<std::string, Material> materials_;
     std::map<std::string, Section> sections_;
 };
-
-Json vector_json(const Eigen::Vector3d& v) {
-    return Json::array({v.x(), v.y(), v.z()});
-}
 
 Json material_json(const Material& material) {
     Json json = {{"young_modulus", material.young_modulus}, {"poisson_ratio", material.poisson_ratio}};

@@ -6,7 +6,7 @@
 #include <fretwork/base/limits.hpp>
 #include <fretwork/base/named.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/mechanics/internal/dof_json.hpp>
+#include <fretwork/mechanics/internal/node_json.hpp>
 #include <fretwork/mechanics/internal/result_json.hpp>
 #include <fretwork/mechanics/results/result_file.hpp>
 #include <fretwork/mechanics/solve.hpp>
@@ -209,9 +209,9 @@ void append_result(const Result& result, Json& json) {
     json["seconds"] = result.seconds;
     json["nodes"] = Json::array();
     for (const Result::Node& node : result.nodes) {
-        const Eigen::Vector3d& p = node.rest_position;
-        json["nodes"].push_back(
-            {{"id", node.id}, {"rest_position", {p.x(), p.y(), p.z()}}, {"interface", node.is_interface}});
+        json["nodes"].push_back({{"id", node.id},
+                                 {"rest_position", vector_json(node.rest_position)},
+                                 {"interface", node.is_interface}});
     }
     for (const Solution& step : result.load_steps) {
         Json step_json = Json::object();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/files/file.hpp>
-#include <fretwork/mechanics/internal/dof_json.hpp>
+#include <fretwork/mechanics/internal/node_json.hpp>
 #include <fretwork/reduction/detail/embedded_scenarios.hpp>
 #include <fretwork/reduction/detail/scenario_json.hpp>
 #include <fretwork/reduction/scenarios/scenario.hpp>

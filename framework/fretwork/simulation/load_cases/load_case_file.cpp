@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/base/limits.hpp>
-#include <fretwork/mechanics/internal/dof_json.hpp>
+#include <fretwork/mechanics/internal/node_json.hpp>
 #include <fretwork/simulation/internal/load_case_json.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
 
@@ -14,6 +14,7 @@ using base::Json;
 using base::JsonReader;
 using mechanics::Dof;
 using mechanics::kDofNames;
+using mechanics::vector_json;
 
 constexpr base::Limits kPerLengthLimits{1e-21, 1e15, "N/m"};
 constexpr base::Limits kPerAreaLimits{1e-24, 1e18, "N/m2"};
@@ -30,10 +31,6 @@ Eigen::Vector3d read_vector(const std::optional<JsonReader>& json, const base::L
     const auto numbers = json->elements(3);
     return {read_number(numbers[0], limits), read_number(numbers[1], limits),
             read_number(numbers[2], limits)};
-}
-
-Json vector_json(const Eigen::Vector3d& vector) {
-    return Json{vector.x(), vector.y(), vector.z()};
 }
 
 NodesById read_ids(const JsonReader& json) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/mechanics/internal/node_json.hpp>
 #include <fretwork/simulation/results/beam_table.hpp>
 #include <fretwork/simulation/results/surface_beams.hpp>
 
@@ -24,9 +25,8 @@ double length_of(const BeamRow& row) {
 
 base::Json end_json(const BeamRow& row, std::size_t end) {
     const SectionForces& f = row.forces[end];
-    const Eigen::Vector3d& place = row.places[end];
     return {{"node", row.nodes[end]},
-            {"place", {place.x(), place.y(), place.z()}},
+            {"place", mechanics::vector_json(row.places[end])},
             {"N", f.N},
             {"V2", f.V2},
             {"V3", f.V3},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Components of a node's displacement as JSON inside frames, results, load cases and scenarios.
+// What nodes have, as JSON inside frames, results, load cases and scenarios.
 #pragma once
 
 #include <fretwork/base/internal/json_text.hpp>
@@ -14,5 +14,7 @@ Dof read_dof(const base::JsonReader& json);
 DofSet read_dofs(const base::JsonReader& json);
 /// The inverse of read_dofs().
 base::Json dofs_json(const DofSet& dofs);
+/// The three components of a vector.
+base::Json vector_json(const Eigen::Vector3d& vector);
 
 }  // namespace fretwork::mechanics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/mechanics/internal/dof_json.hpp>
+#include <fretwork/mechanics/internal/node_json.hpp>
 
 #include <algorithm>
 
@@ -22,6 +22,10 @@ base::Json dofs_json(const DofSet& dofs) {
         if (dofs.contains[d]) names.push_back(kDofNames[d]);
     }
     return names;
+}
+
+base::Json vector_json(const Eigen::Vector3d& vector) {
+    return base::Json::array({vector.x(), vector.y(), vector.z()});
 }
 
 }  // namespace fretwork::mechanics
