@@ -14,7 +14,7 @@ namespace {
 Response::Sample to_sample(const mechanics::Solution& solution, int interface_nodes) {
     Response::Sample sample;
     sample.converged = solution.converged();
-    sample.stable = solution.converged() && solution.stable;
+    sample.stable = solution.is_stable_equilibrium();
     sample.limit_load = solution.termination == mechanics::Termination::LimitLoad;
     sample.displacements = mechanics::NodeValues::Zero(interface_nodes, mechanics::kDofsPerNode);
     if (sample.converged) sample.displacements = solution.displacements.topRows(interface_nodes);

@@ -53,7 +53,7 @@ std::optional<double> largest_stress(const simulation::Surface& surface,
             mechanics::assemble(frame), whole_load,
             {.branch = options.branch, .threads = options.threads, .control = control})
             .back();
-    if (!solution.converged() || !solution.stable) return std::nullopt;
+    if (!solution.is_stable_equilibrium()) return std::nullopt;
     const mechanics::SectionPoints bar(surface.setting.section);
     const auto states = mechanics::node_states(solution.displacements);
     double largest = 0.0;

@@ -34,7 +34,7 @@ FullCheck check_in_full(const Trials& trials, const Point& point, BeamDemand bea
                                                    options);
         auto result = session->solve(control.silent());
         ++check.solutions;
-        if (!result.solution.converged() || !result.solution.stable) {
+        if (!result.solution.is_stable_equilibrium()) {
             // The path from flat loses its stability: go on along the stable branch.
             check.error.is_on_path = false;
             options.branch = mechanics::Branch::Stable;

@@ -233,7 +233,7 @@ Trial Trials::solve(const Point& point, const base::Control& control) {
         if (wanted != sessions_[c].load_case()) sessions_[c].set_load_case(wanted);
         auto result = sessions_[c].solve(control.silent());
         ++solutions_;
-        trial.is_found = trial.is_found && result.solution.converged() && result.solution.stable;
+        trial.is_found = trial.is_found && result.solution.is_stable_equilibrium();
         trial.displacements.push_back(std::move(result.solution.displacements));
     }
     if (!trial.is_found) return trial;

@@ -51,6 +51,8 @@ struct Solution {
     [[nodiscard]] bool converged() const { return termination == Termination::Converged; }
     bool stable = true;                             ///< true if the tangent has no negative pivot
     StabilityTest stability = StabilityTest::None;  ///< the test of stability
+    /// True if the wanted load was reached, and no test says that the equilibrium is not stable.
+    [[nodiscard]] bool is_stable_equilibrium() const { return converged() && stable; }
     /// True if the test has found that the equilibrium is unstable. A test that is only sufficient leaves it
     /// undecided.
     [[nodiscard]] bool is_unstable() const { return !stable && stability == StabilityTest::Tangent; }

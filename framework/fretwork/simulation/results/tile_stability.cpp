@@ -56,7 +56,7 @@ mechanics::Assembly held_tile(const reduction::TileStructure& tile, std::span<co
 bool buckles(const mechanics::Assembly& tile, const base::Control& control) {
     const mechanics::Solution solution =
         mechanics::follow_load_path(tile, std::vector{1.0}, {.control = {.stop = control.stop}}).back();
-    return !solution.converged() || !solution.stable;
+    return !solution.is_stable_equilibrium();
 }
 
 }  // namespace
