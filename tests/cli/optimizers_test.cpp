@@ -133,6 +133,25 @@ TEST(Optimizers, TakeAProgramOfItsOwnAsAMethod) {
     EXPECT_EQ(both.at(3).at(1), "slsqp");
 }
 
+TEST(Optimizers, RefuseToMixTheRunsOfTwoCommands) {
+    const TemporaryFolder folder;
+    (void)folder.file("known.csv", kKnown);
+    const std::string run =
+        "fretwork optimizers run --known known.csv --problems analytic/beale --repetitions 1 --out o "
+        "--command ";
+    const std::string program = "head -n 5 >/dev/null; echo value 0 0; read answer; echo done";
+    ASSERT_EQ(run_command(run + "'mine=" + program + "'", folder.path()).exit_code, 0);
+    ASSERT_EQ(run_command(run + "'mine=" + program + "'", folder.path()).exit_code, 0) << "all is done";
+    const std::string stored = base::read_text_file(folder.path() / "o/results.csv");
+    const auto refused = run_command(run + "'mine=true; " + program + "'", folder.path());
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err,
+                testing::HasSubstr("line 2: rows of 'mine' were made by another command: " + program));
+    EXPECT_EQ(std::ranges::count(refused.err, '\n'), 1) << refused.err;
+    EXPECT_EQ(base::read_text_file(folder.path() / "o/results.csv"), stored);
+    EXPECT_EQ(run_command(run + "'other=true; " + program + "'", folder.path()).exit_code, 0);
+}
+
 TEST(Optimizers, RefuseAProgramThatIsNoMethod) {
     const TemporaryFolder folder;
     (void)folder.file("known.csv", kKnown);

@@ -45,7 +45,7 @@ const std::string kCompass = python(
 
 OptimizationReport run(const std::string& command, const Budget& budget = {.cost = 5000},
                        std::uint64_t seed = 3) {
-    const auto row = outside_command_row({"outside", command, budget.control});
+    const auto row = outside_command_row({"outside", command});
     return minimize(sphere(3), row, {.starts = 1, .seed = seed}, budget);
 }
 

@@ -85,7 +85,7 @@ TEST(RunTable, KeepsPointsOfATraceThatLeaveAFifthLessToGain) {
     RunRecord record = sphere_run("bobyqa", 1, {});
     // 4 is the end: 6, 5.9, 1, 0.9, 1e-4 and 0.9e-4 are left to gain.
     record.report.trace = {{1, 10.0}, {2, 9.9}, {3, 5.0}, {5, 4.9}, {6, 4.0001}, {7, 4.00009}, {9, 4.0}};
-    EXPECT_EQ(cells_of(record).back(), "1:10 3:5 6:4.0001 9:4");
+    EXPECT_EQ(cells_of(record)[17], "1:10 3:5 6:4.0001 9:4");
 }
 
 TEST(RunTable, ReadsBackItsOwnCsv) {
@@ -121,6 +121,64 @@ TEST(RunTable, MergesTheRunsThatItLacks) {
     EXPECT_TRUE(table.contains({"sphere", "bobyqa", 2}));
 }
 
+/// A row of a method that is a program of its own; only its name and command matter here.
+OptimizerRow outside(const std::string& command) {
+    OptimizerRow row = find_optimizer("bobyqa");
+    row.name = "mine";
+    row.command = command;
+    return row;
+}
+
+TEST(RunTable, KeepsTheCommandOfAProgram) {
+    const OptimizerRow row = outside("sed 's/,/\"/'\n");
+    const RunConditions conditions{.budget = {.cost = 100}};
+    const auto problem = sphere(2);
+    RunTable table;
+    table.add(record_run({problem, {}}, {&row, 2}, {"sphere", "mine", 1}, conditions));
+    const std::vector<Contender> contenders{{&row, 2}};
+    EXPECT_EQ(RunTable(table.csv(), "results.csv", conditions, contenders).csv(), table.csv());
+    EXPECT_THAT(table.csv(), testing::HasSubstr(",\"sed 's/,/\"\"/'\\x0a\"\n"));
+}
+
+TEST(RunTable, RefusesTheRowsOfAnotherCommandUnderTheSameName) {
+    const OptimizerRow earlier = outside("./old, fast");
+    const OptimizerRow later = outside("./new");
+    const RunConditions conditions{.budget = {.cost = 100}};
+    const auto problem = sphere(2);
+    RunTable table;
+    table.add(record_run({problem, {}}, {&earlier, 2}, {"sphere", "mine", 1}, conditions));
+    const std::vector<Contender> contenders{{&later, 2}};
+    try {
+        const RunTable again(table.csv(), "results.csv", conditions, contenders);
+        ADD_FAILURE() << "rows of another command are taken";
+    } catch (const base::InputError& error) {
+        EXPECT_STREQ(
+            error.what(),
+            "results.csv: line 2: rows of 'mine' were made by another command: \"./old, fast\"; choose "
+            "another name or another output folder");
+    }
+    EXPECT_EQ(RunTable(table.csv(), "results.csv", conditions, {}).size(), 1U) << "it does not take part";
+}
+
+TEST(RunTable, ReadsTablesWithoutCommands) {
+    const RunConditions conditions{.budget = {.cost = 100}};
+    RunTable table;
+    table.add(sphere_run("bobyqa", 1, conditions));
+    std::string earlier = table.csv();  // as versions wrote it that had no such column
+    earlier.erase(earlier.find(",command"), std::string_view(",command").size());
+    earlier.erase(earlier.rfind(','), 1);
+    const std::vector<Contender> contenders{{&find_optimizer("bobyqa"), 2}};
+    EXPECT_EQ(RunTable(earlier, "results.csv", conditions, contenders).csv(), table.csv());
+    const OptimizerRow now = outside("./new");
+    RunTable of_unknown;
+    auto record = sphere_run("bobyqa", 1, conditions);
+    record.key.optimizer = "mine";
+    record.seed = run_seed(record.key, conditions.seed);
+    of_unknown.add(record);
+    const std::vector<Contender> outsiders{{&now, 2}};
+    EXPECT_THROW(RunTable(of_unknown.csv(), "results.csv", conditions, outsiders), base::InputError);
+}
+
 void expect_refused(const std::string& text, const RunConditions& conditions, const std::string& complaint) {
     const std::vector<Contender> contenders{{&find_optimizer("bobyqa"), 2}};
     try {
@@ -152,7 +210,7 @@ TEST(RunTable, RefusesRowsOfOtherConditionsAndBrokenOnes) {
     const auto cells = base::split(row, ',');
     expect_refused(with("," + cells[8] + ",", ",bugdet,"), conditions, "'bugdet'");
     expect_refused(with("," + cells[8] + "," + cells[9], "," + cells[8] + ",abc"), conditions, "value 'abc'");
-    expect_refused(with(cells[17], "x:y\n"), conditions, "trace");
+    expect_refused(with(cells[17], "x:y"), conditions, "trace");
     expect_refused(with("," + cells[16] + ",", ",-1,"), conditions, "CPU time '-1'");
 }
 

@@ -134,6 +134,16 @@ class OwnOptimizers(unittest.TestCase):
             self.assertEqual(library.calibrations(support.PATTERN)[0].key.optimizer, "dice")
             library.close()
 
+    def test_a_study_does_not_mix_two_commands(self):
+        program = "head -n 5 >/dev/null; echo value 0 0; read answer; echo done"
+        method, other = (fw.outside_command_row("mine", command) for command in (program, "true; " + program))
+        self.assertEqual((method.name, method.command), ("mine", program))
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(fw.run_study(folder, ["analytic/beale"], [(method, 1)], repetitions=1).runs_done, 1)
+            self.assertEqual(fw.run_study(folder, ["analytic/beale"], [(method, 1)], repetitions=1).runs_before, 1)
+            with self.assertRaisesRegex(fw.InputError, "another command"):
+                fw.run_study(folder, ["analytic/beale"], [(other, 1)], repetitions=1)
+
     def test_an_evaluator_that_is_kept_says_that_the_run_is_over(self):
         kept = []
         fw.minimize(self.bowl, fw.OptimizerRow("keep", lambda evaluator, options: kept.append(evaluator)), cost=5)

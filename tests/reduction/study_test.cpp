@@ -71,8 +71,10 @@ TEST(Study, StoresWhatIsDoneWhenItIsStoppedAndGoesOnThere) {
 TEST(Study, KeepsFinishedRunsWhereAMethodFails) {
     const TemporaryFolder folder;
     StudyPlan plan = small_plan("crs2");
-    const OptimizerRow failing = outside_command_row(
-        {"failing", "read word dimension; [ $dimension = 2 ] || exit 3; head -n 4 >/dev/null; echo done"});
+    const OptimizerRow failing = outside_command_row({"failing",
+                                                      "read word dimension; [ $dimension = 2 ] || exit 3; "
+                                                      "read word lower; read upper; read seed; read starts; "
+                                                      "echo value $lower; read answer; echo done"});
     plan.contenders.push_back({&failing, 1});
     EXPECT_THROW(run_study(plan, folder.path()), base::InputError);
     EXPECT_EQ(stored_runs(folder.path()), 3U) << "both of the first problem, and crs2's of the second";

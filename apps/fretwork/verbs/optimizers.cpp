@@ -122,14 +122,13 @@ ExitCode known(OptimizersOptions options) {
 // ---- run ----
 
 /// The methods that are programs of their own, from NAME=COMMAND.
-std::vector<optimization::OptimizerRow> rows_of_commands(const std::vector<std::string>& commands,
-                                                         const base::Control& control) {
+std::vector<optimization::OptimizerRow> rows_of_commands(const std::vector<std::string>& commands) {
     std::vector<optimization::OptimizerRow> rows;
     for (const std::string& given : commands) {
         const auto middle = given.find('=');
         if (middle == std::string::npos)
             throw base::InputError("--command", "", "'" + given + "' is not NAME=COMMAND");
-        const optimization::OutsideCommand method{given.substr(0, middle), given.substr(middle + 1), control};
+        const optimization::OutsideCommand method{given.substr(0, middle), given.substr(middle + 1)};
         rows.push_back(base::located("--command", "", [&] { return outside_command_row(method); }));
         const auto has_name = [&](const auto& row) { return row.name == method.name; };
         if (std::ranges::any_of(optimization::optimizer_catalogue(), has_name) ||
@@ -201,7 +200,7 @@ ExitCode run(OptimizersOptions options) {
     LongWork work;
     options.plan.problems = problems_of(options);
     options.plan.families = families_of(options);
-    const auto commands = rows_of_commands(options.commands, work.control());
+    const auto commands = rows_of_commands(options.commands);
     options.plan.contenders = chosen_contenders(options.optimizers, commands);
     options.plan.threads = options.threads;
     options.plan.control = work.control();

@@ -44,6 +44,8 @@ class Evaluator {
     [[nodiscard]] const Problem& problem() const { return problem_; }
     /// The bounds of the variables.
     [[nodiscard]] const Bounds& bounds() const { return problem_->bounds(); }
+    /// The control of the budget, for methods that wait for something other than evaluations.
+    [[nodiscard]] const base::Control& control() const { return budget_.control; }
 
     /// The objective at a point; none if the evaluation is refused.
     std::optional<double> value(const Eigen::VectorXd& point);

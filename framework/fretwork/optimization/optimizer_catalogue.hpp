@@ -18,6 +18,9 @@ struct OptimizerRow {
     OptimizerClass kind;  ///< class of the method
     Evaluation needs;     ///< the kind of evaluation that the method needs besides the value
     std::function<std::unique_ptr<Optimizer>(const OptimizerOptions& options)> make;  ///< makes the method
+    /// The command of a method that is a program of its own; empty: a method of this program. A study does
+    /// not mix the runs of two commands under one name.
+    std::string command{};
 };
 
 /// The built-in methods. A new method is a file with its factory and a row; a method of NLopt needs only a

@@ -5,6 +5,7 @@
 #include "reduction/problems.hpp"
 
 #include <fretwork/base/error.hpp>
+#include <fretwork/optimization/methods/outside_command.hpp>
 #include <fretwork/optimization/minimize.hpp>
 #include <fretwork/optimization/problems/analytic_problems.hpp>
 
@@ -180,6 +181,9 @@ void bind_rows(py::module_& m) {
         .def_property_readonly(
             "needs", [](const OptimizerRow& self) { return self.needs; },
             "kind of evaluation needed besides the value")
+        .def_property_readonly(
+            "command", [](const OptimizerRow& self) { return self.command; },
+            "command of a method that is a program of its own, else empty")
         .def("__repr__", [](const OptimizerRow& self) { return "<OptimizerRow " + self.name + ">"; });
     m.def(
         "optimizer_catalogue", [] { return rows_and_all({}); }, "All built-in methods.");
@@ -190,6 +194,18 @@ void bind_rows(py::module_& m) {
         },
         "name"_a, "rows"_a = std::vector<OptimizerRow>{},
         "The row with this name among these rows and the built-in rows.");
+}
+
+void bind_commands(py::module_& m) {
+    m.def(
+        "outside_command_row",
+        [](std::string name, std::string command) {
+            return outside_command_row({std::move(name), std::move(command)});
+        },
+        "name"_a, "command"_a,
+        "A method that is a program of its own, in any language: a command of the shell, started once for "
+        "each "
+        "run. The guide to your own optimizer says the lines that it reads and writes.");
 }
 
 void bind_minimize(py::module_& m) {
@@ -251,6 +267,7 @@ void bind_optimization(py::module_& m) {
     bind_problem(m);
     bind_method(m);
     bind_rows(m);
+    bind_commands(m);
     bind_minimize(m);
 }
 

@@ -39,7 +39,7 @@ std::vector<std::string> words_of(const std::string& line) {
 class Conversation {
   public:
     Conversation(const OutsideCommand& method, Evaluator& evaluator)
-        : method_(method), evaluator_(evaluator), child_(method.command, method.control) {}
+        : method_(method), evaluator_(evaluator), child_(method.command, evaluator.control()) {}
 
     RunOutcome hold(const OptimizerOptions& options) {
         const Bounds& bounds = evaluator_.bounds();
@@ -172,11 +172,14 @@ void OutsideCommand::validate() const {
 
 OptimizerRow outside_command_row(const OutsideCommand& method) {
     method.validate();
-    return {method.name, "A program of its own: " + base::shortened(base::printable(method.command), 60),
-            OptimizerClass::Random, Evaluation::Value,
+    return {method.name,
+            "A program of its own: " + base::shortened(base::printable(method.command), 60),
+            OptimizerClass::Random,
+            Evaluation::Value,
             [method](const OptimizerOptions& options) -> std::unique_ptr<Optimizer> {
                 return std::make_unique<CommandOptimizer>(method, options);
-            }};
+            },
+            method.command};
 }
 
 }  // namespace fretwork::optimization

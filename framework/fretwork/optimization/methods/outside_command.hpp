@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/base/control.hpp>
 #include <fretwork/optimization/optimizer_catalogue.hpp>
 
 #include <string>
@@ -10,9 +9,8 @@ namespace fretwork::optimization {
 
 /// A method that is a program of its own, in any language.
 struct OutsideCommand {
-    std::string name;         ///< name of the method: letters, digits, '-', '_' and '.'
-    std::string command;      ///< command of the shell, started once for each run
-    base::Control control{};  ///< stops a run that waits for the command; must live as long as the row
+    std::string name;     ///< name of the method: letters, digits, '-', '_' and '.'
+    std::string command;  ///< command of the shell, started once for each run; the run's budget can stop it
     /// Throws InputError if the name is not valid, or there is no command.
     void validate() const;
 };

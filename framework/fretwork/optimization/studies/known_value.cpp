@@ -114,7 +114,7 @@ std::vector<KnownValue> find_known_values(const std::vector<std::string>& proble
 void improve_known_values(std::vector<KnownValue>& values, const std::filesystem::path& results) {
     constexpr double kRoundOff = 1e-9;
     const auto lines = base::split(base::read_text_file(results), '\n');
-    if (lines.front() != run_table_header()) {
+    if (!is_run_table_header(lines.front())) {
         throw base::InputError(results.string(), "line 1", "is not the header of a table of runs");
     }
     for (std::size_t i = 1; i < lines.size(); ++i) {

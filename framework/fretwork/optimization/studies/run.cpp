@@ -38,6 +38,7 @@ RunRecord record_run(const RunTarget& target, const Contender& contender, const 
     record.dimension = problem.bounds().dimension();
     record.kind = contender.method->kind;
     record.starts = contender.starts;
+    record.command = contender.method->command;
     record.seed = run_seed(key, conditions.seed);
     record.budget = conditions.budget.cost;
     const double begin = thread_cpu_seconds();

@@ -44,6 +44,7 @@ struct RunRecord {
     /// negative: the optimum is not known.
     double distance = -1.0;
     double cpu_seconds = 0.0;  ///< processor time of the thread
+    std::string command{};     ///< command of a method that is a program of its own, else empty
 };
 
 /// The seed of a run: a hash of its key and the study's seed.

@@ -29,7 +29,23 @@ std::string thinned(const std::vector<optimization::TracePoint>& trace) {
     return text;
 }
 
-constexpr std::size_t kColumns = 18;
+constexpr std::string_view kCommandColumn = ",command";
+constexpr std::size_t kCommand = 18;  ///< the column of the command, the last one
+constexpr std::size_t kColumns = kCommand + 1;
+
+/// The cells of a line. The command is quoted if it has commas.
+std::vector<std::string> cells_of(const std::string& line) {
+    std::vector<std::string> cells = base::split(line, ',');
+    if (cells.size() <= kColumns || !cells[kCommand].starts_with('"')) return cells;
+    cells[kCommand] = base::join(std::span(cells).subspan(kCommand), ",");
+    cells.resize(kColumns);
+    return cells;
+}
+
+/// A command as a cell, on one line.
+std::string command_cell(const std::string& command) {
+    return base::csv_field(base::printable(command));
+}
 
 bool is_trace(const std::string& text) {
     const auto is_point = [](const std::string& point) {
@@ -64,6 +80,19 @@ std::string row_fault(const std::vector<std::string>& cells) {
     return is_trace(cells[17]) ? "" : "its trace is not a list of cost:value";
 }
 
+/// What is wrong with the command of a row, which has to be that of its method; empty if nothing is.
+std::string other_command(const std::string& stored, const RunKey& key,
+                          std::span<const Contender> contenders) {
+    const auto contender = std::ranges::find(contenders, key.optimizer,
+                                             [](const Contender& c) { return std::string(c.method->name); });
+    if (contender == contenders.end() || stored == command_cell(contender->method->command)) return "";
+    constexpr std::size_t kMostShown = 80;
+    const std::string what =
+        stored.empty() ? "without a command" : "by another command: " + base::shortened(stored, kMostShown);
+    return "rows of '" + key.optimizer + "' were made " + what +
+           "; choose another name or another output folder";
+}
+
 /// The condition in which a row's run differs from the study; empty if all conditions are equal.
 std::string other_condition(const std::vector<std::string>& cells, const RunKey& key,
                             const RunConditions& conditions, std::span<const Contender> contenders) {
@@ -81,7 +110,13 @@ std::string other_condition(const std::vector<std::string>& cells, const RunKey&
 std::string run_table_header() {
     return "problem,optimizer,repetition,class,dimension,starts,seed,budget,termination,best_value,last_"
            "value,"
-           "distance,cost,evaluations,derivative_evaluations,failures,cpu_seconds,trace";
+           "distance,cost,evaluations,derivative_evaluations,failures,cpu_seconds,trace" +
+           std::string(kCommandColumn);
+}
+
+bool is_run_table_header(std::string_view line) {
+    const std::string header = run_table_header();
+    return line == header || line == header.substr(0, header.size() - kCommandColumn.size());
 }
 
 std::string run_table_row(const RunRecord& record) {
@@ -104,21 +139,24 @@ std::string run_table_row(const RunRecord& record) {
         std::to_string(report.derivative_evaluations),
         std::to_string(report.failures),
         base::format_number(record.cpu_seconds, kRecordDigits),
-        thinned(report.trace)};
+        thinned(report.trace),
+        command_cell(record.command)};
     return base::join(cells, ",");
 }
 
 RunTable::RunTable(std::string_view text, const std::string& source, const RunConditions& conditions,
                    std::span<const Contender> contenders) {
-    const auto lines = base::split(text, '\n');
-    if (lines.front() != run_table_header()) {
+    auto lines = base::split(text, '\n');
+    if (!is_run_table_header(lines.front())) {
         throw base::InputError(source, "line 1",
                                "is not the header of a table of runs: " + run_table_header());
     }
+    const std::string_view end = lines.front() == run_table_header() ? "" : ",";  // of an earlier version
     for (std::size_t i = 1; i < lines.size(); ++i) {
         if (lines[i].empty()) continue;
         const std::string place = "line " + std::to_string(i + 1);
-        const auto cells = base::split(lines[i], ',');
+        const std::string line = lines[i].append(end);
+        const auto cells = cells_of(line);
         if (const std::string fault = row_fault(cells); !fault.empty())
             throw base::InputError(source, place, fault);
         const RunKey key{cells[0], cells[1], base::read_number<int>(cells[2]).value_or(0)};
@@ -126,7 +164,9 @@ RunTable::RunTable(std::string_view text, const std::string& source, const RunCo
             throw base::InputError(
                 source, place,
                 "this run was made with another " + other + "; choose another folder, or the same one");
-        if (!rows_.emplace(key, lines[i]).second)
+        if (const std::string other = other_command(cells[kCommand], key, contenders); !other.empty())
+            throw base::InputError(source, place, other);
+        if (!rows_.emplace(key, line).second)
             throw base::InputError(source, place, "this run stands in the table already");
     }
 }

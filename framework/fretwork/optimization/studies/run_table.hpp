@@ -12,6 +12,8 @@ namespace fretwork::optimization::study {
 
 /// The names of the table's columns, joined by commas.
 std::string run_table_header();
+/// True for the header of a table of runs. Tables of earlier versions lack the last column, `command`.
+bool is_run_table_header(std::string_view line);
 
 /// A run as one line of CSV. The trace is thinned: a point is kept if its difference from the final value is
 /// at least a fifth smaller than at the last kept point. The first and the last point are always kept.
@@ -22,7 +24,7 @@ class RunTable {
   public:
     RunTable() = default;
     /// Parse a table. Throws InputError that names file and line if a line is not a row of a table of runs,
-    /// or if its budget, seed or number of starts differs from `conditions` or `contenders`.
+    /// or if its budget, seed, number of starts or command differs from `conditions` or `contenders`.
     RunTable(std::string_view text, const std::string& source, const RunConditions& conditions,
              std::span<const Contender> contenders);
 
