@@ -162,6 +162,7 @@ TEST(Optimizers, RefuseAProgramThatIsNoMethod) {
           std::pair{"slsqp=true", "there is a method 'slsqp' already"},
           std::pair{"a,b=true", "is no name of a method"}, std::pair{"mine=", "has no command"},
           std::pair{"mine=false", "ended with exit code 1"},
+          std::pair{"'mine=echo done'", "said 'done' without asking for a value"},
           std::pair{"'mine=echo hello'", "said 'hello'"}}) {
         const auto refused = run_command(run + command, folder.path());
         EXPECT_EQ(refused.exit_code, 2) << command;

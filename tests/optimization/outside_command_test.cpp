@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <limits>
 
 namespace fretwork::optimization {
 namespace THIS_TEST {
@@ -109,6 +110,22 @@ TEST(OutsideCommand, ThatEndsBeforeItIsDoneIsAnErrorWhichNamesIt) {
     EXPECT_THAT(complaint("kill -9 $$"), testing::HasSubstr("exit code 137"));
     EXPECT_THAT(complaint("echo done; exit 3"),
                 testing::HasSubstr("said 'done', but ended with exit code 3"));
+}
+
+TEST(OutsideCommand, ThatIsDoneWithoutAValueIsAnError) {
+    EXPECT_THAT(complaint("echo done"), testing::HasSubstr("said 'done' without asking for a value"));
+    EXPECT_THAT(complaint(python("for _ in range(2): ask(\"value\", [upper[0] + 1.0, 0.0, 0.0])\n"
+                                 "print(\"done\")\n")),
+                testing::HasSubstr("said 'done' without a value; 2 points lay outside of the bounds"));
+}
+
+TEST(OutsideCommand, ThatGetsNoValueFromItsBudgetHasNone) {
+    const auto report =
+        run(python("assert ask(\"value\", [0.0, 0.0, 0.0]) == \"spent\"\n"), {.seconds = 1e-9});
+    EXPECT_EQ(report.evaluations, 0);
+    EXPECT_EQ(report.ending, Ending::Invalid);
+    EXPECT_EQ(report.value, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(report.final_point.size(), 0) << "no point of its own making";
 }
 
 TEST(OutsideCommand, ThatSaysSomethingElseIsAnErrorWhichQuotesIt) {

@@ -14,7 +14,7 @@ struct OptimizationReport {
     Ending ending = Ending::Converged;  ///< the way in which the run ended
     Eigen::VectorXd point;              ///< the best point found; empty if the objective was never finite
     double value = 0.0;                 ///< objective at the best point
-    Eigen::VectorXd final_point;        ///< the point at which the method itself ended
+    Eigen::VectorXd final_point;        ///< the point at which the method itself ended; empty: not known
     long cost = 0;                      ///< cost of the run, in the problem's unit
     long evaluations = 0;               ///< number of evaluations of any kind
     long derivative_evaluations = 0;    ///< number of evaluations with derivatives

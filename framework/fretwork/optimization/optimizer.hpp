@@ -42,7 +42,7 @@ struct OptimizerOptions {
 /// spent.
 struct RunOutcome {
     Ending ending = Ending::Converged;  ///< the reason why the method ended
-    Eigen::VectorXd final_point;        ///< the point at which the method ended
+    Eigen::VectorXd final_point;        ///< the point at which the method ended; empty: not known
     /// Number of starts that gave no descent: the objective was not finite, or the method gave up after the
     /// first evaluation.
     int dead_starts = 0;

@@ -123,16 +123,20 @@ class Conversation {
         if (words.size() > 1 && !is_stalled) refuse_line(line);
         const int exit_code = child_.finish().value_or(0);
         if (exit_code != 0) refuse("said 'done', but ended with exit code " + std::to_string(exit_code));
+        if (evaluator_.evaluations() == 0 && !is_spent_)
+            refuse("said 'done' without " + missing_evaluation());
         if (is_spent_) return outcome(Ending::BudgetSpent);
         return outcome(is_stalled ? Ending::Stalled : Ending::Converged);
     }
 
-    /// A command does not say where it stands: it is judged by its best point.
-    [[nodiscard]] RunOutcome outcome(Ending ending) const {
-        const Bounds& bounds = evaluator_.bounds();
-        const Eigen::VectorXd& best = evaluator_.best_point();
-        return {ending, best.size() > 0 ? best : Eigen::VectorXd(0.5 * (bounds.lower + bounds.upper))};
+    [[nodiscard]] std::string missing_evaluation() const {
+        const auto outside = static_cast<std::size_t>(evaluator_.points_outside());
+        return outside == 0 ? "asking for a value"
+                            : "a value; " + base::counted(outside, "point") + " lay outside of the bounds";
     }
+
+    /// A command does not say where it stands: it is judged by its best point, which is empty if it has none.
+    [[nodiscard]] RunOutcome outcome(Ending ending) const { return {ending, evaluator_.best_point()}; }
 
     const OutsideCommand& method_;
     Evaluator& evaluator_;

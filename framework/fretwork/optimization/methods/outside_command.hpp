@@ -34,7 +34,8 @@ struct OutsideCommand {
 /// criterion was not met. After `spent`, it may end without this line.
 ///
 /// Cost and results are counted as for every method; only the program's processor time is not. A run throws
-/// IoError if the command cannot be started, and InputError if it writes anything else or ends too early.
+/// IoError if the command cannot be started, and InputError if it writes anything else, ends too early, or is
+/// done without a value.
 OptimizerRow outside_command_row(const OutsideCommand& method);
 
 }  // namespace fretwork::optimization

@@ -39,7 +39,9 @@ struct RunRecord {
     /// Largest cost, in the problem's unit.
     long budget = 0;
     optimization::OptimizationReport report;  ///< outcome of the run
-    double last_value = 0.0;  ///< objective at the final point of the method; its evaluation is not charged
+    /// Objective at the final point of the method; its evaluation is not charged. The best objective if the
+    /// final point is not known.
+    double last_value = 0.0;
     /// Largest component of the distance between the best point and the known optimum, as a share of the box;
     /// negative: the optimum is not known.
     double distance = -1.0;
