@@ -152,6 +152,25 @@ TEST(Optimizers, RefuseToMixTheRunsOfTwoCommands) {
     EXPECT_EQ(run_command(run + "'other=true; " + program + "'", folder.path()).exit_code, 0);
 }
 
+TEST(Optimizers, StopAProgramThatGoesOnAfterItsEvaluationsAreSpent) {
+    const TemporaryFolder folder;
+    (void)folder.file("known.csv", kKnown);
+    (void)folder.file(
+        "deaf.py",
+        "for _ in range(5): input()\nwhile True:\n    print('value 0 0', flush=True)\n    input()\n");
+    const auto done = run_command(
+        "fretwork optimizers run --known known.csv --problems analytic/beale --repetitions 1 --budget 9 "
+        "--command 'deaf=python3 deaf.py' --out o --json",
+        folder.path());
+    EXPECT_EQ(done.exit_code, 0);
+    EXPECT_THAT(done.out, testing::HasSubstr("\"runs_stopped\": 1"));
+    EXPECT_THAT(done.err,
+                testing::HasSubstr("1 run stopped: the program went on after its evaluations were spent"));
+    const auto row = untimed_rows(folder.path() / "o/results.csv").at(1);
+    EXPECT_EQ(row.at(8), "stopped");
+    EXPECT_EQ(row.at(12), "9") << "the cost";
+}
+
 TEST(Optimizers, RefuseAProgramThatIsNoMethod) {
     const TemporaryFolder folder;
     (void)folder.file("known.csv", kKnown);

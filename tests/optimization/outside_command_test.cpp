@@ -15,6 +15,11 @@
 namespace fretwork::optimization {
 namespace THIS_TEST {
 
+/// A program that asks for one point over and over, whatever it is told.
+const std::string kDeaf =
+    "python3 -c '\nfor _ in range(5): input()\nwhile True:\n    print(\"value 0 0 0\", flush=True)\n    "
+    "input()\n'";
+
 /// A program of Python that has read the first five lines: `lower`, `upper`, `seed`, and `ask(word, point)`.
 std::string python(const std::string& body) {
     return "python3 -c '\n"
@@ -101,6 +106,19 @@ TEST(OutsideCommand, IsRefusedWhatIsSpentAndWhatLiesOutside) {
     EXPECT_EQ(report.points_outside, 1);
     EXPECT_EQ(report.ending, Ending::BudgetSpent);
     EXPECT_GT(report.value, 0.0);
+}
+
+TEST(OutsideCommand, ThatGoesOnAfterItsBudgetIsSpentIsStoppedAndItsRunKept) {
+    const auto report = run(kDeaf, {.cost = 7});
+    EXPECT_EQ(report.ending, Ending::Stopped);
+    EXPECT_EQ(report.cost, 7);
+    EXPECT_EQ(report.value, sphere(3).value(Eigen::Vector3d::Zero()));
+}
+
+TEST(OutsideCommand, ThatAsksAHundredTimesAfterItsBudgetIsSpentMayStillBeDone) {
+    const auto report =
+        run(python("for _ in range(102): ask(\"value\", lower)\nprint(\"done\")\n"), {.cost = 1});
+    EXPECT_EQ(report.ending, Ending::BudgetSpent);
 }
 
 TEST(OutsideCommand, ThatEndsBeforeItIsDoneIsAnErrorWhichNamesIt) {

@@ -187,12 +187,16 @@ void print(const optimization::study::StudyReport& report, double seconds, const
     if (options.json) {
         print_document({{"runs_before", report.runs_before},
                         {"runs_done", report.runs_done},
+                        {"runs_stopped", report.runs_stopped},
                         {"out", path},
                         {"seconds", seconds}});
     } else {
         std::printf("%zu runs in %.1f s, and %zu that were there before, are in %s\n", report.runs_done,
                     seconds, report.runs_before, path.c_str());
     }
+    if (report.runs_stopped > 0)
+        warn(base::counted(report.runs_stopped, "run") +
+             " stopped: the program went on after its evaluations were spent");
     if (report.runs_left_out > 0) warn("interrupted; what is done is stored, run again to go on");
 }
 

@@ -26,6 +26,8 @@ std::string_view ending_name(Ending ending) {
             return "stalled";
         case Ending::Invalid:
             return "invalid";
+        case Ending::Stopped:
+            return "stopped";
     }
     return "unknown";
 }

@@ -25,6 +25,8 @@ enum class Ending {
     Stalled,      ///< the method made no further progress before its criterion was met
     /// No start gave a descent: the objective was not finite at the start, or the first step failed.
     Invalid,
+    /// A program of its own went on after its budget was spent, and was stopped.
+    Stopped,
 };
 /// The word for an ending in tables.
 std::string_view ending_name(Ending ending);

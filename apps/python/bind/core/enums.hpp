@@ -82,7 +82,7 @@ FRETWORK_ENUM(optimization::Evaluation, "Evaluation", "The kinds of evaluation t
 FRETWORK_ENUM(optimization::OptimizerClass, "OptimizerClass", "The kind of search that a method performs.",
               "local", "global", "random");
 FRETWORK_ENUM(optimization::Ending, "Ending", "The way in which a run of an optimizer ended.", "converged",
-              "budget-spent", "stalled", "invalid");
+              "budget-spent", "stalled", "invalid", "stopped");
 FRETWORK_ENUM(optimization::AnnealingBounds, "AnnealingBounds", "The treatment of a move beyond a bound.",
               "reflect", "clamp", "reject");
 FRETWORK_ENUM(optimization::AnnealingVariables, "AnnealingVariables",

@@ -16,6 +16,8 @@ namespace {
 using detail::ChildProcess;
 
 constexpr const char* kSpent = "spent";
+/// Number of further questions that a program may ask after it was told that its budget is spent.
+constexpr int kMostAfterSpent = 100;
 constexpr const char* kWhatIsValid = "; valid are 'value' or 'gradient' with a point, and 'done'";
 
 std::string number_text(double value) {
@@ -51,6 +53,7 @@ class Conversation {
         while (const auto line = next_line()) {
             const std::vector<std::string> words = words_of(*line);
             if (!words.empty() && words.front() == "done") return end(words, *line);
+            if (is_spent_ && ++asked_after_spent_ > kMostAfterSpent) return outcome(Ending::Stopped);
             child_.write_line(answer(words, *line));
         }
         const std::optional<int> exit_code = child_.finish();
@@ -142,6 +145,7 @@ class Conversation {
     Evaluator& evaluator_;
     ChildProcess child_;
     bool is_spent_ = false;
+    int asked_after_spent_ = 0;
 };
 
 class CommandOptimizer final : public Optimizer {

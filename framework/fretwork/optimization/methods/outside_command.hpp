@@ -31,7 +31,8 @@ struct OutsideCommand {
 ///
 /// The answer is `spent` if the rest of the budget does not cover the evaluation. It is `outside` for a point
 /// beyond the bounds, which is not charged. At its end, the program writes `done`, or `done stalled` if its
-/// criterion was not met. After `spent`, it may end without this line.
+/// criterion was not met. After `spent`, it may end without this line. A
+/// program that asks more than a hundred times after `spent` is killed; its run ends as Ending::Stopped.
 ///
 /// Cost and results are counted as for every method; only the program's processor time is not. A run throws
 /// IoError if the command cannot be started, and InputError if it writes anything else, ends too early, or is

@@ -66,9 +66,9 @@ std::string row_fault(const std::vector<std::string>& cells) {
     };
     if (base::read_number<int>(cells[2]).value_or(0) < 1)
         return "repetition '" + cells[2] + "' is not a number from 1 on";
-    constexpr std::string_view kEndings[] = {"converged", "budget-spent", "stalled", "invalid"};
+    constexpr std::string_view kEndings[] = {"converged", "budget-spent", "stalled", "invalid", "stopped"};
     if (std::ranges::find(kEndings, cells[8]) == std::end(kEndings))
-        return "termination '" + cells[8] + "' is none of converged, budget-spent, stalled, invalid";
+        return "termination '" + cells[8] + "' is none of converged, budget-spent, stalled, invalid, stopped";
     for (const std::size_t value : {9U, 10U}) {
         if (!base::read_number<double>(cells[value])) return "value '" + cells[value] + "' is not a number";
     }

@@ -84,13 +84,14 @@ class TableWriter {
         const std::lock_guard lock(mutex_);
         table_.add(record);
         ++runs_done_;
+        if (record.report.ending == Ending::Stopped) ++runs_stopped_;
         if (Clock::now() >= next_write_) write();
     }
 
-    /// Write the table. Returns the number of runs that were added.
-    std::size_t finish() {
+    /// Write the table. Returns the report of the runs that were added, of which `tasks` were to do.
+    StudyReport finish(std::size_t runs_before, std::size_t tasks) {
         write();
-        return runs_done_;
+        return {runs_before, runs_done_, tasks - runs_done_, runs_stopped_};
     }
 
   private:
@@ -114,6 +115,7 @@ class TableWriter {
     std::filesystem::path folder_;
     const StudyPlan& plan_;
     std::size_t runs_done_ = 0;
+    std::size_t runs_stopped_ = 0;
     Clock::time_point next_write_ = Clock::now();
 };
 
@@ -153,11 +155,11 @@ StudyReport run_study(const StudyPlan& plan, const std::filesystem::path& folder
             }
         });
     } catch (...) {
-        (void)writer.finish();  // an error of one method does not lose the runs of the others
+        (void)writer.finish(runs_before,
+                            tasks.size());  // an error of one method does not lose the runs of the others
         throw;
     }
-    const std::size_t runs_done = writer.finish();
-    return {runs_before, runs_done, tasks.size() - runs_done};
+    return writer.finish(runs_before, tasks.size());
 }
 
 }  // namespace fretwork::optimization::study

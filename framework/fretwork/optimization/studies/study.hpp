@@ -29,6 +29,8 @@ struct StudyReport {
     std::size_t runs_before = 0;    ///< number of runs in the table at the start
     std::size_t runs_done = 0;      ///< number of runs done by this call
     std::size_t runs_left_out = 0;  ///< number of runs not done because of a stop
+    /// Number of runs done by this call that ended as Ending::Stopped.
+    std::size_t runs_stopped = 0;
 };
 
 /// The path of the table in a study's folder.
