@@ -111,6 +111,23 @@ TEST(Stages, NameThePlaceOfAWrongEntry) {
                 testing::StartsWith("s.json: /stages/0/prescribed/0/uz: "));
 }
 
+TEST(Stages, HaveNamesOfTheirOwn) {
+    const char* twice = R"({"format": "fretwork/stages/1", "stages": [
+        {"name": "press", "loads": [{"load_case": "tip", "factor": 1}]},
+        {"name": "off", "loads": [{"load_case": "tip", "factor": 0}]},
+        {"name": "press", "loads": [{"load_case": "tip", "factor": 2}]}]})";
+    EXPECT_EQ(complaint_of([&] { (void)parse_stages(twice, "s.json"); }),
+              "s.json: /stages/2/name: 'press' is the name of /stages/0 already; each stage needs a name of "
+              "its own");
+    const std::vector<LoadCase> cases = {named("tip", -0.01)};
+    const std::vector<LoadStage> stages = {{.name = "press", .loads = {{"tip", 1.0}}},
+                                           {.name = "press", .loads = {{"tip", 0.0}}}};
+    EXPECT_EQ(complaint_of([&] {
+                  (void)simulate_stages(strip(), {cases.front(), cases, stages}, {.model = "corotational"});
+              }),
+              "load stage 'press': is there twice, in positions 1 and 2; each stage needs a name of its own");
+}
+
 TEST(Stages, AreAPartOfWhatAResultIsAResultOf) {
     const auto of = [](double force, const std::string& factor) {
         return *staged({named("tip", force)}, (R"({"format": "fretwork/stages/1", "stages": [

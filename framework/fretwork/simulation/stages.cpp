@@ -54,7 +54,15 @@ std::vector<LoadStage> parse_stages(std::string_view text, const std::string& so
     json.expect_format("stages", 2);
     json.allow_only({"format", "stages"});
     std::vector<LoadStage> stages;
-    for (const JsonReader& stage : json.at("stages").elements()) stages.push_back(read_stage(stage));
+    for (const JsonReader& entry : json.at("stages").elements()) {
+        LoadStage stage = read_stage(entry);
+        const auto same = std::ranges::find(stages, stage.name, &LoadStage::name);
+        if (same != stages.end())
+            entry.at("name").fail("'" + stage.name + "' is the name of /stages/" +
+                                  std::to_string(same - stages.begin()) +
+                                  " already; each stage needs a name of its own");
+        stages.push_back(std::move(stage));
+    }
     if (stages.empty()) json.at("stages").fail("is empty, where at least one stage is needed");
     if (json.at("format").string() == "fretwork/stages/1" && std::ranges::any_of(stages, has_circle))
         json.fail("is of fretwork/stages/1, which has no circle; fretwork/stages/2 has");

@@ -19,7 +19,7 @@ namespace fretwork::simulation {
 /// A load stage: changes of loads and held components. Everything else stays as at the end of the previous
 /// load stage. A load stage may name a component in only one of `prescribed`, `keep` and `free`.
 struct LoadStage {
-    std::string name;  ///< name in reports
+    std::string name;  ///< name in reports, of this load stage alone
     /// Load cases with the new factors on their loads and prescribed displacements. 0 removes the loads, and
     /// holds the prescribed components at 0. Supports of these load cases are ignored.
     std::vector<LoadCase::Share> loads{};
@@ -41,7 +41,7 @@ struct LoadStage {
 ///         { "name": "let go", "free": [{ "side": "right", "fixed": ["uz"] }] } ] }
 ///
 /// Nodes are selected as in load cases; by a circle only in the format "fretwork/stages/2". Throws InputError
-/// with source and place.
+/// with source and place, also if two load stages have one name.
 std::vector<LoadStage> parse_stages(std::string_view text, const std::string& source);
 /// The text of a file of load stages.
 std::string stages_text(std::span<const LoadStage> stages);

@@ -5,6 +5,8 @@
 #include <fretwork/simulation/load_cases/conditions.hpp>
 #include <fretwork/simulation/load_cases/stage_conditions.hpp>
 
+#include <algorithm>
+
 namespace fretwork::simulation {
 namespace {
 
@@ -20,6 +22,16 @@ void for_entries(const LoadStage& stage, const std::string& list, const std::vec
     for (std::size_t i = 0; i < entries.size(); ++i)
         base::located("load stage '" + stage.name + "'", "/" + list + "/" + std::to_string(i),
                       [&] { take(entries[i]); });
+}
+
+void check_names(std::span<const LoadStage> stages) {
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        const auto same = std::ranges::find(stages.first(i), stages[i].name, &LoadStage::name);
+        if (same == stages.first(i).end()) continue;
+        throw base::InputError("load stage '" + stages[i].name + "'", "",
+                               "is there twice, in positions " + std::to_string(same - stages.begin() + 1) +
+                                   " and " + std::to_string(i + 1) + "; each stage needs a name of its own");
+    }
 }
 
 }  // namespace
@@ -149,6 +161,7 @@ LoadCase stage_load_case(const StagePlan& plan, const std::string& name) {
 }
 
 void check_stages(const Surface& surface, const StagePlan& plan) {
+    check_names(plan.stages);
     const std::size_t nodes = surface.tessellation.interface_nodes.size();
     const mechanics::NodeValues at_rest =
         mechanics::NodeValues::Zero(static_cast<Eigen::Index>(nodes), mechanics::kDofsPerNode);
