@@ -34,6 +34,11 @@ TEST(Split, IsUndoneByJoin) {
     for (const std::string text : {"", "a", "a,b", ",a,,b,"}) EXPECT_EQ(join(split(text, ','), ","), text);
 }
 
+TEST(SplitLines, LeavesOutLineFeedsAndCarriageReturnsBeforeThem) {
+    EXPECT_EQ(split_lines("a\r\n\r\nb\rc\n"), (std::vector<std::string>{"a", "", "b\rc", ""}));
+    EXPECT_EQ(split_lines(""), std::vector<std::string>{""});
+}
+
 TEST(NearestName, FindsTyposAndNothingFar) {
     const std::vector<std::string> names = {"bending", "dome", "saddle"};
     EXPECT_EQ(nearest_name("bendign", names), "bending");

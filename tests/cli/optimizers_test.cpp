@@ -6,6 +6,7 @@
 #include <fretwork/base/text.hpp>
 
 #include <algorithm>
+#include <regex>
 #include <set>
 #include <utility>
 
@@ -74,6 +75,27 @@ TEST(Optimizers, SearchTheProblemsOfAListWhichMayBeOfAnyLayout) {
     const auto refused = run_command(known + "bad.txt", folder.path());
     EXPECT_EQ(refused.exit_code, 2);
     EXPECT_THAT(refused.err, testing::AllOf(testing::HasSubstr("bad.txt"), testing::HasSubstr("line 2")));
+}
+
+TEST(Optimizers, ReadListsAndTablesWhoseLinesEndInCrLf) {
+    const TemporaryFolder folder;
+    (void)folder.file("ids.txt", "analytic/beale\r\nanalytic/levy\r\n");
+    (void)folder.file("known.csv",
+                      "problem,best_value,scale,found_by\r\nanalytic/beale,0,1,construction\r\n");
+    EXPECT_EQ(run_command("fretwork optimizers known --starts 1 --ids ids.txt --out out.csv", folder.path())
+                  .exit_code,
+              0);
+    EXPECT_EQ(untimed_rows(folder.path() / "out.csv").at(2).at(0), "analytic/levy");
+    const auto done =
+        run_command("fretwork optimizers run --known known.csv --repetitions 1 --optimizers bobyqa --out o",
+                    folder.path());
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+    (void)folder.file("o.csv", std::regex_replace(base::read_text_file(folder.path() / "o/results.csv"),
+                                                  std::regex("\n"), "\r\n"));
+    EXPECT_EQ(run_command("fretwork optimizers known --from known.csv --results o.csv --out better.csv",
+                          folder.path())
+                  .exit_code,
+              0);
 }
 
 TEST(Optimizers, RecoverTheParametersOfASyntheticTarget) {

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <regex>
 
 namespace fretwork::mechanics {
 namespace THIS_TEST {
@@ -145,6 +146,8 @@ TEST_F(CalculixFile, WrittenFrameIsReadBack) {
 TEST_F(CalculixFile, TextIsReadAsTheFileIs) {
     const std::string text = calculix_text(sample::star());
     EXPECT_EQ(calculix_text(parse_calculix(text, "somewhere").frame), text);
+    const std::string crlf = std::regex_replace(text, std::regex("\n"), "\r\n");
+    EXPECT_EQ(calculix_text(parse_calculix(crlf, "somewhere").frame), text);
     EXPECT_EQ(parse_calculix(text, "somewhere").source, "somewhere");
     try {
         parse_calculix("*NODE\n1,0,0,x\n", "somewhere");

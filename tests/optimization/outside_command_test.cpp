@@ -164,6 +164,13 @@ TEST(OutsideCommand, ThatNeverSpeaksIsStopped) {
     EXPECT_EQ(questions, 9);
 }
 
+TEST(OutsideCommand, MayEndItsLinesInCrLf) {
+    const auto report =
+        run("head -n 5 >/dev/null; printf \"value 0 0 0\\r\\n\"; read answer; printf \"done\\r\\n\"");
+    EXPECT_EQ(report.evaluations, 1);
+    EXPECT_EQ(report.ending, Ending::Converged);
+}
+
 TEST(OutsideCommand, IsDoneAlsoIfItEndsSlowly) {
     const auto report =
         run(python("ask(\"value\", lower)\n"

@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <regex>
 #include <set>
 
 namespace fretwork::optimization::study {
@@ -98,6 +99,15 @@ TEST(RunTable, ReadsBackItsOwnCsv) {
     EXPECT_TRUE(again.contains({"sphere", "crs2", 1}));
     EXPECT_FALSE(again.contains({"sphere", "crs2", 2}));
     EXPECT_LT(table.csv().find("bobyqa"), table.csv().find("crs2")) << "rows are sorted";
+}
+
+TEST(RunTable, ReadsLinesThatEndInCrLf) {
+    const RunConditions conditions{.budget = {.cost = 100}};
+    const std::vector<Contender> contenders{{&find_optimizer("bobyqa"), 2}};
+    RunTable table;
+    table.add(sphere_run("bobyqa", 1, conditions));
+    const std::string crlf = std::regex_replace(table.csv(), std::regex("\n"), "\r\n");
+    EXPECT_EQ(RunTable(crlf, "results.csv", conditions, contenders).csv(), table.csv());
 }
 
 TEST(RunTable, TakesAMethodThatIsInNoCatalogue) {

@@ -5,6 +5,7 @@
 #include <fretwork/outlines/outline.hpp>
 
 #include <limits>
+#include <regex>
 
 namespace fretwork::outlines {
 namespace THIS_TEST {
@@ -14,6 +15,19 @@ using test::complaint_of;
 using test::TemporaryFolder;
 using testing::AllOf;
 using testing::HasSubstr;
+
+TEST(Outline, IsTheSameIfLinesEndInCrLf) {
+    const TemporaryFolder folder;
+    for (const auto& path :
+         {example_outline("specimen.svg"), data_file("slot.dxf"), data_file("square_with_window.obj"),
+          data_file("quadrilateral.ply"), data_file("two_triangles.off")}) {
+        const std::string text = std::regex_replace(base::read_text_file(path), std::regex("\r?\n"), "\r\n");
+        const Outline expected = read_outline(path);
+        const Outline outline = read_outline(folder.file("o" + path.extension().string(), text));
+        EXPECT_EQ(outline.boundary, expected.boundary) << path;
+        EXPECT_EQ(outline.holes, expected.holes) << path;
+    }
+}
 
 const Polygon kSquare = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 

@@ -25,6 +25,9 @@ std::string counted(std::size_t count, std::string_view noun);
 /// empty word.
 std::vector<std::string> split(std::string_view text, char separator);
 
+/// The lines of a text, without their ends: line feeds, with or without a carriage return before them.
+std::vector<std::string> split_lines(std::string_view text);
+
 /// A text as an entry of a CSV file, quoted if necessary (RFC 4180).
 std::string csv_field(std::string_view text);
 

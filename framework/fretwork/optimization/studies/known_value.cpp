@@ -65,7 +65,7 @@ KnownValue read_known_value(const std::vector<std::string>& cells, const std::st
 }  // namespace
 
 std::vector<KnownValue> read_known_values(const std::filesystem::path& path) {
-    const auto lines = base::split(base::read_text_file(path), '\n');
+    const auto lines = base::split_lines(base::read_text_file(path));
     if (lines.front() != kKnownHeader) {
         throw base::InputError(path.string(), "line 1", std::string("must be the header ") + kKnownHeader);
     }
@@ -113,7 +113,7 @@ std::vector<KnownValue> find_known_values(const std::vector<std::string>& proble
 
 void improve_known_values(std::vector<KnownValue>& values, const std::filesystem::path& results) {
     constexpr double kRoundOff = 1e-9;
-    const auto lines = base::split(base::read_text_file(results), '\n');
+    const auto lines = base::split_lines(base::read_text_file(results));
     if (!is_run_table_header(lines.front())) {
         throw base::InputError(results.string(), "line 1", "is not the header of a table of runs");
     }

@@ -146,7 +146,7 @@ std::string run_table_row(const RunRecord& record) {
 
 RunTable::RunTable(std::string_view text, const std::string& source, const RunConditions& conditions,
                    std::span<const Contender> contenders) {
-    auto lines = base::split(text, '\n');
+    auto lines = base::split_lines(text);
     if (!is_run_table_header(lines.front())) {
         throw base::InputError(source, "line 1",
                                "is not the header of a table of runs: " + run_table_header());

@@ -72,7 +72,7 @@ StudyProblem make_study_problem(const std::string& id, const ProblemFamilies& fa
 
 std::vector<std::string> read_problem_ids(const std::filesystem::path& path,
                                           const ProblemFamilies& families) {
-    const auto lines = base::split(base::read_text_file(path), '\n');
+    const auto lines = base::split_lines(base::read_text_file(path));
     std::vector<std::string> ids;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         if (lines[i].empty()) continue;

@@ -117,6 +117,7 @@ std::optional<std::string> ChildProcess::read_line() {
     }
     std::string line = unread_.substr(0, end);
     unread_.erase(0, end + 1);
+    if (line.ends_with('\r')) line.pop_back();
     return line;
 }
 

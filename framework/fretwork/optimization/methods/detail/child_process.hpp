@@ -21,8 +21,8 @@ class ChildProcess {
     ChildProcess(const ChildProcess&) = delete;
     ChildProcess& operator=(const ChildProcess&) = delete;
 
-    /// Its next line, without the end of line; none at the end of its output. Throws InputError if a line
-    /// does not end, Stopped.
+    /// Its next line, without the end of line, LF or CR LF; none at the end of its output. Throws InputError
+    /// if a line does not end, Stopped.
     std::optional<std::string> read_line();
     /// Write a line. One that the command no longer reads is lost. Throws Stopped.
     void write_line(const std::string& text);
