@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "file_identity.hpp"
+#include "options/file_options.hpp"
 #include "other_project.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/simulation/project/project_file.hpp>
 
 #include <algorithm>
-#include <filesystem>
 
 namespace fretwork::app {
 
 void refuse_other_project(const std::string& file, const ProjectFrom& own) {
-    std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored)) return;
-    for (const simulation::LoadCase& other : simulation::read_project(file).load_cases) {
+    if (content_of(file) != kProjectFile.contents) return;
+    const simulation::Project present = simulation::read_project(file);
+    for (const simulation::LoadCase& other : present.load_cases) {
         const auto has_name = [&](const simulation::LoadCase& known) { return known.name == other.name; };
         if (std::ranges::none_of(own.project.load_cases, has_name))
             throw base::InputError(file, "",
@@ -20,6 +21,10 @@ void refuse_other_project(const std::string& file, const ProjectFrom& own) {
                                        "' would be lost, which " + own.file +
                                        " has not; give --out another name");
     }
+    if (present.outline != own.project.outline || present.further_outlines != own.project.further_outlines)
+        throw base::InputError(
+            file, "",
+            "is another project: its outline is not that of " + own.file + "; give --out another name");
 }
 
 }  // namespace fretwork::app

@@ -13,8 +13,9 @@ struct ProjectFrom {
     const std::string& file;
 };
 
-/// A project that is replaced keeps what is its own. Throws InputError if `file` is a project with a load
-/// case that `own` has not.
+/// Check that `file` may be replaced by a project that is made from `own`. Throws InputError if `file` is a
+/// project with another outline, or with a load case that `own` does not have. A device and a file of another
+/// kind are not read.
 void refuse_other_project(const std::string& file, const ProjectFrom& own);
 
 }  // namespace fretwork::app

@@ -99,6 +99,17 @@ TEST_F(DesignCommand, RefusesBadInputInOneLine) {
     refused("--target both.json --palette 0-6", "both.json: /goals/1: wants uz = 20 mm of node 3");
 }
 
+TEST_F(DesignCommand, RefusesToReplaceAProjectWithAnotherOutline) {
+    ASSERT_EQ(
+        run("fretwork tile experiments/outlines/example_a.svg --edge-length 40mm --out other.json").exit_code,
+        0);
+    const std::string before = base::read_text_file(folder_.path() / "other.json");
+    const Outcome outcome = run("fretwork design p.json --target t.json --palette 0-6 --out other.json");
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("other.json: is another project: its outline is not that of p.json"));
+    EXPECT_EQ(base::read_text_file(folder_.path() / "other.json"), before);
+}
+
 /// What another project holds is not lost.
 TEST_F(DesignCommand, RefusesToReplaceAProjectWithOtherLoadCases) {
     ASSERT_EQ(

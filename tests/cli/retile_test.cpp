@@ -166,6 +166,33 @@ TEST_F(RetileCommand, ReplacesNoProjectWithOtherLoadCases) {
     EXPECT_EQ(base::read_text_file(folder_.path() / "other.json"), before);
 }
 
+TEST_F(RetileCommand, ReplacesNoProjectWithAnotherOutline) {
+    ASSERT_EQ(
+        run("fretwork tile experiments/outlines/example_a.svg --edge-length 40mm --out other.json").exit_code,
+        0);
+    const std::string before = base::read_text_file(folder_.path() / "other.json");
+    const Outcome refused = run("fretwork retile p.json --edge-length 20mm --out other.json");
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(
+        refused.err,
+        HasSubstr(
+            "other.json: is another project: its outline is not that of p.json; give --out another name"));
+    EXPECT_EQ(base::read_text_file(folder_.path() / "other.json"), before);
+    ASSERT_EQ(run("fretwork retile p.json --edge-length 25mm --out new.json").exit_code, 0);
+    EXPECT_EQ(run("fretwork retile p.json --edge-length 20mm --out new.json").exit_code, 0)
+        << "the same outline";
+}
+
+/// What is in a pipe is not read, which would wait for ever.
+TEST_F(RetileCommand, WritesIntoAPipe) {
+    ASSERT_EQ(
+        run("mkfifo pipe; timeout 60 cat pipe >got.json & "
+            "timeout 60 fretwork retile p.json --edge-length 20mm --out pipe; code=$?; wait; [ $code = 0 ]")
+            .exit_code,
+        0);
+    EXPECT_GT(project("got.json").tessellation.tiles.size(), project("p.json").tessellation.tiles.size());
+}
+
 /// The path of a library is relative to the project file.
 TEST(ProjectsInOtherFolders, KeepTheirLibrary) {
     const TemporaryFolder folder;

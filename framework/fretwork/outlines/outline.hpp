@@ -15,6 +15,7 @@ namespace fretwork::outlines {
 struct Outline {
     geometry::Polygon boundary;            ///< metres
     std::vector<geometry::Polygon> holes;  ///< metres; clockwise, inside the boundary, apart
+    friend bool operator==(const Outline&, const Outline&) = default;
 };
 
 /// Check and orient an outline. Throws GeometryError that names two sides that cross, or a hole that lies
