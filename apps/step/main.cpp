@@ -47,14 +47,14 @@ simulation::Surface read_surface(const Options& options, const simulation::Proje
 
 void print(const fabrication::Shape& shape, const Options& options) {
     const std::size_t solids = shape.pieces.size();
-    const double volume = fabrication::area(shape) * shape.height;
+    const double volume = 1e9 * fabrication::area(shape) * shape.height;  // mm3, as in the file
     if (options.json) {
         const std::string document = base::json_text(
             {{"path", options.to}, {"solids", solids}, {"volume", volume}, {"unit", "millimetre"}});
         std::fputs(document.c_str(), stdout);
     } else {
         std::printf("%s: %s, %s mm3\n", base::printable(options.to).c_str(),
-                    base::counted(solids, "solid").c_str(), base::format_number(1e9 * volume, 6).c_str());
+                    base::counted(solids, "solid").c_str(), base::format_number(volume, 6).c_str());
     }
 }
 
@@ -84,7 +84,8 @@ void add_options(CLI::App& app, Options& options) {
     app.add_option("--bolts", options.making.bolts, "Diameter of holes at the supports of --case");
     app.add_option("--eye", options.making.eye,
                    "Diameter of the discs around these holes (default: twice theirs)");
-    app.add_flag("--json", options.json, "Print what was written as JSON; volume in m3");
+    app.add_flag("--json", options.json,
+                 "Print what was written as JSON; volume in mm3, the cube of its `unit`");
     app.footer("Example: fretwork-step project.json --fillet 0.5mm --frame 4mm --to chair.step");
 }
 
