@@ -221,11 +221,11 @@ int main(int argc, char** argv) {
     app.add_option("--angle", arguments.angle, "deg; the target is an arc of this angle");
     app.add_option("--baseline", arguments.baseline,
                    "Another search: random, greedy, annealing, table, cmaes");
-    app.add_option("--solutions", arguments.solutions, "Most nonlinear solutions");
+    app.add_option("--solutions", arguments.solutions, "Maximum number of nonlinear solutions");
     app.add_option("--seconds", arguments.seconds, "Wall time; 0: any");
     app.add_option("--seed", arguments.seed, "Of the instance and of the search");
     app.add_option("--threads", arguments.threads, "Of the design");
-    app.add_option("--max-patterns", arguments.max_patterns, "Most different patterns");
+    app.add_option("--max-patterns", arguments.max_patterns, "Maximum number of different patterns");
     app.add_flag("--free-factor", arguments.free_factor, "Search the load's factor, too");
     CLI11_PARSE(app, argc, argv);
     try {

@@ -270,7 +270,8 @@ int main(int argc, char** argv) {
     app.add_option("--patterns", arguments.patterns, "Of the palette: a number drawn at random, or all");
     app.add_option("--seed", arguments.seed, "Of the instance and of the search");
     app.add_flag("--free-factor", arguments.free_factor, "Search the factor on the loads, too");
-    app.add_option("--solutions", arguments.solutions, "Most nonlinear solutions; 0: the default");
+    app.add_option("--solutions", arguments.solutions,
+                   "Maximum number of nonlinear solutions; 0: the default");
     app.add_option("--threads", arguments.threads, "Of the design");
     CLI11_PARSE(app, argc, argv);
     try {

@@ -170,7 +170,7 @@ int main(int argc, char** argv) {
     app.add_option("--seed", arguments.seed, "Of the palette and of the targets");
     app.add_option("--only", arguments.only, "Number of the only target to search for, from 0");
     app.add_option("--solutions", arguments.solutions,
-                   "Most nonlinear solutions of the search; 0: the default");
+                   "Maximum number of nonlinear solutions of the search; 0: the default");
     app.add_flag("--enumerate", arguments.enumerate, "Solve every painting instead of searching");
     CLI11_PARSE(app, argc, argv);
     try {

@@ -24,6 +24,16 @@ TEST(Help, OfEveryVerbHasAnExample) {
     }
 }
 
+/// Limits are numbers: "Maximum number of", "Largest", not "Most".
+TEST(Help, SaysWhatALimitCounts) {
+    const TemporaryFolder folder;
+    for (const std::string verb :
+         {"enumerate", "calibrate", "library find", "design", "optimizers run", "simulate"})
+        EXPECT_THAT(run_command("fretwork " + verb + " --help", folder.path()).out,
+                    testing::Not(testing::ContainsRegex("  (The most|Most|Of) [a-z]")))
+            << verb;
+}
+
 TEST(Help, OfCalibrateBeginsWithWhatOneNeeds) {
     const TemporaryFolder folder;
     const std::string help = run_command("fretwork calibrate --help", folder.path()).out;

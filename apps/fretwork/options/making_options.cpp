@@ -13,11 +13,12 @@ void add_making_options(CLI::App& verb, typed::MakingChoice& texts) {
     };
     add("--fillet", texts.fillet, "Radius of inner corners between bars (default: sharp)");
     add("--kerf", texts.kerf,
-        "Width that the cutter removes; lines run half of it outside the material (solids have the true "
-        "width)");
+        "Width that the cutter removes. Cutting lines lie half of it outside the material, so that the part "
+        "gets its true size; solids are not changed");
     add("--frame", texts.frame, "Width of a border along the rim");
     add("--bolts", texts.bolts, "Diameter of holes at the supports of --case");
-    add("--eye", texts.eye, "Diameter of the discs around these holes (default: twice the holes' diameter)");
+    add("--eye", texts.eye,
+        "Diameter of the discs of material around the holes of --bolts (default: twice the holes' diameter)");
     add("--bed", texts.bed,
         "Cut into parts with connectors that fit sheets of WIDTHxHEIGHT millimetres, and nest the parts")
         ->type_name("WxH");

@@ -28,8 +28,8 @@ void add_tiling_options(CLI::App& verb, TilingText& text, const std::string& usu
                     "Angle of the rows of tiles to the x axis, such as 15deg (default: that of the most "
                     "regular tiling)");
     verb.add_option("--narrow", text.narrow,
-                    "Treatment of an outline narrower than a tile: refine makes smaller tiles, merge joins "
-                    "these to few long ones, refuse gives an error")
+                    "What to do where the outline is narrower than a tile: refine makes tiles smaller until "
+                    "they fit; merge also joins them to longer tiles where it can; refuse ends with an error")
         ->check(CLI::IsMember(kNarrow))
         ->capture_default_str();
 }

@@ -264,10 +264,11 @@ std::string catalogue_help(std::string text, const Rows& rows) {
 
 void add_method_options(CLI::App& verb, library::FillOptions& fill) {
     constexpr const char* kGroup = "Method";
-    verb.add_option("--starts", fill.calibration.starts, "Descents from different points")
+    verb.add_option("--starts", fill.calibration.starts, "Number of descents, each from another point")
         ->capture_default_str()
         ->group(kGroup);
-    verb.add_option("--budget", fill.calibration.budget, "Most evaluations of the objective")
+    verb.add_option("--budget", fill.calibration.budget,
+                    "Maximum number of evaluations of the objective for one pattern")
         ->capture_default_str()
         ->group(kGroup);
     verb.add_option("--seed", fill.calibration.seed, "Seed of the random numbers")
@@ -285,9 +286,11 @@ void add_method_options(CLI::App& verb, library::FillOptions& fill) {
 
 void add_setting_options(CLI::App& verb, CalibrateOptions& options) {
     constexpr const char* kGroup = "Setting, for a library that has no results yet";
-    verb.add_option("--setting", options.setting,
-                    "Material, section, joints, tile side and scenarios: paper, made (the paper's with stiff "
-                    "joints), or a setting file (default: the library's, which begins as paper)")
+    verb.add_option(
+            "--setting", options.setting,
+            "Setting with material, section, joints, tile side and scenarios: paper, made (as paper, "
+            "but with stiff joints), or a setting file (default: the library's setting; a new library "
+            "has paper)")
         ->group(kGroup);
     verb.add_option("--policy", options.policy,
                     "Treatment of samples past the first loss of stability:\npaper: they are fitted, "
@@ -313,7 +316,9 @@ void add_calibrate(CLI::App& app, ExitCode& exit_code) {
     verb->add_flag("--retry", options->retry, "Try patterns with a recorded failure again");
     verb->add_option("--shard", options->shard,
                      "Compute only the I-th of N parts, as I/N, to share the load among several machines");
-    verb->add_flag("--json", options->json, "Print for programs");
+    verb->add_flag(
+        "--json", options->json,
+        "Print JSON: numbers of patterns, statistics of the objective and of the samples, failures, seconds");
     add_setting_options(*verb, *options);
     add_method_options(*verb, options->fill);
     declare_files(*verb, {update("--library", kLibraryFile), input("--setting")});

@@ -158,14 +158,15 @@ void add_task(CLI::App& verb, DesignArguments& arguments) {
                     "sample:N of these")
         ->capture_default_str();
     verb.add_option("--max-patterns", options.max_patterns,
-                    "Most different patterns, those of kept tiles included (default: any number)")
+                    "Maximum number of different patterns, those of kept tiles included (default: no limit)")
         ->check(CLI::Range(1, 1'000'000));
     verb.add_option("--keep", arguments.keep, "Tiles that keep their patterns: 3,7-11")->type_name("TILES");
     verb.add_option(
             "--free", arguments.free,
-            "Unknowns besides the painting, joined by commas: factor (on the loads, not the weight), "
-            "prescribed (the values of prescribed displacements), width, thickness (of all bars, which "
-            "have to be rectangular: from a third of it to three times)")
+            "Unknowns besides the painting, joined by commas: factor (of the loads, not of the weight), "
+            "prescribed (values of prescribed displacements), width and thickness (of all bars, which must "
+            "be "
+            "rectangular; from a third of the present value to three times that)")
         ->type_name("factor,prescribed,width,thickness");
 }
 
@@ -174,15 +175,17 @@ void add_limits(CLI::App& verb, DesignArguments& arguments) {
     verb.add_option("--symmetry", arguments.symmetry,
                     "Symmetry of the painting about the middle: mirror:x (left and right), mirror:y, turn:N")
         ->type_name("SYMMETRY");
-    verb.add_option("--max-mass", options.max_mass, "Most mass of all beams, kg")->check(above_zero_check());
-    verb.add_option("--max-utilization", options.max_utilization,
-                    "Largest utilization, checked with all beams, together with the estimated error of one "
-                    "element a beam; the result is the best checked painting that keeps it")
+    verb.add_option("--max-mass", options.max_mass, "Largest mass of all beams together, kg")
         ->check(above_zero_check());
-    verb.add_option(
-            "--clearance", arguments.clearance,
-            "Smallest gap between bars, such as 0.5mm: patterns that do not keep it are left out; the "
-            "result is the best checked painting that keeps it")
+    verb.add_option("--max-utilization", options.max_utilization,
+                    "Largest utilization that a bar may have. Paintings are checked with all beams, and the "
+                    "estimated error of one element a beam is added; the result is the best painting that "
+                    "passes")
+        ->check(above_zero_check());
+    verb.add_option("--clearance", arguments.clearance,
+                    "Smallest gap that bars may have between them, such as 0.5mm. Patterns with smaller gaps "
+                    "are left "
+                    "out; the result is the best painting that passes the check")
         ->check(length_check());
 }
 
@@ -192,8 +195,8 @@ void add_effort(CLI::App& verb, DesignArguments& arguments) {
                     "Wall time, checks included (default: until no swap improves)")
         ->check(above_zero_check());
     verb.add_option("--solutions", options.most_solutions,
-                    "Most nonlinear solutions of the search (default: 40, more on fewer than 44 tiles); "
-                    "those that single patterns take for the unknowns of --free come on top")
+                    "Maximum number of nonlinear solutions of the search (default: 40, more on fewer than 44 "
+                    "tiles). Solutions of single patterns for the unknowns of --free are not counted")
         ->check(CLI::Range(1, 1'000'000));
     verb.add_option("--seed", options.seed, "Seed of all random choices")
         ->check(seed_check())

@@ -191,13 +191,13 @@ void add_rules(CLI::App& verb, EnumerateOptions& options) {
     verb.add_option("--layout", options.layout, "The name of a layout, or its file")->capture_default_str();
     verb.add_option("--edges", options.edges,
                     "Numbers of edges, as A..B or N (default: 2..11 for paper7, else 2..all)");
-    verb.add_option("--min-angle", options.min_angle,
-                    "The smallest angle between two beams (default: 15deg)");
-    verb.add_option("--max-valence", options.max_valence, "The most beams that meet in a node (default: 6)");
+    verb.add_option("--min-angle", options.min_angle, "Smallest angle between two beams (default: 15deg)");
+    verb.add_option("--max-valence", options.max_valence,
+                    "Maximum number of beams that meet in a node (default: 6)");
     verb.add_option("--filter", options.filters, filter_help())->type_name("NAME[=VALUE]");
     verb.add_option("--tile-side", options.tile_side,
                     "Side of the hexagon, to which lengths refer (default: 25.98mm)");
-    verb.add_option("--beam-width", options.beam_width, "The width of the beams (default: 2mm)");
+    verb.add_option("--beam-width", options.beam_width, "Width of the beams (default: 2mm)");
     verb.add_option("--require", options.required, "Edges (1-6) or nodes (n5) that every pattern uses")
         ->delimiter(',');
     verb.add_option("--forbid", options.forbidden, "Edges or nodes that no pattern uses")->delimiter(',');
@@ -252,7 +252,7 @@ void add_enumerate(CLI::App& app, ExitCode&) {
     add_extent(*verb, *options);
     verb->add_option("--threads", options->threads, "Threads to use; 0: one for each processor")
         ->check(thread_check());
-    verb->add_flag("--json", options->json, "Print for programs");
+    verb->add_flag("--json", options->json, "Print JSON");
     verb->footer(kEnumerateExample);
     verb->callback([options, verb] {
         refuse_ignored_options(*verb, *options);

@@ -242,8 +242,8 @@ ExitCode landscape(OptimizersOptions options) {
 
 void add_setting(CLI::App& action, OptimizersOptions& options) {
     action.add_option("--setting", options.setting,
-                      "Setting of problems calibration/PATTERN@NAME: paper, made, or a file NAME.json "
-                      "(default: the paper's, without @NAME)");
+                      "Setting of the calibration problems: paper, made, or a file NAME.json. Their ids then "
+                      "end in @NAME (default: the paper's setting, and ids without @NAME)");
 }
 
 CLI::Option* add_threads(CLI::App& action, OptimizersOptions& options) {
@@ -264,11 +264,13 @@ void add_known(CLI::App& verb, const std::shared_ptr<OptimizersOptions>& options
         "known", "Choose the problems of a comparison, and search for their best values once");
     action->add_option("--out", options->out, "The CSV file to write")->required();
     action
-        ->add_option("--patterns", options->patterns, "Calibration problems, spread over edges and stiffness")
+        ->add_option("--patterns", options->patterns,
+                     "Number of calibration problems; their patterns are spread over edges and stiffness")
         ->check(CLI::Range(1, 1'000'000))
         ->capture_default_str();
     action
-        ->add_option("--starts", options->known_values.starts, "Descents of each calibrator on each problem")
+        ->add_option("--starts", options->known_values.starts,
+                     "Number of descents of each calibrator on each problem")
         ->capture_default_str();
     action
         ->add_option("--ids", options->ids,
@@ -304,13 +306,16 @@ void add_run(CLI::App& verb, const std::shared_ptr<OptimizersOptions>& options, 
                      "A method that is a program of its own: it reads the bounds, asks for values, and says "
                      "done (repeatable; docs/guide/own_optimizer.md)")
         ->type_name("NAME=COMMAND");
-    action->add_option("--repetitions", options->plan.repetitions, "Runs of each method that uses the seed")
+    action
+        ->add_option("--repetitions", options->plan.repetitions,
+                     "Number of runs of each method that uses the seed")
         ->capture_default_str();
     action
         ->add_option("--budget", options->plan.conditions.budget.cost,
-                     "Of one run, in the problem's unit of cost")
+                     "Largest cost of one run, in the problem's unit of cost")
         ->capture_default_str();
-    action->add_option("--seed", options->plan.conditions.seed, "Changes the seeds of all runs")
+    action
+        ->add_option("--seed", options->plan.conditions.seed, "Seed from which the seeds of all runs follow")
         ->check(seed_check())
         ->capture_default_str();
     add_setting(*action, *options);
@@ -332,7 +337,9 @@ void add_landscape(CLI::App& verb, const std::shared_ptr<OptimizersOptions>& opt
     action->add_option("--out", options->out, "Folder for descents.csv and sections.csv")->required();
     action->add_option("--problems", options->problems, "all, or ids, families and family:N joined by commas")
         ->capture_default_str();
-    action->add_option("--descents", options->landscape.descents, "Of each kind on each problem")
+    action
+        ->add_option("--descents", options->landscape.descents,
+                     "Number of descents of each kind on each problem")
         ->capture_default_str();
     add_setting(*action, *options);
     add_threads(*action, *options);

@@ -174,10 +174,11 @@ void add_what_to_solve(CLI::App& verb, SimulateOptions& options) {
     verb.add_option("--case", options.load_case, "Name of a load case of the project, or a load case file");
     verb.add_option("--model", options.simulation.model, models_help())->capture_default_str();
     verb.add_flag("--linear", options.linear, "Small displacements, whatever the model");
-    verb.add_option("--branch", options.branch,
-                    "Equilibria to follow where the path becomes unstable: primary stays on the path, "
-                    "stable leaves it along the critical mode, snapping also continues beyond limit loads, "
-                    "at a stable equilibrium of lower energy")
+    verb.add_option(
+            "--branch", options.branch,
+            "Path to follow where equilibria become unstable: primary keeps to the same path, stable or "
+            "not; stable changes to the stable path that branches off; snapping does this, too, and at "
+            "a limit load jumps to a stable equilibrium of lower energy")
         ->check(CLI::IsMember(mechanics::branch_names()))
         ->capture_default_str();
     verb.add_option(
@@ -198,12 +199,14 @@ void add_answers(CLI::App& verb, SimulateOptions& options) {
                     "Number of equal load steps, each with a result")
         ->capture_default_str();
     verb.add_flag("--estimate-error", options.simulation.estimate_error,
-                  "Estimate the error of the full model relative to ever finer divisions of its beams");
-    verb.add_flag("--estimate-model-error", options.simulation.estimate_model_error,
-                  "Estimate the error of a reduced model relative to the full one, in displacement and in "
-                  "the largest stress, by a solution with more of the tiles in full: 30 %, for mixed models "
-                  "60 % more. Without this option, both errors are estimated if corotational and "
-                  "mixed tiles are themselves strongly deformed");
+                  "Estimate the discretization error of the full model: its distance from the limit of ever "
+                  "finer divisions of the beams");
+    verb.add_flag(
+        "--estimate-model-error", options.simulation.estimate_model_error,
+        "Estimate how far a reduced model is from the full one, in displacement and in the largest "
+        "stress. For this, it is solved again with the worst 30 % of the tiles in full (mixed models: "
+        "60 % more of the tiles than they have in full). Without this option, only corotational and "
+        "mixed models are estimated, and only if their tiles are strongly deformed");
     verb.add_option("--threads", options.simulation.threads, "Threads to use; 0: one for each processor")
         ->check(thread_check())
         ->capture_default_str();

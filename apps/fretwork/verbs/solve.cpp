@@ -95,40 +95,43 @@ ExitCode run(const SolveOptions& options) {
 
 void add_method(CLI::App& verb, SolveOptions& options) {
     verb.add_option("--solver", options.solver,
-                    "linear; or, for large displacements and rotations, newton or dynamic-relaxation")
+                    "Method: linear; or, for large displacements and rotations, newton or dynamic-relaxation")
         ->check(CLI::IsMember({"linear", "newton", "dynamic-relaxation"}))
         ->capture_default_str();
-    verb.add_option("--steps", options.solve.steps, "number of equal load steps; each is written")
+    verb.add_option("--steps", options.solve.steps, "Number of equal load steps; each is written")
         ->check(CLI::Range(1, 100000));
-    verb.add_option("--branch", options.branch,
-                    "equilibria to follow where the path becomes unstable: primary stays on the path, stable "
-                    "leaves it along the critical mode, snapping also continues beyond limit loads (newton "
-                    "only; primary if not given)")
+    verb.add_option(
+            "--branch", options.branch,
+            "Path to follow where equilibria become unstable: primary keeps to the same path, stable or "
+            "not; stable changes to the stable path that branches off; snapping does this, too, and at "
+            "a limit load jumps to a stable equilibrium of lower energy (newton only; default: "
+            "primary)")
         ->check(CLI::IsMember(mechanics::branch_names()));
     verb.add_option(
             "--masses", options.masses,
-            "rotational masses of dynamic-relaxation: natural, or those of published programs, which are "
-            "slower (natural if not given)")
+            "Rotational masses of dynamic-relaxation: natural, or those of published programs, which are "
+            "slower (default: natural)")
         ->check(CLI::IsMember({"natural", "published"}));
-    verb.add_option("--threads", options.solve.threads,
-                    "threads to use; 0, or not given: one for each processor (linear and newton; the result "
-                    "is the same)")
+    verb.add_option(
+            "--threads", options.solve.threads,
+            "Threads to use; 0: one for each processor (linear and newton; the result does not depend "
+            "on it)")
         ->check(thread_check());
 }
 
 /// The structure to solve, and what else to compute of it.
 void add_questions(CLI::App& verb, SolveOptions& options) {
     CLI::Option* lumped = verb.add_flag("--lumped-gravity", options.solve.lumped_gravity,
-                                        "half of a beam's weight on each end, no moments");
+                                        "Put half of a beam's weight on each end, without moments");
     verb.add_flag("--estimate-error", options.solve.estimate_error,
-                  "estimate the error relative to ever finer divisions (newton only: linear solutions of "
-                  "straight beams are exact at the nodes)")
+                  "Estimate the discretization error: the distance from the limit of ever finer divisions of "
+                  "the beams (newton only: linear solutions of straight beams are exact at the nodes)")
         ->excludes(lumped);
     verb.add_option("--buckling", options.solve.buckling_modes,
-                    "number of critical load factors by linearized buckling")
+                    "Number of critical load factors by linearized buckling")
         ->check(CLI::Range(1, 1000));
     verb.add_option("--modes", options.solve.vibration_modes,
-                    "number of natural frequencies and modes of the structure at rest")
+                    "Number of natural frequencies and modes of the structure at rest")
         ->check(CLI::Range(1, 1000));
 }
 
@@ -138,18 +141,18 @@ void add_solve(CLI::App& app, ExitCode& exit_code) {
     auto options = std::make_shared<SolveOptions>();
     CLI::App* verb = app.add_subcommand("solve", "Solve any beam structure from a frame file.");
     verb->footer(kSolveExample);
-    verb->add_option("frame", options->frame, "frame file, or the beams of a CalculiX or Abaqus deck (.inp)")
+    verb->add_option("frame", options->frame, "Frame file, or the beams of a CalculiX or Abaqus deck (.inp)")
         ->required();
     add_method(*verb, *options);
     add_questions(*verb, *options);
-    verb->add_option("--vtu", options->vtu, "the displaced beams, and modes, for ParaView");
-    verb->add_option("--deck", options->deck, "write the frame as an input deck (.inp)");
+    verb->add_option("--vtu", options->vtu, "Write the displaced beams, and modes, for ParaView");
+    verb->add_option("--deck", options->deck, "Write the frame as an input deck (.inp)");
     verb->add_option("--deck-for", options->deck_for,
-                     "program that is to read --deck: abaqus (beams), or calculix (ccx makes solids of them)")
+                     "Program that is to read --deck: abaqus (beams), or calculix (ccx makes solids of them)")
         ->check(CLI::IsMember({"abaqus", "calculix"}))
         ->capture_default_str();
-    verb->add_option("--out", options->out, "result file")->required();
-    verb->add_flag("--json", options->json, "print a summary for programs");
+    verb->add_option("--out", options->out, "Result file")->required();
+    verb->add_flag("--json", options->json, "Print a summary as JSON");
     declare_files(*verb, {input("frame"), output("--out", kResultFile), output("--vtu", kVtuFile),
                           output("--deck", kDeckFile)});
     verb->callback([options, &exit_code] { exit_code = run(*options); });

@@ -249,9 +249,9 @@ void add_tile(CLI::App& app, ExitCode&) {
     verb->add_option("--library", options->library,
                      "Pattern library of the project (default: that of the project at --out)");
     verb->add_option("--setting", options->setting,
-                     "Material, section and joints: paper (bars deform along all of their centrelines), made "
-                     "(stiff joints), or a setting file (default: that of the project at --out, or the "
-                     "library's, or made)");
+                     "Setting with material, section and joints: paper (bars deform along their whole "
+                     "centrelines), made (joints are stiff), or a setting file (default: the setting of the "
+                     "project that is at --out, else the library's, else made)");
     verb->add_option("--layout", options->layout,
                      "Node layout: a name or a file (default: the library's, or paper7)");
     verb->add_option(

@@ -251,7 +251,7 @@ void add_find(CLI::App& verb, const std::shared_ptr<LibraryOptions>& options) {
     finding->add_option("--sort", options->query.sort, "Expression to sort by (default: the pattern's id)")
         ->type_name("EXPRESSION");
     finding->add_flag("--descending", options->query.descending, "Largest first");
-    finding->add_option("--limit", options->query.limit, "Most patterns to print (default: all)")
+    finding->add_option("--limit", options->query.limit, "Maximum number of patterns to print (default: all)")
         ->check(CLI::Range(1, 1'000'000'000));
 }
 
@@ -264,7 +264,7 @@ void add_library(CLI::App& app, ExitCode&) {
     verb->require_subcommand(1);
     verb->footer(kExamples);
     verb->add_option("--library", options->library, "The library's file (list, find, show, export)");
-    verb->add_flag("--json", options->json, "Print for programs (list, find, show, merge)");
+    verb->add_flag("--json", options->json, "Print JSON (list, find, show, merge)");
 
     add_action(verb, options, "list", {"List the patterns with a summary of the data of each", list});
     add_find(*verb, options);
