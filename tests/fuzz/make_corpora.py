@@ -209,6 +209,7 @@ def conversations():
     """Messages of a page to a studio, a line for each. FOLDER is where its project lies; it has six tiles and one load case."""
     load_case = {**LOAD_CASES["cantilever"], "loads": [{"side": "right", "force": [0, 0, -0.001]}]}
     target = {"goals": [{"select": {"side": "right"}, "displacement": [None, None, "0.01"]}]}
+    own_layout = {"format": "fretwork/layout/1", "name": "mine", "center": True, "corners": False, "radial": ["1/3"], "face": [["3/10", "9/20", "1/4"]], "interface": ["1/2"]}
     talks = {
         "edits": [{"do": "undo"}, {"do": "hello", "protocol": 1, "fields": ["stress", "N"]}, {"do": "paint", "tiles": [0, 3], "pattern": "0-6"}, {"do": "turn", "tiles": [1], "by": 2},
                   {"do": "undo"}, {"do": "redo"}, {"do": "set_load_case", "index": 1, "load_case": load_case}, {"do": "select_load_case", "index": 0}, {"do": "remove_load_case", "index": 1},
@@ -219,7 +220,9 @@ def conversations():
         "jobs": [{"do": "hello", "protocol": 1}, {"do": "solve", "model": "full"}, {"do": "path", "steps": 2}, {"do": "modes", "count": 2}, {"do": "buckling", "count": 1},
                  {"do": "compare", "model": "full"}, {"do": "cancel"}, {"do": "design", "target": target, "palette": "0-6,0-1+1-6", "solutions": 8, "seconds": 1}, {"do": "stop_design"}],
         "tiles": [{"do": "hello", "protocol": 1}, {"do": "paint", "patterns": "field:(x-0.02)*20", "palette": "0-6,0-1+1-6", "dither": True}, {"do": "retile", "tile_size": 0.03, "angle": 0.2, "preview": True},
-                  {"do": "retile", "tile_size": 0.03, "angle": 0.2, "patterns": "0-6"}, {"do": "set_tile_model", "tiles": [0], "model": "full"}, {"do": "undo"}]}
+                  {"do": "retile", "tile_size": 0.03, "angle": 0.2, "patterns": "0-6"}, {"do": "set_tile_model", "tiles": [0], "model": "full"}, {"do": "undo"}],
+        "layouts": [{"do": "hello", "protocol": 1}, {"do": "open_layout", "from": "paper8"}, {"do": "save_layout", "layout": own_layout, "path": "FOLDER/mine.json"},
+                    {"do": "open_layout", "from": "FOLDER/mine.json"}, {"do": "open_layout", "from": "FOLDER/project.json"}]}
     for name, talk in talks.items():
         put("studio-talk", name, "\n".join(json.dumps({"id": number, **message}) for number, message in enumerate(talk)))
 

@@ -4,6 +4,7 @@
 #include "fuzz/input_file.hpp"
 #include "fuzz/promises.hpp"
 #include "fuzz/readers.hpp"
+#include "fuzz/sandbox.hpp"
 #include "simulation/honeycomb.hpp"
 #include "studio/client.hpp"
 
@@ -121,18 +122,6 @@ class OwnStudio {
     std::thread thread_;
     std::optional<Client> keeper_;
 };
-
-/// A member of a message, if it has it and it is a text.
-std::optional<std::string> text_in(const Json& message, const char* name) {
-    if (!message.is_object() || !message.contains(name) || !message[name].is_string()) return std::nullopt;
-    return message[name].get<std::string>();
-}
-
-/// Whether a message names a file outside of the folder, to be read or written.
-bool leaves(const Json& message, const fs::path& folder) {
-    const auto path = text_in(message, "path");
-    return path && fs::path(*path).lexically_normal().parent_path() != folder;
-}
 
 /// Whether a message asks for tiles without number.
 bool is_laborious(const Json& message) {
