@@ -8,5 +8,5 @@ export default defineConfig({
   build: { target: 'es2022', modulePreload: false, chunkSizeWarningLimit: 2000 },
   esbuild: { jsx: 'automatic', jsxImportSource: 'preact', legalComments: 'none' },
   // Tests read style sheets as text; what they import is left out.
-  test: { include: ['tests/unit/**/*.test.ts'], css: { include: [/[?&]raw/] } },
+  test: { include: ['tests/unit/**/*.test.ts'], css: { include: [/[?&]raw/] }, testTimeout: 60_000 }, // nothing is timed
 });
