@@ -78,6 +78,10 @@ FRAME = {"format": "fretwork/frame/2", "nodes": [[0, 0, 0], [1, 0, 0], [1, 1, 0]
          "sections": {"s": {"type": "I", "width": 0.1, "height": 0.1, "flange_thickness": 0.01, "web_thickness": 0.01}, "r": {"type": "rectangle", "width": 0.1, "height": 0.1}},
          "beams": [{"nodes": [0, 1], "section": "r", "material": "m"}, {"nodes": [1, 2], "section": "r", "material": "m"}],
          "supports": [{"node": 0, "fixed": ["ux", "uy", "uz", "rx", "ry", "rz"]}], "loads": [{"node": 1, "force": [0, 0, -1], "moment": [0, 0.1, 0]}], "gravity": [0, 0, -9.81]}
+RECIPES = [{"field": "sin(30*x)^2", "palette": ["0-1+1-6", "0-5+5-6"], "property": "bending_stiffness", "range": [0.02, 0.1], "dither": True, "tiles": [0]},
+           {"image": {"name": "grey.png", "content_base64": "iVBORw0KGgo="}, "palette": ["0-1+1-6"], "tiles": [1]},
+           {"drawing": {"name": "regions.svg", "content_base64": "PHN2Zz4="}, "colours": [["#ff0000", "0-1+1-6"]], "tiles": [2]},
+           {"random": "1", "palette": ["0-1+1-6", "0-5+5-6"], "weights": [3, 1], "tiles": [3]}]
 LOAD_CASES = {
     "cantilever": {"format": "fretwork/load-case/1", "name": "cantilever", "supports": [{"side": "left", "fixed": ["ux", "uy", "uz", "rx", "ry", "rz"]}],
                    "loads": [{"side": "right", "force": [0, 0, -0.005]}]},
@@ -116,6 +120,7 @@ def made_by_the_program(folder):
     put_file("deck", folder / "small.inp", "made")
     put_file("library", folder / "l.db", "calibrated")
     project = json.loads((folder / "p.json").read_text())
+    put_json("project", "recipes", {**project, "format": "fretwork/project/4", "recipes": RECIPES})
     put_json("autosave", "changed", {"format": "fretwork/autosave/1", "name": "square", "document": None, "tiles": len(project["tessellation"]["tiles"]), "project": project})
 
 

@@ -107,7 +107,7 @@ TEST(LoadCaseFile, RefusesBadCirclesWithTheirPlace) {
     const std::vector<std::pair<std::string, std::string>> faults = {
         {R"({"center": [0, 0], "radius": 0})", "case.json: /supports/0/circle/radius: is 0"},
         {R"({"center": [0, 0], "radius": -1})", "case.json: /supports/0/circle/radius: is -1"},
-        {R"({"center": [0, 0], "radius": NaN})", "case.json: malformed JSON"},
+        {R"({"center": [0, 0], "radius": NaN})", "malformed JSON"},
         {R"({"center": [0, 0], "radius": null})", "case.json: /supports/0/circle/radius: "},
         {R"({"center": [0], "radius": 1})", "case.json: /supports/0/circle/center: has 1 element"},
         {R"({"center": [0, 0]})", "'radius' is missing"},
