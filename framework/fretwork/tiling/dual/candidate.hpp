@@ -26,8 +26,8 @@ struct TilingProblem {
     QualityLimits limits;
     /// Approximate number of tiles if holes and narrow places need small tiles; 0 if they do not.
     double refined_tiles = 0.0;
-    /// True if there are so many tiles that each attempt takes seconds. Starts that are known to be poor are
-    /// then only sketched.
+    /// True if each attempt takes seconds because of the number of tiles. Starts that are known to be poor
+    /// are then only sketched.
     [[nodiscard]] bool has_many() const { return refined_tiles > 3000.0; }
 };
 
