@@ -81,6 +81,11 @@ const std::vector<Sample>& samples() {
     return kSamples;
 }
 
+/// The text of the sample with a name.
+const std::string& text_of(const std::string& name) {
+    return std::ranges::find(samples(), name, &Sample::name)->text;
+}
+
 void write(const std::filesystem::path& path, const std::string& text) {
     std::ofstream(path) << text;
 }
@@ -120,8 +125,8 @@ TEST(Check, RefusesAnUnknownKeyInEveryKindOfJson) {
 
 TEST(Check, TakesTheFilesThatTheProgramWrites) {
     const TemporaryFolder folder;
-    write(folder.path() / "frame.json", samples()[1].text);
-    write(folder.path() / "square.json", samples()[8].text);
+    write(folder.path() / "frame.json", text_of("frame.json"));
+    write(folder.path() / "square.json", text_of("outline.json"));
     const auto made = run_command(
         "fretwork solve frame.json --out frame_result.json && "
         "fretwork tile square.json --patterns 0-1+1-6 --edge-length 40mm --out project.json && "
@@ -192,7 +197,7 @@ TEST(Check, RefusesWhatIsNoFile) {
 TEST(Check, ShowsControlCharactersOfNames) {
     const TemporaryFolder folder;
     const std::string name = "a\x1b[31m\nb\xff.json";
-    write(folder.path() / name, samples()[3].text);
+    write(folder.path() / name, text_of("setting.json"));
     const auto outcome = run_command("fretwork check *b*.json", folder.path());
     EXPECT_EQ(outcome.out, "a\\x1b[31m\\x0ab\\xff.json: valid fretwork/setting/2\n") << outcome.err;
     const auto json = run_command("fretwork check *b*.json --json", folder.path());

@@ -171,6 +171,8 @@ TEST_F(ResultTools, AWarningOfBothResultsIsGivenOnceByComparisons) {
     unstable["stable"] = false;
     unstable["stability"] = "tangent";
     folder_.file("one.json", unstable.dump());
+    unstable["subject"]["model"] = "corotational";
+    unstable["subject"]["is_reference"] = false;
     folder_.file("two.json", unstable.dump());
     const Outcome both = run("fretwork compare one.json two.json");
     EXPECT_EQ(both.exit_code, 0);

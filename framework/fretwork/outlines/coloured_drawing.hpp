@@ -28,7 +28,7 @@ class ColouredDrawing {
     ColouredDrawing(ColouredDrawing&&) noexcept;
     ColouredDrawing& operator=(ColouredDrawing&&) noexcept;
 
-    /// The colours in use, each once, in the order of painting: "#rrggbb", and "" for gradients.
+    /// The colours in use, each once, in the order in which they are drawn: "#rrggbb", and "" for gradients.
     [[nodiscard]] std::vector<std::string> colours() const;
     /// The visible colour at a point; none if no area is filled at the point.
     [[nodiscard]] std::optional<std::string> colour_at(geometry::Point2 point) const;
