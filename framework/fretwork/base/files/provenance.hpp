@@ -8,7 +8,7 @@
 
 namespace fretwork::base {
 
-/// The version of this library, such as "0.1.0".
+/// The version of this library, such as "1.0.0".
 std::string version();
 
 /// The names and values, in fixed order, that make a result reproducible: the library's version and commit,
