@@ -222,7 +222,7 @@ class Retiling(unittest.TestCase):
 
     def test_tiles_that_are_painted_in_another_way_leave_their_recipe(self):
         project = self.loaded()
-        project.paint("random:1", palette=[support.PATTERN, support.OTHER])
+        project.paint("random:1", palette=[support.PATTERN, "0-1+3-6"])  # which have mirror images
         project.paint(support.PATTERN, tiles=[0, 2])
         self.assertEqual(list(project.recipes[0].tiles[:2]), [1, 3])
         project.mirror([1])
