@@ -19,7 +19,7 @@
 
 namespace fretwork::design {
 
-/// The progress of the search: the best painting so far.
+/// The progress of the search, reported for each better painting.
 struct DesignProgress {
     int solutions = 0;     ///< number of nonlinear solutions so far
     int most = 0;          ///< largest number of nonlinear solutions of the search
@@ -31,7 +31,7 @@ struct DesignProgress {
 
 /// Options of design().
 struct DesignOptions {
-    std::string load_case;  ///< name of the project's load case for goals without a load case
+    std::string load_case;                       ///< name of the load case for goals that name none
     std::vector<pattern::NamedPattern> palette;  ///< patterns to choose from
     /// Largest number of different patterns of the surface, kept tiles included; 0: any number.
     std::size_t max_patterns = 0;
@@ -49,19 +49,20 @@ struct DesignOptions {
     /// True: the thickness of all bars, which must be rectangular, is searched, too.
     bool free_thickness = false;
     /// The smallest gap between bars, m. Patterns with a smaller gap between their own bars are left out, and
-    /// the result is the best checked painting without a smaller gap. None: any gap.
+    /// the result is the best checked painting without such gaps. None: any gap.
     std::optional<double> clearance{};
     double seconds = 0.0;  ///< largest wall time, checks included, s; 0: any time
     /// The largest number of nonlinear solutions of the search; checks and the fits of single patterns take
-    /// further solutions. 0: 40 solutions. If fewer than 44 tiles (or groups of symmetric tiles) are painted,
-    /// solutions are cheaper, and n tiles get 40 * 44 / n solutions, at most 320.
+    /// further solutions. 0: 40 solutions. For n < 44 tiles (or groups of symmetric tiles), solutions are
+    /// cheaper, and their number is 40 * 44 / n, at most 320.
     int most_solutions = 0;
-    /// The number of uniform paintings at the start of the search. Two thirds have patterns of very different
-    /// stiffness. The rest are predicted from these to be the best.
+    /// The number of uniform paintings at the start of the search. The first two thirds have patterns of very
+    /// different stiffness. Their solutions predict the best patterns for the last third.
     std::size_t uniform_paintings = 12;
     std::size_t shortlist = 64;  ///< number of patterns that one step of the search considers
     std::uint64_t seed = 1;      ///< seed of all random choices
-    /// Number of threads; 0: one for each processor. The number does not change a bit of the result.
+    /// Number of threads; 0: one for each processor. The result is bitwise the same for every number of
+    /// threads.
     int threads = 0;
     base::Control control{};  ///< progress and stop
     /// Called for each better painting, on the calling thread; may be empty.
@@ -71,24 +72,26 @@ struct DesignOptions {
 };
 
 /// True if there is no DesignOptions::max_utilization, or if the largest utilization plus its estimated error
-/// keeps it. False if one of the two is not known.
+/// does not exceed it. False if there is a limit and one of the two is not known.
 inline bool keeps_utilization(const DesignOptions& options, const std::optional<double>& largest,
                               const std::optional<double>& error) {
     return options.max_utilization <= 0.0 ||
            (largest && error && *largest + *error <= options.max_utilization);
 }
 
-/// Distances to the target over the nodes of its goals, as shares of the largest wanted displacement. They
-/// belong to the full model in its nonlinear equilibrium on the stable path from flat.
+/// Distances of the goals' nodes from their wanted positions, as shares of the largest wanted displacement.
+/// The full model gives them in its nonlinear equilibrium on the path from flat; if this path loses
+/// stability, on the stable branch.
 struct TargetError {
     double mean = 0.0;      ///< mean distance
     double largest = 0.0;   ///< distance of the worst node
     bool is_stable = true;  ///< true if the equilibria of all load cases are stable
-    /// True if the whole path from flat is stable; false if the structure snaps on the way.
+    /// True if the whole path from flat is stable; false if it loses stability on the way.
     bool is_on_path = true;
 };
 
-/// The shape of a surface with all beams under one load case, and the wanted positions of its nodes.
+/// The shape of a surface under one load case, computed by the full model, and the wanted positions of the
+/// goals' nodes.
 struct CaseShape {
     std::string load_case;  ///< name of the load case
     /// Displacements, one row for each node of the full model, interface nodes first.
@@ -96,7 +99,7 @@ struct CaseShape {
     /// A node of a goal.
     struct GoalNode {
         int node = 0;  ///< index of the interface node
-        /// Wanted position, m; free components equal those of the present position.
+        /// Wanted position, m. A free component has its present value.
         Eigen::Vector3d wanted = Eigen::Vector3d::Zero();
         double distance = 0.0;  ///< distance from the wanted position, m
     };
@@ -112,7 +115,7 @@ enum class DesignEnd {
     Stopped,         ///< the caller stopped the search
     Unreachable      ///< no search: by DesignReport::bound, no painting comes near the target
 };
-/// The word for an end in reports.
+/// The name of an end in reports, such as "time-spent".
 std::string_view design_end_name(DesignEnd end);
 
 /// A relative gain below this counts as rounding or chance.
@@ -122,18 +125,20 @@ inline constexpr double kLoadTooSmall = 2.0;
 /// The load is too large for a target if DesignReport::wanted_of_stiffest is below this ratio.
 inline constexpr double kLoadTooLarge = 0.5;
 
-/// The report of design().
+/// The report of design(). "Single pattern" stands for the uniform painting with one pattern of the palette.
 struct DesignReport {
     /// Painted project; if unknowns are free, its load cases have the found values.
     simulation::Project project;
     /// Error of the painting; none if the search was stopped before the check.
     std::optional<TargetError> error;
-    std::optional<TargetError> best_uniform;  ///< error of the best single pattern that was tried
-    std::string best_uniform_pattern;         ///< id of this pattern
-    std::size_t uniform_tried = 0;            ///< number of single patterns that were solved
-    /// Number of solutions for single patterns, fits of their unknowns included.
+    /// Error of the best single pattern among those that were checked with all beams.
+    std::optional<TargetError> best_uniform;
+    std::string best_uniform_pattern;  ///< id of this pattern
+    std::size_t uniform_tried = 0;     ///< number of single patterns that were solved
+    /// Number of nonlinear solutions before the search leaves the single patterns: for these, the fits of
+    /// their unknowns, the first quick painting, and reach_of_ten_loads.
     int uniform_solutions = 0;
-    std::vector<std::string> patterns;  ///< patterns of the painting
+    std::vector<std::string> patterns;  ///< ids of the patterns of the painting, sorted
     std::vector<double> factors;        ///< factor on the loads of each load case, in the order of load_cases
     std::vector<std::string> load_cases;  ///< names of the load cases
     /// Largest utilization, with all beams; none if the setting has no strength.
@@ -141,14 +146,17 @@ struct DesignReport {
     /// Estimated discretization error of `largest_utilization`, from a solution with two elements for each
     /// beam (README.md). None without DesignOptions::max_utilization, or if that solution was not found.
     std::optional<double> utilization_error{};
-    /// The predicted misfit (see DesignProgress) of the best mixture of the palette's patterns in each tile:
-    /// the solution of a relaxed problem, linearized at the painting (README.md). It is no bound. None if the
-    /// search was stopped before.
+    /// The predicted misfit (see DesignProgress) if each tile could have a mixture of patterns: those of the
+    /// painting and of the shortlist, or those that DesignOptions::max_patterns has left. It is the solution
+    /// of a relaxed problem, linearized at the painting (README.md), and no bound. None if the search was
+    /// stopped, if the target is out of reach, if the time was used up, or if the painting has no stable
+    /// equilibrium.
     std::optional<double> relaxed{};
     std::optional<double> width{};      ///< width of the bars, m; none if it is not free
     std::optional<double> thickness{};  ///< thickness of the bars, m; none if it is not free
     /// A lower bound of the misfit (see DesignProgress) of every painting with the palette, proven in linear
-    /// theory (README.md). None for targets that are too large for this theory.
+    /// theory (README.md). None if displacements are too large for this theory, weight acts, supports are
+    /// moved, unknowns besides the painting are free, or nodes may slide along a mesh.
     std::optional<double> bound{};
     std::size_t close_bars = 0;  ///< number of pairs of bars with a gap below the clearance
     /// Warnings of the search, such as about goals that nodes cannot reach.
@@ -163,21 +171,22 @@ struct DesignReport {
     double wanted_of_stiffest = 0.0;  ///< the same ratio for the stiffest uniform painting
     bool nothing_moves = false;       ///< true if the load cases displace no uniform painting
     /// The largest displacement of the softest uniform painting under ten times the loads, as a share of the
-    /// largest wanted displacement. None unless wanted_of_softest is above kLoadTooSmall and the load cases
-    /// have loads.
+    /// largest wanted displacement. Given only if wanted_of_softest is above kLoadTooSmall, the load cases
+    /// have loads with a fixed factor, solutions are left, and the equilibria are found.
     std::optional<double> reach_of_ten_loads{};
-    double model_error = 0.0;  ///< mean distance between the reduced model and the full model, as a share of
-                               ///< the largest wanted displacement
+    /// Mean distance between the nodes of the reduced model and of the full model, as a share of the largest
+    /// wanted displacement.
+    double model_error = 0.0;
     std::vector<double> starts;           ///< final misfit (see DesignProgress) of each start of the search
     std::vector<DesignProgress> history;  ///< an entry for each better painting
     DesignEnd end = DesignEnd::NoSwapImproves;  ///< the reason why the search ended
-    bool slides = false;                        ///< true if nodes may slide along a target's surface
+    bool slides = false;                        ///< true if a goal lets nodes slide along a mesh
     double seconds = 0.0;                       ///< wall time, checks included, s
-    /// Number of nonlinear solutions of the search. `relaxed` takes one more.
+    /// Number of nonlinear solutions of the search, without those for `relaxed` (one for each load case).
     int solutions = 0;
     /// Number of nonlinear solutions of the checks, with all beams.
     int full_solutions = 0;
-    /// Number of swaps scored by superposition.
+    /// Number of swaps whose effect was predicted by the linearized tables.
     long swaps_scored = 0;
     std::uint64_t seed = 0;  ///< seed of all random choices
     /// True if the largest utilization and its estimated error keep DesignOptions::max_utilization, if any.
@@ -194,7 +203,8 @@ struct DesignReport {
 
 /// Paint the tiles of a project so that its surface takes the target's shape (method: README.md). After a
 /// stop, the report has the best painting so far; a stop before the first painting throws base::Stopped.
-/// Throws InputError that names an unsuitable target, palette, load case or kept tile. `library` may be null.
+/// Throws InputError that names an unsuitable target, palette, load case or kept tile. `library` may be null
+/// if the project has a setting.
 DesignReport design(const simulation::Project& project, const library::Library* library, const Target& target,
                     const DesignOptions& options);
 

@@ -7,7 +7,7 @@
 
 namespace fretwork::design {
 
-/// A number in the text of a warning, in SI, for programs that show lengths and angles in other units.
+/// A length or an angle in the text of a warning, in SI. Programs may show it in other units.
 struct WarnedValue {
     /// The kind of the number.
     enum class Quantity { Length, Angle };
@@ -15,16 +15,16 @@ struct WarnedValue {
     Quantity quantity = Quantity::Length;  ///< kind of the number
 };
 
-/// One reason why a design does not meet the target or the options.
+/// One warning about a design, such as a goal that nodes cannot reach.
 struct DesignWarning {
     std::string text;  ///< one line without a full stop; "{0}" stands for the first of `values`, and so on
     bool factor_may_help = false;       ///< true if a free factor on the loads may help
-    std::vector<WarnedValue> values{};  ///< numbers with a unit in the text
+    std::vector<WarnedValue> values{};  ///< the values of the placeholders "{0}", "{1}", .. in `text`
 };
 
-/// The number in millimetres or degrees, with its unit.
+/// The text of a value, in millimetres or degrees, with its unit.
 std::string plain_text(const WarnedValue& value);
-/// The text with its values in millimetres and degrees.
+/// The text of a warning, with each placeholder replaced by its value in millimetres or degrees.
 std::string plain_text(const DesignWarning& warning);
 /// The texts of warnings, with their values in millimetres and degrees.
 std::vector<std::string> plain_texts(std::span<const DesignWarning> warnings);

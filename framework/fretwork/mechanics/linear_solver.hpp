@@ -11,7 +11,8 @@ namespace fretwork::mechanics {
 
 /// Options of the linear solve.
 struct LinearOptions {
-    /// Number of threads; 0: one for each processor. The number does not change a bit of a result.
+    /// Number of threads; 0: one for each processor. The result is bitwise the same for every number of
+    /// threads.
     int threads = 1;
     base::Control control{};  ///< progress and stop
 };

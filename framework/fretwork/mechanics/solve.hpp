@@ -15,7 +15,7 @@ namespace fretwork::mechanics {
 
 /// The solvers that find an equilibrium.
 enum class Solver {
-    Linear,            ///< small displacements: LinearSolver
+    Linear,            ///< small displacements: solve_linear
     Newton,            ///< large displacements: follow_load_path
     DynamicRelaxation  ///< large displacements by the paper's method: relax
 };
@@ -26,27 +26,31 @@ std::vector<std::string_view> solver_names();
 /// The solver with this name. Throws InputError that lists the names.
 Solver find_solver(std::string_view name);
 
-/// Options of solve(). Options of only some solvers are std::optional; to set them for another solver is an
-/// error.
+/// Options of solve(). Options of only some solvers are std::optional, except for estimate_error and
+/// locate_critical_loads. It is an error to set one for another solver; only locate_critical_loads is ignored
+/// then.
 struct SolveOptions {
     Solver solver = Solver::Newton;  ///< the solver
     /// The number of equal load steps, for Newton; the solution of each step is kept. None: ten steps, and
     /// only the last solution is kept.
     std::optional<int> steps{};
-    std::optional<Branch> branch{};  ///< equilibria to follow, for Newton; none: primary
-    /// Fictitious masses, for dynamic relaxation; none: natural.
+    /// Equilibria to follow after a loss of stability, for Newton; none: Branch::Primary.
+    std::optional<Branch> branch{};
+    /// Fictitious masses of rotations, for dynamic relaxation; none: RotationalMass::Natural.
     std::optional<RotationalMass> rotational_mass{};
     /// Number of threads, for linear and Newton; none or 0: one for each processor.
     std::optional<int> threads{};
-    /// True: locate critical loads, for Newton; costs a few more equilibria at each critical load.
+    /// True: locate critical loads, for Newton. Each critical load then costs a few more equilibria.
     bool locate_critical_loads = true;
-    /// True: estimate the discretization error, for Newton and a frame with consistent gravity.
+    /// True: estimate the discretization error. This needs Newton, a frame with consistent gravity, and a
+    /// branch other than Branch::Snapping.
     bool estimate_error = false;
     bool lumped_gravity = false;  ///< true: lumped gravity; see AssemblyOptions
     int vibration_modes = 0;      ///< number of natural frequencies of the structure at rest
     int buckling_modes = 0;       ///< number of critical load factors by linearized buckling
     base::Control control{};      ///< progress and stop
-    /// Throws InputError if a value is invalid, or if the solver would ignore a value.
+    /// Throws InputError if a value is invalid, if options exclude each other, or if an option other than
+    /// locate_critical_loads is set for a solver that ignores it.
     void validate() const;
 };
 
@@ -54,12 +58,13 @@ struct SolveOptions {
 /// file's nodes are their indices, from 0.
 LabelledFrame read_structure(const std::filesystem::path& path);
 
-/// Solve a structure. Result::seconds is the time from the elements to the solution, without modes. Throws as
-/// the solvers. Throws InputError if the options ask for the discretization error: it can be estimated only
-/// for a frame.
+/// Solve an assembly. Result::seconds is the time of the solution, without modes. Throws the errors of the
+/// solver. Throws InputError if the options ask for the discretization error or for lumped gravity: both need
+/// a frame.
 Result solve(const Assembly& assembly, const SolveOptions& options = {});
 /// Assemble and solve a frame. The discretization error is estimated if the options ask for it.
-/// Result::seconds includes the assembly. Numerical errors name the frame's source.
+/// Result::seconds includes the assembly, but neither the estimate nor the modes. A NumericalError names the
+/// frame's source.
 Result solve(const LabelledFrame& frame, const SolveOptions& options = {});
 
 }  // namespace fretwork::mechanics

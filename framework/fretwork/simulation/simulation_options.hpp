@@ -41,7 +41,8 @@ struct SimulationOptions {
     /// Number of critical load factors by linearized buckling, with all of its beams.
     int buckling_modes = 0;
     bool estimate_linear_range = false;  ///< true: fill SurfaceResult::linear_range; for linear solutions
-    /// Number of threads; 0: one for each processor. The number does not change a bit of the result.
+    /// Number of threads; 0: one for each processor. The result is bitwise the same for every number of
+    /// threads.
     int threads = 0;
     /// Throws InputError if a value is invalid, or if it contradicts other options or the surface.
     void validate(const Surface& surface) const;

@@ -9,7 +9,9 @@
 
 namespace fretwork::design::detail {
 
-/// Write the painting and the unknowns of a point into a report: its project, and the fields about them.
+/// Write the painting and the unknowns of a point into the report's project and into the report's fields
+/// about them. If the section of the bars is free, the project gets its own setting and loses its library,
+/// with a warning.
 /// @param names  names of the load cases
 void write_point(const Trials& trials, const Point& point, const std::vector<std::string>& names,
                  DesignReport& report);

@@ -17,10 +17,11 @@ namespace fretwork::design::detail {
 class Stopwatch {
   public:
     explicit Stopwatch(double limit) : limit_(limit) {}
+    /// The time since the search began, s.
     [[nodiscard]] double seconds() const {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
     }
-    /// True if at least `needed` seconds of the limit are left, or there is no limit.
+    /// True if there is no limit, or if more than `needed` seconds are left.
     [[nodiscard]] bool has_left(double needed) const { return limit_ <= 0.0 || seconds() + needed < limit_; }
 
   private:
@@ -38,13 +39,13 @@ struct Solved {
 /// DesignOptions::most_solutions.
 int solution_limit(const DesignOptions& options, std::size_t groups);
 
-/// Objectives (squares of shares) below this are rounding of the reduced model.
+/// An objective (the squared misfit) below this is rounding of the reduced model: the target is reached.
 inline constexpr double kReachedObjective = 1e-14;
 
-/// The index of each pattern in the columns. Pre: the columns are sorted and have all these patterns.
+/// For each pattern, its index in `columns`. Pre: `columns` is sorted and has all of `patterns`.
 std::vector<std::size_t> places_of(const std::vector<std::size_t>& patterns,
                                    const std::vector<std::size_t>& columns);
-/// The point with the patterns of a choice.
+/// The point with the patterns of a choice, but without its steps.
 Point painted(Point point, const Choice& choice, const std::vector<std::size_t>& columns);
 
 /// The search for a painting with the reduced model.
@@ -55,49 +56,57 @@ class Search {
     /// The first paintings of a design.
     struct Beginning {
         std::vector<Solved> uniform;    ///< uniform paintings that were solved
-        std::optional<Solved> painted;  ///< better painting than these
+        std::optional<Solved> painted;  ///< a painting better than all of these; none: not found
     };
-    /// Make a first painting quickly: solve uniform paintings of the palette's first members, and improve the
-    /// best one by few steps.
+    /// Make a first painting quickly: solve uniform paintings with the palette's first patterns, and improve
+    /// the best of them by a few steps.
     Beginning begin(const std::vector<std::size_t>& palette);
     /// Solve up to DesignOptions::uniform_paintings uniform paintings. The first ones have the palette's
-    /// first members, which are the most different. Their solutions predict the next members to try. Returns
-    /// the solved paintings, the best first, without those that have no stable equilibrium.
+    /// first patterns, which are the most different. Their solutions predict which patterns to try next.
+    /// Returns the solved paintings that have a stable equilibrium, the best first. With
+    /// DesignOptions::max_mass, those that keep it come before all others.
     /// @param coordinates  Preparation::coordinates
     /// @param found  uniform paintings that are solved already
     std::vector<Solved> try_uniform(const std::vector<std::size_t>& palette,
                                     const Eigen::MatrixXd& coordinates, std::vector<Solved> found = {});
-    /// Improve a painting until no swap is predicted to reduce its mean square distance by a share of
-    /// kLeastGain, or until only `reserve` (s) of the time is left. Returns the best point found.
+    /// Improve a painting until no step is predicted to gain 0.5 % of the objective, until no solution
+    /// confirms a predicted gain, or until the solutions or the time (but for `reserve` seconds) are used up.
+    /// Returns the best point found.
     Solved improve(Solved start, double reserve);
-    /// Improve other starts, and the best painting with some tiles painted at random, until only `left`
-    /// solutions or `reserve` (s) of the time are left. Returns the best point found.
+    /// Continue the search from the second and the third of `starts`, then from copies of the best painting
+    /// with some tiles painted at random; on small surfaces, search_nearby() follows each better painting.
+    /// Stop at the latest when only `left` solutions or `reserve` seconds are left. Returns the best point
+    /// found.
     Solved improve_from_others(Solved best, const std::vector<Solved>& starts, double reserve, int left);
-    /// The misfit around a point that relaxed_choice() predicts for mixtures of the shortlist's patterns in
-    /// each group. Pre: the last trial was that of the point.
+    /// The misfit that relaxed_choice() predicts near a point if each group could have a mixture of the
+    /// patterns of the shortlist and of the painting, or of those that DesignOptions::max_patterns has left.
+    /// Pre: the point was solved last.
     [[nodiscard]] double relaxed_misfit(const Solved& solved);
-    /// The number of solutions that are left for the defect correction.
+    /// The number of solutions that the search keeps back for the defect correction (README.md, step 8).
     [[nodiscard]] int left_for_defect() const;
-    /// Set the patterns that steps consider.
+    /// Set the patterns that steps consider besides those of the painting: the first and every second step
+    /// takes `shortlist`, and each step between draws as many from `all` at random.
     void set_columns(std::vector<std::size_t> shortlist, std::vector<std::size_t> all);
 
+    /// The reason why the last improve() ended.
     [[nodiscard]] DesignEnd end() const { return end_; }
-    /// The best point among all points solved since the search began, or since forget_best() was called.
+    /// The best point that note() has taken since the search began or since the last forget_best().
     [[nodiscard]] const std::optional<Point>& best_point() const { return best_point_; }
-    /// Forget the best point, because the aims have changed.
+    /// Forget the best point. Called after Trials::set_aims(), which changes the objective of every point.
     void forget_best() {
         best_ = -1.0;
         best_point_.reset();
         seen_.clear();
     }
+    /// True if solutions and time for one more step are left, but for `reserve` seconds.
     [[nodiscard]] bool may_go_on(double reserve) const;
-    /// True if enough solutions are left for one more point, with one for each load case.
+    /// True if enough solutions are left for one more point. A point takes one solution for each load case.
     [[nodiscard]] bool may_solve() const;
-    /// The largest number of nonlinear solutions, granted solutions included.
+    /// The largest number of nonlinear solutions, with those added by grant().
     [[nodiscard]] int most_solutions() const { return most_solutions_; }
     /// Increase the largest number of nonlinear solutions.
     void grant(int solutions) { most_solutions_ += solutions; }
-    /// Add a solved point to the history if it is the best so far.
+    /// Add a solved point to the history if it is the best so far and keeps DesignOptions::max_mass.
     void note(const Solved& solved);
 
   private:
@@ -111,11 +120,12 @@ class Search {
     [[nodiscard]] Point kicked(const Point& point, double share, std::uint64_t number) const;
     /// The conditions for continuing a descent.
     struct Demand {
-        double gain = 0.0;   ///< smallest predicted gain, as a share of the misfit
-        double rival = 0.0;  ///< misfit that the descent must beat; 0: none
+        double gain = 0.0;   ///< smallest predicted gain, as a share of the objective
+        double rival = 0.0;  ///< objective of the best painting so far, for comparison; 0: none
     };
     enum class Step { Better, NoBetter, Hopeless };
-    /// Take one step. Hopeless: the predicted misfit is far above Demand::rival.
+    /// Take one step. Hopeless: from the third round on, the predicted objective is more than 1.3 times
+    /// Demand::rival.
     Step step(Solved& current, double& radius, int round, const Demand& demand);
     Solved descend(Solved start, double reserve, const Demand& demand);
     [[nodiscard]] bool is_seen(const Point& point) const;
@@ -123,9 +133,9 @@ class Search {
     [[nodiscard]] bool is_small() const;
     /// True if all paintings can be ranked by a table of pairs.
     [[nodiscard]] bool can_rank_all() const;
-    /// On small surfaces, solve the paintings that a table at the best painting ranks first, and continue
-    /// from each better one. The table ranks all paintings if can_rank_all(), and otherwise those that differ
-    /// in one or two groups.
+    /// For small surfaces: rank paintings by a table at the best painting, solve them in this order, and
+    /// begin again at each better painting. The table ranks all paintings if can_rank_all(). Otherwise, it
+    /// ranks those that differ from the best in one or two groups.
     Solved search_nearby(Solved best, double reserve, int last_solution);
     std::vector<Point> promising(Solved& best);
     [[nodiscard]] double mass_for_groups(const Point& point, const SwapTable& table,
@@ -139,12 +149,14 @@ class Search {
     DesignReport& report_;
     std::vector<std::size_t> shortlist_;
     std::vector<std::size_t> all_;
-    /// Patterns that may be used; empty: not chosen yet, or no limit on their number.
+    /// Patterns that may be used under DesignOptions::max_patterns; empty: there is no limit, or they are not
+    /// chosen yet.
     std::vector<std::size_t> limited_;
     double best_ = -1.0;  ///< objective of the best point; below zero: none
     std::optional<Point> best_point_;
     DesignEnd end_ = DesignEnd::NoSwapImproves;
-    std::map<std::vector<std::size_t>, double> seen_;  ///< misfits of paintings, without further unknowns
+    /// Objectives of solved paintings, if there are no continuous unknowns; infinity: no stable equilibrium.
+    std::map<std::vector<std::size_t>, double> seen_;
     int most_solutions_;
     std::uint64_t kicks_ = 0;    ///< number of starts with random tiles so far
     double step_seconds_ = 0.0;  ///< time of the longest step so far: an estimate for the next

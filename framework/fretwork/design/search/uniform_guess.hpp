@@ -5,12 +5,13 @@
 
 namespace fretwork::design::detail {
 
-/// Coordinates of patterns, near each other for similar stiffness: the leading principal components of the
-/// columns of stiffness_logarithms(), at most three rows, one column for each pattern.
+/// Coordinates of patterns, one column for each: the leading principal components, at most three, of the
+/// columns of stiffness_logarithms(). Patterns of similar stiffness are near each other.
 Eigen::MatrixXd leading_coordinates(const Eigen::MatrixXd& logarithms);
 
-/// The weights that predict the value at a place from values at known places, by universal kriging with the
-/// variogram |d|. They sum up to one, and affine functions of the first coordinate are predicted exactly.
+/// The weights that predict the value at a place from values at known places, by universal kriging. The
+/// variogram is the distance, and the trend is affine in the first coordinate, so affine functions of it are
+/// predicted exactly. The weights sum to one.
 /// @param known  the known places, one column for each, at least two columns
 Eigen::VectorXd prediction_weights(const Eigen::MatrixXd& known, const Eigen::VectorXd& place);
 

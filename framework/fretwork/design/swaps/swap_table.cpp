@@ -181,7 +181,8 @@ Choice best_of_orders(const Sweeper& sweeper, const std::vector<std::size_t>& st
     return best;
 }
 
-/// The least price at which `is_within` holds, by bisection of its logarithm; zero if it holds at none.
+/// The choice at the least price at which it is within a limit, by bisection of the logarithm of the price.
+/// If no price helps, the choice at the highest price.
 template <class Try>
 Choice at_least_price(double highest, const Try& attempt) {
     auto [free, is_free_within] = attempt(0.0);

@@ -10,14 +10,15 @@ namespace fretwork::design {
 /// The newest format of target files, which can express every target.
 inline constexpr std::string_view kTargetFormat = "fretwork/target/2";
 
-/// Parse a target in a format up to kTargetFormat, which README.md describes. Throws InputError with source
-/// and JSON pointer.
+/// Parse a target in kTargetFormat or an older format (see README.md of design). Throws InputError that names
+/// `source` and the JSON pointer of the wrong value.
 Target parse_target(std::string_view text, const std::string& source);
-/// The text of a target. Paths of meshes are written unchanged.
+/// The text of a target, in the oldest format that can express it. Paths of meshes are written unchanged.
 std::string target_text(const Target& target);
-/// Read a target file. Relative paths of meshes start at the folder of the file. Throws as parse_target().
+/// Read a target file. Relative paths of meshes begin at the folder of the target file, and get it as a
+/// prefix. Throws as parse_target().
 Target read_target(const std::filesystem::path& path);
-/// Write a target file atomically. Throws IoError and leaves the file as it was.
+/// Write a target file atomically. If this fails, throws IoError; the file then stays as it was.
 void write_target(const Target& target, const std::filesystem::path& path);
 
 }  // namespace fretwork::design

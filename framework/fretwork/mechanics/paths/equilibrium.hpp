@@ -25,8 +25,8 @@ struct EquilibriumOptions {
     Branch branch = Branch::Primary;  ///< equilibria to follow where the path is unstable
     /// True: fill Solution::stability_losses; with Stable and Snapping, they are always filled.
     bool locate_critical_loads = false;
-    /// Number of threads; 0: one for each processor. The number does not change a bit of a result. Small
-    /// structures use one thread.
+    /// Number of threads; 0: one for each processor. The result is bitwise the same for every number of
+    /// threads. Small structures use one thread.
     int threads = 1;
     base::Control control{};  ///< progress counts the share of the load that is reached
     /// Throws InputError if a value is invalid.

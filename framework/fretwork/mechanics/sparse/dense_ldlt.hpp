@@ -63,8 +63,8 @@ struct ZeroPivot {
 
 /// The threads that eliminate a front.
 struct Concurrency {
-    /// Number of threads for large fronts; 0: one for each processor. The number does not change a bit of a
-    /// result.
+    /// Number of threads for large fronts; 0: one for each processor. The result is bitwise the same for
+    /// every number of threads.
     int threads = 1;
     base::Control control{};
 };

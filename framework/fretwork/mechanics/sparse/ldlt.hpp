@@ -20,7 +20,7 @@ class Ldlt {
   public:
     /// Analyse a layout.
     /// @param threads  number of threads that factorize() uses for large matrices; 0: one for each processor.
-    /// The number does not change a bit of a result.
+    /// The result is bitwise the same for every number of threads.
     explicit Ldlt(const SystemLayout& layout, int threads = 1, const base::Control& control = {});
     /// An empty factorization for another matrix of the same layout. Both factorizations share the analysis
     /// of the layout.

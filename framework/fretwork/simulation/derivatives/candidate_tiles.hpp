@@ -16,7 +16,8 @@ class CandidateTiles {
   public:
     /// Options of condensing the candidates.
     struct Options {
-        /// Number of threads; 0: one for each processor. The number does not change a bit of the result.
+        /// Number of threads; 0: one for each processor. The result is bitwise the same for every number of
+        /// threads.
         int threads = 0;
         base::Control control{};  ///< progress and stop
     };

@@ -11,7 +11,8 @@ namespace fretwork::simulation {
 struct SmoothStressOptions {
     /// Exponent p, at least 2; a larger exponent brings the value nearer to the largest stress.
     double exponent = 32.0;
-    /// Number of threads; 0: one for each processor. The number does not change a bit of the result.
+    /// Number of threads; 0: one for each processor. The result is bitwise the same for every number of
+    /// threads.
     int threads = 0;
     /// Throws InputError if a value is invalid.
     void validate() const;
