@@ -15,7 +15,8 @@ namespace fretwork::app {
 
 void add_clearance_option(CLI::App& verb, std::string& clearance) {
     verb.add_option("--clearance", clearance,
-                    "Warn of bars with a gap smaller than this, such as 0.5mm (default: bars that overlap)")
+                    "Warn of gaps between bars that are smaller than this, such as 0.5mm (default: 0, which "
+                    "warns of overlaps)")
         ->check(length_check());
 }
 

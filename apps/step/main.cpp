@@ -84,7 +84,7 @@ void add_options(CLI::App& app, Options& options) {
     app.add_option("--bolts", options.making.bolts, "Diameter of holes at the supports of --case");
     app.add_option(
         "--eye", options.making.eye,
-        "Diameter of the discs of material around the holes of --bolts (default: twice the holes' diameter)");
+        "Diameter of the disc of material around each hole of --bolts (default: twice that of the hole)");
     app.add_flag("--json", options.json,
                  "Print what was written as JSON; volume in mm3, the cube of its `unit`");
     app.footer("Example: fretwork-step project.json --fillet 0.5mm --frame 4mm --to chair.step");

@@ -13,16 +13,17 @@ void add_making_options(CLI::App& verb, typed::MakingChoice& texts) {
     };
     add("--fillet", texts.fillet, "Radius of inner corners between bars (default: sharp)");
     add("--kerf", texts.kerf,
-        "Width that the cutter removes. Cutting lines lie half of it outside the material, so that the part "
-        "gets its true size; solids are not changed");
+        "Width that the cutter removes. The cutting lines are moved out of the material by half of it, so "
+        "that parts get their true size. Solids are not changed");
     add("--frame", texts.frame, "Width of a border along the rim");
     add("--bolts", texts.bolts, "Diameter of holes at the supports of --case");
     add("--eye", texts.eye,
-        "Diameter of the discs of material around the holes of --bolts (default: twice the holes' diameter)");
+        "Diameter of the disc of material around each hole of --bolts (default: twice that of the hole)");
     add("--bed", texts.bed,
-        "Cut into parts with connectors that fit sheets of WIDTHxHEIGHT millimetres, and nest the parts")
+        "Cut the surface into parts that fit on sheets of WIDTHxHEIGHT millimetres, with connectors between "
+        "them, and arrange the parts on the sheets")
         ->type_name("WxH");
-    add("--fit", texts.fit, "Gap that is left in the connectors of parts (default: 0.05mm)");
+    add("--fit", texts.fit, "Gap in the connectors between parts (default: 0.05mm)");
     add("--clearance", texts.clearance,
         "Facts warn of gaps and openings narrower than this (default: 0.5mm)");
     add("--layer", texts.layer, "Height of a print's layers, for facts (default: 0.2mm)");

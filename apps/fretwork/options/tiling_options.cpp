@@ -22,14 +22,16 @@ double read_length(const LengthOption& option, const std::string& text) {
 }
 
 void add_tiling_options(CLI::App& verb, TilingText& text, const std::string& usual_length) {
-    verb.add_option("--edge-length", text.edge_length,
-                    "Wanted mean side of the tiles, such as 26mm (default: " + usual_length + ")");
+    verb.add_option(
+        "--edge-length", text.edge_length,
+        "Wanted mean length of the sides of the tiles, such as 26mm (default: " + usual_length + ")");
     verb.add_option("--angle", text.angle,
-                    "Angle of the rows of tiles to the x axis, such as 15deg (default: that of the most "
-                    "regular tiling)");
+                    "Angle between the rows of tiles and the x axis, such as 15deg (default: the angle that "
+                    "gives the most regular tiles)");
     verb.add_option("--narrow", text.narrow,
-                    "What to do where the outline is narrower than a tile: refine makes tiles smaller until "
-                    "they fit; merge also joins them to longer tiles where it can; refuse ends with an error")
+                    "What to do where the outline is narrower than a tile. refine: make the tiles smaller "
+                    "until they fit. merge: as refine, then join small tiles into longer ones where "
+                    "possible. refuse: end with an error")
         ->check(CLI::IsMember(kNarrow))
         ->capture_default_str();
 }

@@ -31,7 +31,7 @@ using library::FillReport;
 using library::Library;
 
 constexpr const char* kCalibrateExample = R"(
-If it is stopped at any moment, the next start continues from there.
+If the command is stopped, the next run continues from there.
 
 Examples:
   fretwork enumerate --library lib.db && fretwork calibrate --library lib.db
@@ -264,7 +264,8 @@ std::string catalogue_help(std::string text, const Rows& rows) {
 
 void add_method_options(CLI::App& verb, library::FillOptions& fill) {
     constexpr const char* kGroup = "Method";
-    verb.add_option("--starts", fill.calibration.starts, "Number of descents, each from another point")
+    verb.add_option("--starts", fill.calibration.starts,
+                    "Number of searches, each from another starting point")
         ->capture_default_str()
         ->group(kGroup);
     verb.add_option("--budget", fill.calibration.budget,
@@ -275,11 +276,15 @@ void add_method_options(CLI::App& verb, library::FillOptions& fill) {
         ->check(seed_check())
         ->capture_default_str()
         ->group(kGroup);
-    verb.add_option("--model", fill.model, catalogue_help("The tile model:", reduction::tile_models()))
+    verb.add_option(
+            "--model", fill.model,
+            catalogue_help(
+                "The tile model; one without parameters is not fitted, only compared with the responses:",
+                reduction::tile_models()))
         ->capture_default_str()
         ->group(kGroup);
     verb.add_option("--optimizer", fill.calibration.optimizer,
-                    catalogue_help("The method that fits the model:", optimization::optimizer_catalogue()))
+                    catalogue_help("The optimizer that fits the model:", optimization::optimizer_catalogue()))
         ->capture_default_str()
         ->group(kGroup);
 }
@@ -293,8 +298,10 @@ void add_setting_options(CLI::App& verb, CalibrateOptions& options) {
             "has paper)")
         ->group(kGroup);
     verb.add_option("--policy", options.policy,
-                    "Treatment of samples past the first loss of stability:\npaper: they are fitted, "
-                    "too\nstable: they are left out\n(default: as in the setting, else paper)")
+                    "Treatment of samples (one for each load magnitude) beyond the first loss of stability:\n"
+                    "paper: they are fitted, too\n"
+                    "stable: they are left out\n"
+                    "(default: as in the setting, else paper)")
         ->check(CLI::IsMember({"paper", "stable"}))
         ->group(kGroup);
 }
@@ -304,21 +311,23 @@ void add_setting_options(CLI::App& verb, CalibrateOptions& options) {
 void add_calibrate(CLI::App& app, ExitCode& exit_code) {
     const auto options = std::make_shared<CalibrateOptions>();
     CLI::App* verb = app.add_subcommand(
-        "calibrate", "Compute the responses of a library's patterns, and fit a reduced model to each.");
-    verb->add_option("--library", options->library_path, "The library: patterns in, results out")->required();
-    verb->add_option(
-            "--patterns", options->patterns,
-            "all, computed (those with responses), ids joined by commas, or sample:N for N spread over "
-            "the numbers of edges")
+        "calibrate",
+        "Compute the responses of a library's patterns, and fit a reduced model to each pattern");
+    verb->add_option("--library", options->library_path,
+                     "Library with the patterns; the results are added to it")
+        ->required();
+    verb->add_option("--patterns", options->patterns,
+                     "Patterns to calibrate: all; computed (those that have responses); ids joined by "
+                     "commas; or sample:N (N patterns, spread over all numbers of edges)")
         ->capture_default_str();
     verb->add_option("--threads", options->fill.threads, "Threads to use; 0: one for each processor")
         ->check(thread_check());
     verb->add_flag("--retry", options->retry, "Try patterns with a recorded failure again");
     verb->add_option("--shard", options->shard,
-                     "Compute only the I-th of N parts, as I/N, to share the load among several machines");
-    verb->add_flag(
-        "--json", options->json,
-        "Print JSON: numbers of patterns, statistics of the objective and of the samples, failures, seconds");
+                     "Only part I of N of the patterns, as I/N, so that several machines can share the work");
+    verb->add_flag("--json", options->json,
+                   "Print JSON: how many patterns are done, statistics of the objective and of the samples, "
+                   "failures, seconds");
     add_setting_options(*verb, *options);
     add_method_options(*verb, options->fill);
     declare_files(*verb, {update("--library", kLibraryFile), input("--setting")});

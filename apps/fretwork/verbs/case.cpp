@@ -155,11 +155,11 @@ void add_case(CLI::App& app, ExitCode&) {
     listing->footer("Example: fretwork case list project.json");
     listing->callback([options] { list(*options); });
 
-    CLI::App* showing = verb->add_subcommand(
-        "show", "Show a load case, and the number of nodes that each of its entries selects");
+    CLI::App* showing =
+        verb->add_subcommand("show", "Show a load case, and how many nodes each of its entries selects");
     showing->add_option("project", options->project, "Project file")->required();
     showing->add_option("name", options->name, "Load case of the project")->required();
-    showing->add_flag("--json", options->json, "Print the load case file");
+    showing->add_flag("--json", options->json, "Print the load case as its JSON file");
     declare_files(*showing, {input("project")});
     showing->footer("Example: fretwork case show project.json cantilever");
     showing->callback([options] { show(*options); });
@@ -172,7 +172,7 @@ void add_case(CLI::App& app, ExitCode&) {
     removal->callback([options] { remove_from_project(*options); });
 
     CLI::App* renaming =
-        verb->add_subcommand("rename", "Rename a load case, also in combinations that name it");
+        verb->add_subcommand("rename", "Rename a load case, also in the load cases that combine it");
     renaming->add_option("project", options->project, "Project file")->required();
     renaming->add_option("name", options->name, "Load case of the project")->required();
     renaming->add_option("new_name", options->new_name, "Its new name")->required();

@@ -149,54 +149,56 @@ ExitCode run(DesignArguments arguments) {
 void add_task(CLI::App& verb, DesignArguments& arguments) {
     design::DesignOptions& options = arguments.design;
     verb.add_option("project", arguments.project, "Project file")->required();
-    verb.add_option("--target", arguments.target, "Target file with the wanted positions of nodes")
+    verb.add_option("--target", arguments.target,
+                    "Target file: wanted displacements, positions or rotations of nodes, or a mesh on which "
+                    "they are to lie")
         ->required();
-    verb.add_option("--case", options.load_case, "Load case for goals that name none (default: the only one)")
+    verb.add_option("--case", options.load_case,
+                    "Load case for goals that name none (default: the only one of the project)")
         ->type_name("NAME");
     verb.add_option("--palette", arguments.palette,
-                    "Patterns to choose from: ids joined by commas, library, all (valid patterns), or "
-                    "sample:N of these")
+                    "Patterns to choose from: ids joined by commas; library (all of the library); all (all "
+                    "valid patterns of the layout); sample:N (N of the valid patterns, at random)")
         ->capture_default_str();
-    verb.add_option("--max-patterns", options.max_patterns,
-                    "Maximum number of different patterns, those of kept tiles included (default: no limit)")
+    verb.add_option(
+            "--max-patterns", options.max_patterns,
+            "Maximum number of different patterns, including those of tiles under --keep (default: no limit)")
         ->check(CLI::Range(1, 1'000'000));
     verb.add_option("--keep", arguments.keep, "Tiles that keep their patterns: 3,7-11")->type_name("TILES");
-    verb.add_option(
-            "--free", arguments.free,
-            "Unknowns besides the painting, joined by commas: factor (of the loads, not of the weight), "
-            "prescribed (values of prescribed displacements), width and thickness (of all bars, which must "
-            "be "
-            "rectangular; from a third of the present value to three times that)")
+    verb.add_option("--free", arguments.free,
+                    "What is searched besides the painting, joined by commas: factor (on the loads, not on "
+                    "the weight), prescribed (the values of prescribed displacements), width, thickness (of "
+                    "all bars, which must be rectangular; from 1/3 to 3 times the present value)")
         ->type_name("factor,prescribed,width,thickness");
 }
 
 void add_limits(CLI::App& verb, DesignArguments& arguments) {
     design::DesignOptions& options = arguments.design;
     verb.add_option("--symmetry", arguments.symmetry,
-                    "Symmetry of the painting about the middle: mirror:x (left and right), mirror:y, turn:N")
+                    "Symmetry of the painting about the middle of the bounding box: mirror:x (left and right "
+                    "are alike), mirror:y (top and bottom), turn:N (N equal sectors, from 2 to 12)")
         ->type_name("SYMMETRY");
     verb.add_option("--max-mass", options.max_mass, "Largest mass of all beams together, kg")
         ->check(above_zero_check());
     verb.add_option("--max-utilization", options.max_utilization,
-                    "Largest utilization that a bar may have. Paintings are checked with all beams, and the "
-                    "estimated error of one element a beam is added; the result is the best painting that "
-                    "passes")
+                    "Largest utilization of a bar. It is checked with the full model, and the estimated "
+                    "discretization error is added. The result is the best painting that passes this check")
         ->check(above_zero_check());
     verb.add_option("--clearance", arguments.clearance,
-                    "Smallest gap that bars may have between them, such as 0.5mm. Patterns with smaller gaps "
-                    "are left "
-                    "out; the result is the best painting that passes the check")
+                    "Smallest gap between bars, such as 0.5mm. Patterns with a smaller gap are left out. The "
+                    "result is the best painting without smaller gaps")
         ->check(length_check());
 }
 
 void add_effort(CLI::App& verb, DesignArguments& arguments) {
     design::DesignOptions& options = arguments.design;
     verb.add_option("--seconds", options.seconds,
-                    "Wall time, checks included (default: until no swap improves)")
+                    "Limit of the wall time in seconds, checks included (default: no limit)")
         ->check(above_zero_check());
-    verb.add_option("--solutions", options.most_solutions,
-                    "Maximum number of nonlinear solutions of the search (default: 40, more on fewer than 44 "
-                    "tiles). Solutions of single patterns for the unknowns of --free are not counted")
+    verb.add_option(
+            "--solutions", options.most_solutions,
+            "Maximum number of nonlinear solutions of the search (default: 40, and more for fewer than 44 "
+            "tiles). The solutions that fit the unknowns of --free to single patterns do not count")
         ->check(CLI::Range(1, 1'000'000));
     verb.add_option("--seed", options.seed, "Seed of all random choices")
         ->check(seed_check())
@@ -211,8 +213,8 @@ void add_files(CLI::App& verb, DesignArguments& arguments) {
                     "Library with patterns and setting (default: the project's)");
     verb.add_option("--out", arguments.out, "Project file to write")->required();
     verb.add_option("--report", arguments.report,
-                    "Page to write: the bent surface over the target, errors, painting, course of the "
-                    "search, curvatures; one file for any browser");
+                    "HTML page to write, with the bent surface over the target, errors, painting, course of "
+                    "the search, and curvatures");
     verb.add_flag("--json", arguments.json, "Print JSON: errors, patterns, history, seconds, solutions");
 }
 
@@ -220,7 +222,7 @@ void add_files(CLI::App& verb, DesignArguments& arguments) {
 
 void add_design(CLI::App& app, ExitCode& exit_code) {
     CLI::App* verb = app.add_subcommand(
-        "design", "Paint the tiles of a project so that its surface takes a wanted shape under its load");
+        "design", "Search for a painting that gives the surface a wanted shape under its loads");
     const auto arguments = std::make_shared<DesignArguments>();
     add_task(*verb, *arguments);
     add_limits(*verb, *arguments);
@@ -232,11 +234,10 @@ void add_design(CLI::App& app, ExitCode& exit_code) {
         "Example: fretwork design project.json --case tip --target arc.json --palette sample:64 --out "
         "designed.json\n"
         "A target: {\"format\": \"fretwork/target/1\", \"goals\": [{\"select\": {\"side\": \"right\"}, "
-        "\"displacement\": [null, "
-        "null, \"0.05\"]}]}\n"
-        "Ctrl-C keeps the best painting so far. Exit 0: better than the best single pattern, checked with "
-        "all beams; 1: "
-        "written, but not better, stopped, out of reach, or beyond --max-utilization or --clearance.");
+        "\"displacement\": [null, null, \"0.05\"]}]}\n"
+        "Ctrl-C ends the search and writes the best painting so far. Exit code 0: the painting, checked with "
+        "all beams, is better than the best single pattern. 1: a painting is written, but it is not better, "
+        "the search was stopped, the target is out of reach, or a limit is not kept.");
     verb->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 

@@ -180,7 +180,8 @@ void enumerate(const EnumerateOptions& options) {
 }
 
 std::string filter_help() {
-    std::string text = "Set a filter, or switch one on:";
+    std::string text =
+        "Set a filter, or switch one on; those down to high_valence are always on. A pattern is rejected if:";
     for (const pattern::FilterKind& kind : pattern::filter_catalogue())
         text += "\n" + std::string(kind.name) + ": " + std::string(kind.doc);
     return text;
@@ -188,32 +189,39 @@ std::string filter_help() {
 
 /// Which patterns are valid.
 void add_rules(CLI::App& verb, EnumerateOptions& options) {
-    verb.add_option("--layout", options.layout, "The name of a layout, or its file")->capture_default_str();
+    verb.add_option("--layout", options.layout, "Node layout: a name or a file")->capture_default_str();
     verb.add_option("--edges", options.edges,
-                    "Numbers of edges, as A..B or N (default: 2..11 for paper7, else 2..all)");
-    verb.add_option("--min-angle", options.min_angle, "Smallest angle between two beams (default: 15deg)");
+                    "Number of edges of the patterns: N, or from A to B as A..B (default: 2..11 for paper7, "
+                    "else 2..all)");
+    verb.add_option("--min-angle", options.min_angle,
+                    "Smallest angle between two beams: the filter small_angle (default: 15deg)");
     verb.add_option("--max-valence", options.max_valence,
-                    "Maximum number of beams that meet in a node (default: 6)");
+                    "Maximum number of beams that meet in a node: the filter high_valence (default: 6)");
     verb.add_option("--filter", options.filters, filter_help())->type_name("NAME[=VALUE]");
     verb.add_option("--tile-side", options.tile_side,
-                    "Side of the hexagon, to which lengths refer (default: 25.98mm)");
-    verb.add_option("--beam-width", options.beam_width, "Width of the beams (default: 2mm)");
+                    "Side of the tile, for filters with lengths and for --svg (default: 25.98mm)");
+    verb.add_option("--beam-width", options.beam_width,
+                    "Width of the beams, for tight_clearance and --svg (default: 2mm)");
     verb.add_option("--require", options.required, "Edges (1-6) or nodes (n5) that every pattern uses")
         ->delimiter(',');
     verb.add_option("--forbid", options.forbidden, "Edges or nodes that no pattern uses")->delimiter(',');
 }
 
 void add_files(CLI::App& verb, EnumerateOptions& options) {
-    verb.add_option("--census", options.census_path, "Write the census to this CSV file");
+    verb.add_option(
+        "--census", options.census_path,
+        "Write the census to this CSV file: numbers of patterns for each number of edges and each filter");
     verb.add_option("--list", options.list_path,
                     "Write the ids of the valid patterns to this file, one on each line");
     verb.add_option("--library", options.library_path,
                     "Add the valid patterns to this library (created if it does not exist)");
     CLI::Option* svg = verb.add_option("--svg", options.svg_path, "Draw the valid patterns on one sheet");
-    verb.add_flag("--reasons", options.reasons, "Draw rejected patterns instead, the guilty beams in red")
+    verb.add_flag("--reasons", options.reasons,
+                  "Draw rejected patterns instead, with the beams that cause the rejection in red")
         ->needs(svg);
     verb.add_option("--classes", options.classes_path,
-                    "Write symmetry, mirror partner and isomorphism class of each pattern to this CSV file");
+                    "Write for each valid pattern its symmetry, its mirror image and its class of isomorphic "
+                    "patterns to this CSV file");
     declare_files(verb, {input("--layout"), output("--census", kCensusFile), output("--list", kListFile),
                          update("--library", kLibraryFile), output("--svg", kSvgFile),
                          output("--classes", kClassesFile)});
@@ -222,8 +230,8 @@ void add_files(CLI::App& verb, EnumerateOptions& options) {
 /// Whether all patterns are found, or some, or only their number.
 void add_extent(CLI::App& verb, EnumerateOptions& options) {
     CLI::Option* sample = verb.add_option("--sample", options.sample,
-                                          "Draw this number of valid patterns at random instead of all, each "
-                                          "equally likely; a pattern may be drawn more than once")
+                                          "Choose this number of valid patterns at random instead of finding "
+                                          "all. All are equally likely, and one may be chosen several times")
                               ->check(CLI::Range(1, 1'000'000'000));
     CLI::Option* estimate =
         verb.add_option("--estimate", options.estimate,
@@ -236,7 +244,7 @@ void add_extent(CLI::App& verb, EnumerateOptions& options) {
         count->excludes(other);
     }
     count->excludes(estimate);
-    verb.add_option("--seed", options.seed, "Seed of the random numbers")
+    verb.add_option("--seed", options.seed, "Seed of --sample and --estimate")
         ->check(seed_check())
         ->capture_default_str();
 }
@@ -246,7 +254,8 @@ void add_extent(CLI::App& verb, EnumerateOptions& options) {
 void add_enumerate(CLI::App& app, ExitCode&) {
     const auto options = std::make_shared<EnumerateOptions>();
     CLI::App* verb = app.add_subcommand(
-        "enumerate", "Find all valid patterns of a node layout, and say why the others are not valid.");
+        "enumerate",
+        "Find all valid patterns of a node layout, and count how many of the others each filter rejects");
     add_rules(*verb, *options);
     add_files(*verb, *options);
     add_extent(*verb, *options);

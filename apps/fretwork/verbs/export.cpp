@@ -261,7 +261,7 @@ void run(const ExportOptions& options) {
 }
 
 std::string kinds_help() {
-    std::string text = "File to write; its ending states the kind (repeatable):";
+    std::string text = "File to write (repeatable). Its ending selects the kind of file:";
     for (const exports::WriterRow& writer : exports::writer_catalogue()) {
         text +=
             "\n  " + std::string(writer.ending) +
@@ -275,27 +275,27 @@ std::string kinds_help() {
 
 void add_export(CLI::App& app, ExitCode&) {
     CLI::App* verb = app.add_subcommand(
-        "export", "Write a project, and results of it, as drawings and files for other programs");
+        "export", "Write a project and its results as drawings and as files for other programs");
     const auto options = std::make_shared<ExportOptions>();
     verb->add_option("project", options->project, "Project file")->required();
     verb->add_option("--to", options->to, kinds_help())->required()->allow_extra_args(false);
-    verb->add_option(
-            "--content", options->content,
-            "Content of the file, for endings with several: drawing, centrelines, cut, solid or facts")
+    verb->add_option("--content", options->content,
+                     "Content of the files, for endings that can have several: drawing, centrelines, cut, "
+                     "solid or facts")
         ->type_name("CONTENT");
-    verb->add_option(
-        "--case", options->load_case,
-        "Load case whose supports and loads are drawn; facts are computed for it, and --bolts are at its "
-        "supports");
+    verb->add_option("--case", options->load_case,
+                     "Load case for drawings (supports and loads), for facts (sag and stresses), and for "
+                     "--bolts (holes at its supports)");
     verb->add_option("--result", options->results,
-                     "Result file of this project (repeatable: drawn over each other)")
+                     "Result file of this project (repeatable; an .svg draws all results over each other)")
         ->allow_extra_args(false);
     verb->add_option("--library", options->library, "Library with the setting (default: the project's)");
     verb->add_option("--scale", options->scale, "Factor on the displacements in drawings")
         ->capture_default_str();
     verb->add_option("--view", options->view,
-                     "Direction of view of a deformed surface: iso, front, right, back, left, top, or "
-                     "AZIMUTH,ELEVATION in degrees (default: the direction that shows most)")
+                     "Direction of view of a .png, of an .html, or of a deformed surface in an .svg: iso, "
+                     "front, right, back, left, top, or AZIMUTH,ELEVATION in degrees (default: the direction "
+                     "that shows most)")
         ->type_name("VIEW");
     verb->add_option("--size", options->size, "Width and height of a .png in pixels (default: 1600x1000)")
         ->type_name("WxH");
@@ -303,13 +303,15 @@ void add_export(CLI::App& app, ExitCode&) {
                      "Field that the colours of .png, .html and .glb show: " +
                          base::join(exports::bar_field_names(), ", ") + ", or plain (default: displacement)")
         ->type_name("FIELD");
-    verb->add_flag("--no-ghost", options->no_ghost, "Leave out the shape at rest in a .png");
-    verb->add_option("--strength", options->strength,
-                     "Strength of the material, such as 40MPa (default: that of the setting's material): "
-                     ".vtu, .png and .html then have utilization, and facts compare stresses with it")
+    verb->add_flag("--no-ghost", options->no_ghost, "Do not draw the shape at rest in a .png");
+    verb->add_option(
+            "--strength", options->strength,
+            "Strength of the material, such as 40MPa (default: that of the setting's material): .vtu, .png, "
+            ".html and .glb then have utilization, and facts compare stresses with the strength")
         ->type_name("STRESS");
     verb->add_option("--labels", options->labels,
-                     "Numbers in an .svg from above: tiles, nodes (the interface nodes), or tiles,nodes")
+                     "Numbers to draw in an .svg from above: of tiles, of nodes (the interface nodes), or of "
+                     "both (tiles,nodes)")
         ->delimiter(',')
         ->check(CLI::IsMember({"tiles", "nodes"}))
         ->type_name("WHAT");

@@ -242,8 +242,8 @@ ExitCode landscape(OptimizersOptions options) {
 
 void add_setting(CLI::App& action, OptimizersOptions& options) {
     action.add_option("--setting", options.setting,
-                      "Setting of the calibration problems: paper, made, or a file NAME.json. Their ids then "
-                      "end in @NAME (default: the paper's setting, and ids without @NAME)");
+                      "Setting of the calibration problems: paper, made, or a file NAME.json. The ids of the "
+                      "problems then end in @NAME (default: paper, with ids without @NAME)");
 }
 
 CLI::Option* add_threads(CLI::App& action, OptimizersOptions& options) {
@@ -253,34 +253,40 @@ CLI::Option* add_threads(CLI::App& action, OptimizersOptions& options) {
 
 void add_list(CLI::App& verb, const std::shared_ptr<OptimizersOptions>& options, ExitCode& exit_code) {
     CLI::App* action =
-        verb.add_subcommand("list", "List the methods: name, class, needed evaluations, summary");
+        verb.add_subcommand("list", "List the optimizers: name, class, needed evaluations, summary");
     action->add_flag("--json", options->json, "Print JSON");
     action->footer("Example: fretwork optimizers list");
     action->callback([options, &exit_code] { exit_code = list(*options); });
 }
 
 void add_known(CLI::App& verb, const std::shared_ptr<OptimizersOptions>& options, ExitCode& exit_code) {
-    CLI::App* action = verb.add_subcommand(
-        "known", "Choose the problems of a comparison, and search for their best values once");
+    CLI::App* action = verb.add_subcommand("known",
+                                           "Choose the problems of a comparison, and search for the best "
+                                           "value of each. Do this once, before `run`");
     action->add_option("--out", options->out, "The CSV file to write")->required();
     action
         ->add_option("--patterns", options->patterns,
-                     "Number of calibration problems; their patterns are spread over edges and stiffness")
+                     "Number of calibration problems. Each is one pattern; the patterns are spread over "
+                     "numbers of edges and over stiffness")
         ->check(CLI::Range(1, 1'000'000))
         ->capture_default_str();
     action
         ->add_option("--starts", options->known_values.starts,
-                     "Number of descents of each calibrator on each problem")
+                     "Number of descents of each multistart method on each problem")
         ->capture_default_str();
     action
-        ->add_option("--ids", options->ids,
-                     "Take these problems, one id on each line, instead of choosing some")
+        ->add_option(
+            "--ids", options->ids,
+            "File with the problems to take, one id on each line, instead of choosing them by --patterns")
         ->excludes("--patterns");
-    action->add_option("--from", options->known, "Begin with this file instead of searching")
+    action
+        ->add_option("--from", options->known,
+                     "Take the known values of this file instead of searching for them")
         ->excludes("--patterns")
         ->excludes("--ids")
         ->excludes("--starts");
-    action->add_option("--results", options->results, "Lower the values to those that these runs found");
+    action->add_option("--results", options->results,
+                       "Table of runs (results.csv): where a run found a lower value, take it");
     add_setting(*action, *options);
     add_threads(*action, *options)->excludes("--from");
     action->add_flag("--json", options->json, "Print JSON");
@@ -291,31 +297,38 @@ void add_known(CLI::App& verb, const std::shared_ptr<OptimizersOptions>& options
 }
 
 void add_run(CLI::App& verb, const std::shared_ptr<OptimizersOptions>& options, ExitCode& exit_code) {
-    CLI::App* action = verb.add_subcommand("run",
-                                           "Run methods on problems; a stopped comparison continues. "
-                                           "Columns: see experiments/optimizer_comparison/method.md");
+    CLI::App* action =
+        verb.add_subcommand("run",
+                            "Run optimizers on problems. A stopped comparison continues at the next run. "
+                            "experiments/optimizer_comparison/method.md explains the columns");
     action->add_option("--known", options->known, "The problems, as `known` wrote them")->required();
     action->add_option("--out", options->out, "Folder for results.csv")->required();
-    action->add_option("--problems", options->problems, "all, or ids, families and family:N joined by commas")
+    action
+        ->add_option("--problems", options->problems,
+                     "all, or problem ids, families (such as calibration or analytic) and family:N (N "
+                     "problems of a family), joined by commas")
         ->capture_default_str();
     action->add_option("--optimizers", options->optimizers,
-                       "all, or names joined by commas; slsqp:32 is slsqp with 32 starts (default: those of "
-                       "--command, or else all)");
+                       "all, or names joined by commas; slsqp:32 is slsqp with 32 starts (default: all, or "
+                       "with --command only its programs)");
     action
         ->add_option("--command", options->commands,
-                     "A method that is a program of its own: it reads the bounds, asks for values, and says "
-                     "done (repeatable; docs/guide/own_optimizer.md)")
+                     "Optimizer that is another program (repeatable). It reads the bounds, asks for values, "
+                     "and ends with done; see docs/guide/own_optimizer.md")
         ->type_name("NAME=COMMAND");
     action
-        ->add_option("--repetitions", options->plan.repetitions,
-                     "Number of runs of each method that uses the seed")
+        ->add_option(
+            "--repetitions", options->plan.repetitions,
+            "Number of runs of each optimizer; an optimizer of the class global uses no seed and runs once")
         ->capture_default_str();
     action
         ->add_option("--budget", options->plan.conditions.budget.cost,
-                     "Largest cost of one run, in the problem's unit of cost")
+                     "Largest cost of one run; for calibrations, the unit is one factorization of the "
+                     "reduced model's stiffness")
         ->capture_default_str();
     action
-        ->add_option("--seed", options->plan.conditions.seed, "Seed from which the seeds of all runs follow")
+        ->add_option("--seed", options->plan.conditions.seed,
+                     "Seed; the seeds of all runs are derived from it")
         ->check(seed_check())
         ->capture_default_str();
     add_setting(*action, *options);
@@ -330,12 +343,15 @@ void add_run(CLI::App& verb, const std::shared_ptr<OptimizersOptions>& options, 
 }
 
 void add_landscape(CLI::App& verb, const std::shared_ptr<OptimizersOptions>& options, ExitCode& exit_code) {
-    CLI::App* action = verb.add_subcommand(
-        "landscape",
-        "Write tables of the ends of many single descents, and of sections through the best point");
+    CLI::App* action = verb.add_subcommand("landscape",
+                                           "Write two tables: where many single descents end, and the "
+                                           "objective along each variable through the best point");
     action->add_option("--known", options->known, "The problems, as `known` wrote them")->required();
     action->add_option("--out", options->out, "Folder for descents.csv and sections.csv")->required();
-    action->add_option("--problems", options->problems, "all, or ids, families and family:N joined by commas")
+    action
+        ->add_option("--problems", options->problems,
+                     "all, or problem ids, families (such as calibration or analytic) and family:N (N "
+                     "problems of a family), joined by commas")
         ->capture_default_str();
     action
         ->add_option("--descents", options->landscape.descents,
@@ -355,7 +371,8 @@ void add_landscape(CLI::App& verb, const std::shared_ptr<OptimizersOptions>& opt
 }  // namespace
 
 void add_optimizers(CLI::App& app, ExitCode& exit_code) {
-    CLI::App* verb = app.add_subcommand("optimizers", "List the optimizers, and compare them");
+    CLI::App* verb =
+        app.add_subcommand("optimizers", "List the optimizers, and compare them on a set of problems");
     const auto options = std::make_shared<OptimizersOptions>();
     add_list(*verb, options, exit_code);
     add_known(*verb, options, exit_code);

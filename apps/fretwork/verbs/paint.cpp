@@ -210,11 +210,12 @@ ExitCode run(const PaintOptions& options) {
 
 void add_paint(CLI::App& app, ExitCode& exit_code) {
     CLI::App* verb =
-        app.add_subcommand("paint", "Paint tiles of a project with patterns; everything else is kept");
+        app.add_subcommand("paint", "Paint tiles of a project with patterns, and change nothing else");
     const auto options = std::make_shared<PaintOptions>();
     verb->add_option("project", options->project, "Project file")->required();
     verb->add_option("--tiles", options->tiles,
-                     "Numbers of tiles, and ranges: 3,7-11 (export --labels tiles draws them)");
+                     "Tiles by number, with ranges: 3,7-11; export --labels tiles draws the numbers (default "
+                     "without --box, --circle and --polygon: all tiles)");
     verb->add_option("--box", options->boxes,
                      "Tiles whose middle lies in a box, such as 0,0,100mm,50mm (repeatable)")
         ->type_name("XMIN,YMIN,XMAX,YMAX")
@@ -229,17 +230,18 @@ void add_paint(CLI::App& app, ExitCode& exit_code) {
         ->allow_extra_args(false);
     add_painting_options(*verb, options->painting);
     verb->add_flag("--mirror", options->mirror,
-                   "Replace the pattern of each of the tiles by its mirror image");
+                   "Replace the pattern of each selected tile by its mirror image");
     verb->add_option("--turn", options->turn,
-                     "Move vertex 0 of each of the tiles by this number of vertices (a pattern repeats in "
-                     "every sector of its tile, so it looks the same)")
+                     "Turn the pattern of each tile by this number of vertices. The tile looks the same, "
+                     "because a pattern repeats in every sector of its tile")
         ->check(CLI::Range(-1000, 1000));
     add_clearance_option(*verb, options->clearance);
     verb->add_option("--library", options->library,
                      "Library with patterns and properties (default: the project's)");
-    verb->add_option("--out", options->out, "Project file to write (default: the same)");
-    verb->add_flag("--json", options->json,
-                   "Print JSON: tiles, patterns with their numbers, unpainted_tiles");
+    verb->add_option("--out", options->out, "Project file to write (default: the project itself)");
+    verb->add_flag(
+        "--json", options->json,
+        "Print JSON: the tiles, the number of tiles for each pattern, the number of unpainted tiles");
     declare_files(*verb, {update("project", kProjectFile), input("--patterns"), input("--palette"),
                           input("--library"), output("--out", kProjectFile)});
     verb->footer(

@@ -143,30 +143,31 @@ void require_change(const CLI::App& verb) {
 
 void add_retile(CLI::App& app, ExitCode&) {
     CLI::App* verb = app.add_subcommand("retile",
-                                        "Cover the outline of a project with other tiles, as a new project; "
-                                        "patterns, supports and loads stay by place");
+                                        "Cover the outline of a project with other tiles, and write a new "
+                                        "project. Patterns, supports and loads stay at their positions");
     const auto options = std::make_shared<RetileOptions>();
     verb->add_option("project", options->project, "Project file")->required();
     add_tiling_options(*verb, options->tiling, "that of the present tiles");
-    verb->add_option("--layout", options->layout,
-                     "Node layout of the new tiles: a name or a file (default: the project's). With another "
-                     "one, tiles are bare without --patterns, and the project leaves its library");
+    verb->add_option(
+        "--layout", options->layout,
+        "Node layout of the new tiles: a name or a file (default: the project's). With another layout, the "
+        "tiles have no patterns unless --patterns gives them, and the new project has no library");
     add_painting_options(*verb, options->painting);
     add_clearance_option(*verb, options->clearance);
     verb->add_option("--library", options->library,
                      "Library with patterns and properties for --patterns (default: the project's)");
     verb->add_option("--out", options->out, "Project file to write")->required();
     verb->add_flag("--json", options->json,
-                   "Print JSON: measures of the tiles, unpainted_tiles, and the numbers of entries of load "
-                   "cases that are dropped");
+                   "Print JSON: measures of the tiles, number of unpainted tiles, and number of dropped "
+                   "entries of load cases");
     declare_files(*verb, {input("project"), input("--layout"), input("--patterns"), input("--palette"),
                           input("--library"), output("--out", kProjectFile)});
     verb->footer(
         "Example: fretwork retile project.json --edge-length 15mm --out finer.json\n"
         "         fretwork retile project.json --layout paper8 --patterns 0-1+1-7 --out other.json\n"
-        "Without --patterns, a tile takes the pattern of the old tile whose middle is nearest, and fields, "
-        "images, colours and chance paint again what they have painted. Supports and loads on interface "
-        "nodes by number are left out: their nodes lie elsewhere.");
+        "Without --patterns, each new tile takes the pattern of the old tile with the nearest middle. Tiles "
+        "that were painted by a field, an image, colours or at random are painted in the same way again. "
+        "Supports and loads on interface nodes by number are left out: their nodes lie elsewhere.");
     verb->callback([options, verb] {
         require_change(*verb);
         if (verb->count("--patterns") == 0) refuse_given(*verb, {"--library"}, "is for --patterns");

@@ -165,35 +165,40 @@ std::string models_help() {
     std::string text = "Model:";
     for (const reduction::TileModel& model : reduction::tile_models())
         text += "\n  " + model.name + ": " + model.summary;
-    text += "\n  mixed:SHARE: corotational, with that share of the tiles, the worst, in full (mixed:0.05)";
+    text +=
+        "\n"
+        "  mixed:SHARE: corotational, but with every beam in this share of the tiles, where corotational is "
+        "worst (mixed:0.05)";
     return text;
 }
 
 void add_what_to_solve(CLI::App& verb, SimulateOptions& options) {
     verb.add_option("project", options.project, "Project file")->required();
-    verb.add_option("--case", options.load_case, "Name of a load case of the project, or a load case file");
-    verb.add_option("--model", options.simulation.model, models_help())->capture_default_str();
-    verb.add_flag("--linear", options.linear, "Small displacements, whatever the model");
     verb.add_option(
-            "--branch", options.branch,
-            "Path to follow where equilibria become unstable: primary keeps to the same path, stable or "
-            "not; stable changes to the stable path that branches off; snapping does this, too, and at "
-            "a limit load jumps to a stable equilibrium of lower energy")
+        "--case", options.load_case,
+        "Name of a load case of the project, or a load case file (default: the only one of the project)");
+    verb.add_option("--model", options.simulation.model, models_help())->capture_default_str();
+    verb.add_flag("--linear", options.linear,
+                  "Solve for small displacements (linear), also with a nonlinear model");
+    verb.add_option("--branch", options.branch,
+                    "Path to follow after a loss of stability. primary: the same path, stable or not. "
+                    "stable: the stable path that branches off. snapping: as stable; at a limit load, the "
+                    "surface jumps to a stable equilibrium of lower energy")
         ->check(CLI::IsMember(mechanics::branch_names()))
         ->capture_default_str();
-    verb.add_option(
-        "--stages", options.stages,
-        "File of load stages, one after the other: factors of load cases, displacements, "
-        "components kept and released; supports are those of --case. Not with --steps, --buckling, "
-        "--frame-out and --deck");
+    verb.add_option("--stages", options.stages,
+                    "File of load stages, which follow each other. A stage sets factors of load cases, "
+                    "prescribes displacements, and keeps or releases components. The supports are those of "
+                    "--case. Excludes --steps, --buckling, --frame-out and --deck");
 }
 
 void add_answers(CLI::App& verb, SimulateOptions& options) {
     verb.add_option("--modes", options.simulation.vibration_modes,
-                    "Number of natural frequencies of the surface at rest, with all of its beams")
+                    "Compute this number of natural frequencies of the surface at rest, with the full model")
         ->check(CLI::Range(0, 1000));
-    verb.add_option("--buckling", options.simulation.buckling_modes,
-                    "Number of critical load factors by linearized buckling, with all of its beams")
+    verb.add_option(
+            "--buckling", options.simulation.buckling_modes,
+            "Compute this number of critical load factors by linearized buckling, with the full model")
         ->check(CLI::Range(0, 1000));
     verb.add_option("--steps", options.simulation.load_steps,
                     "Number of equal load steps, each with a result")
@@ -201,12 +206,11 @@ void add_answers(CLI::App& verb, SimulateOptions& options) {
     verb.add_flag("--estimate-error", options.simulation.estimate_error,
                   "Estimate the discretization error of the full model: its distance from the limit of ever "
                   "finer divisions of the beams");
-    verb.add_flag(
-        "--estimate-model-error", options.simulation.estimate_model_error,
-        "Estimate how far a reduced model is from the full one, in displacement and in the largest "
-        "stress. For this, it is solved again with the worst 30 % of the tiles in full (mixed models: "
-        "60 % more of the tiles than they have in full). Without this option, only corotational and "
-        "mixed models are estimated, and only if their tiles are strongly deformed");
+    verb.add_flag("--estimate-model-error", options.simulation.estimate_model_error,
+                  "Estimate the error of a reduced model, in displacement and in the largest stress: solve "
+                  "again with every beam in the worst 30 % of the tiles (mixed:SHARE: in SHARE plus 60 %; if "
+                  "tiles rotate far: in all). Without this option, the error is estimated only for "
+                  "corotational and mixed models with strongly deformed tiles");
     verb.add_option("--threads", options.simulation.threads, "Threads to use; 0: one for each processor")
         ->check(thread_check())
         ->capture_default_str();
@@ -218,15 +222,15 @@ void add_files(CLI::App& verb, SimulateOptions& options) {
     verb.add_option("--out", options.out, "Result file")->required();
     verb.add_option("--frame-out", options.frame_out, "Write the full model as a frame file, too");
     verb.add_option("--deck", options.deck,
-                    "Write the full model as an input deck for CalculiX, too: ccx -i NAME runs it");
+                    "Write the full model as an input deck for CalculiX, too; ccx -i NAME runs NAME.inp");
     for (const std::string ending : {"vtu", "svg"}) {
         verb.add_option_function<std::string>(
             "--" + ending, [&options](const std::string& path) { options.drawings.push_back(path); },
             "Write the displaced beams as ." + ending + ", too");
     }
     verb.add_option("--series", options.series,
-                    "Write the load steps or stages as a series for ParaView, too: this .pvd, and a .vtu for "
-                    "each beside it");
+                    "Write the load steps or stages as a series for ParaView, too: this .pvd file, and "
+                    "beside it a .vtu file for each step or stage");
 }
 
 }  // namespace

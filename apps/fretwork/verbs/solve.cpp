@@ -100,12 +100,10 @@ void add_method(CLI::App& verb, SolveOptions& options) {
         ->capture_default_str();
     verb.add_option("--steps", options.solve.steps, "Number of equal load steps; each is written")
         ->check(CLI::Range(1, 100000));
-    verb.add_option(
-            "--branch", options.branch,
-            "Path to follow where equilibria become unstable: primary keeps to the same path, stable or "
-            "not; stable changes to the stable path that branches off; snapping does this, too, and at "
-            "a limit load jumps to a stable equilibrium of lower energy (newton only; default: "
-            "primary)")
+    verb.add_option("--branch", options.branch,
+                    "Path to follow after a loss of stability (newton only). primary: the same path, stable "
+                    "or not. stable: the stable path that branches off. snapping: as stable; at a limit "
+                    "load, the structure jumps to a stable equilibrium of lower energy (default: primary)")
         ->check(CLI::IsMember(mechanics::branch_names()));
     verb.add_option(
             "--masses", options.masses,

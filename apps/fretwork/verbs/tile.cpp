@@ -232,26 +232,26 @@ void add_tile(CLI::App& app, ExitCode&) {
     verb->add_option("outline", options->outline, "Outline: SVG, DXF, JSON, or a flat OBJ, PLY or OFF")
         ->required();
     verb->add_option("--part", options->part,
-                     "Part of a drawing with several parts: largest, all (each then needs its own supports), "
-                     "or a number, 1 the largest (default: largest)");
+                     "Part of a drawing that has several: largest, all (each part then needs its own "
+                     "supports), or a number; part 1 is the largest (default: largest)");
     CLI::Option* width =
         verb->add_option("--width", options->width,
                          "Scale the outline to this width, such as 400mm (default: the drawing's own)")
             ->type_name("LENGTH");
     add_tiling_options(*verb, options->tiling, "the setting's tile side");
     verb->add_flag("--keep-mesh", options->keep_mesh,
-                   "Take the faces of a flat OBJ, PLY or OFF as tiles, unchanged")
+                   "Use the faces of a flat OBJ, PLY or OFF as tiles, unchanged")
         ->excludes("--edge-length")
         ->excludes("--angle")
         ->excludes(width);
     add_painting_options(*verb, options->painting);
     add_clearance_option(*verb, options->clearance);
     verb->add_option("--library", options->library,
-                     "Pattern library of the project (default: that of the project at --out)");
+                     "Library of the project (default: the library of an existing project at --out)");
     verb->add_option("--setting", options->setting,
                      "Setting with material, section and joints: paper (bars deform along their whole "
-                     "centrelines), made (joints are stiff), or a setting file (default: the setting of the "
-                     "project that is at --out, else the library's, else made)");
+                     "centrelines), made (joints are stiff), or a setting file (default: the setting of an "
+                     "existing project at --out; else of the library; else made)");
     verb->add_option("--layout", options->layout,
                      "Node layout: a name or a file (default: the library's, or paper7)");
     verb->add_option(

@@ -120,15 +120,16 @@ using Kind = WriterRow::Kind;
 
 constexpr std::array<WriterRow, 18> kWriters = {{
     {".svg", Content::Drawing,
-     "drawing: the surface from above; with one result, its displacements in colour; with several, the "
-     "results over each other; with a load case and results, all of these on one sheet",
+     "drawing: without a result, the surface from above; with one result, the bent surface coloured by "
+     "displacement; with several, the bent surfaces over each other; with results and a load case, all "
+     "drawings on one sheet",
      [](const Scene& scene) { return Written{svg_text(scene)}; }, Kind::Drawing},
     {".png", Content::Drawing,
-     "picture: the bars as the first result bends them, lit and in perspective, over their shape at rest and "
-     "on transparent ground; with a load case its supports",
+     "picture in perspective: the bars, bent by the first result, and their shape at rest, on a transparent "
+     "background; with a load case also its supports",
      [](const Scene& scene) { return Written{picture_png(scene)}; }, Kind::Picture},
     {".html", Content::Drawing,
-     "one self-contained page for any browser: the same bars to turn and zoom, at rest or deformed",
+     "page for any browser, in one file: the same bars, at rest or deformed, which can be turned and zoomed",
      [](const Scene& scene) { return Written{view_html(scene)}; }, Kind::Picture},
     {".glb", Content::Drawing,
      "animated glTF for slides and 3D programs: the same bars, moving from rest through the load steps of "
@@ -166,9 +167,10 @@ constexpr std::array<WriterRow, 18> kWriters = {{
      },
      Kind::Made},
     {".txt", Content::Facts,
-     "facts for making: mass, cut, print, narrow places, sag and stresses of a load case; with warnings",
+     "facts for making: mass, data of cutting and printing, narrow places, and the sag and the stresses "
+     "under a load case; with warnings",
      [](const Scene& scene) { return Written{facts_text(scene_facts(scene))}; }, Kind::Made},
-    {".json", Content::Facts, "the same facts for programs, SI",
+    {".json", Content::Facts, "the same facts for programs, in SI units",
      [](const Scene& scene) { return Written{facts_json(scene_facts(scene))}; }, Kind::Made},
     {".html", Content::Facts, "the same facts as a page, with a picture that marks the warnings",
      [](const Scene& scene) {

@@ -62,18 +62,19 @@ Made nlopt_search(Options common) {
 }
 
 const std::array kRows = {
-    OptimizerRow{
-        "ceres-multistart",
-        "Ceres Levenberg-Marquardt with bounds: kinks smoothed by continuation, curvature of norms kept, "
-        "screened starts",
-        OptimizerClass::Local, Evaluation::Curvature,
-        [](Options o) { return make_ceres_multistart({.common = o}); }},
-    OptimizerRow{"gauss-newton-multistart",
-                 "As ceres-multistart with a projected trust-region step of our own, exact at the bounds",
+    OptimizerRow{"ceres-multistart",
+                 "Ceres Levenberg-Marquardt with bounds, from screened starting points; a continuation "
+                 "smooths the kinks of the objective, and the curvature of its norms is kept",
                  OptimizerClass::Local, Evaluation::Curvature,
-                 [](Options o) { return make_gauss_newton_multistart({.common = o}); }},
+                 [](Options o) { return make_ceres_multistart({.common = o}); }},
+    OptimizerRow{
+        "gauss-newton-multistart",
+        "As ceres-multistart, but with our own projected trust-region step, which is exact at the bounds",
+        OptimizerClass::Local, Evaluation::Curvature,
+        [](Options o) { return make_gauss_newton_multistart({.common = o}); }},
     OptimizerRow{"ceres-residuals",
-                 "Ceres Levenberg-Marquardt with bounds on the bare residuals from low-discrepancy starts",
+                 "Ceres Levenberg-Marquardt with bounds; it uses the residuals unsmoothed, and starts from "
+                 "low-discrepancy points",
                  OptimizerClass::Local, Evaluation::Residuals,
                  [](Options o) { return ceres_residuals({}, o); }},
     OptimizerRow{"ceres-dogleg", "As ceres-residuals with Powell's dogleg", OptimizerClass::Local,
@@ -102,17 +103,17 @@ const std::array kRows = {
         Evaluation::Residuals,
         [](Options o) { return ceres_residuals({.bounds = CeresBounds::Sine, .smoothing = stages()}, o); }},
     // [Powell2009]
-    OptimizerRow{"bobyqa", "BOBYQA of NLopt on values from low-discrepancy starts", OptimizerClass::Local,
-                 Evaluation::Value, nlopt_runs<NLOPT_LN_BOBYQA>},
+    OptimizerRow{"bobyqa", "BOBYQA of NLopt; it uses values only, and starts from low-discrepancy points",
+                 OptimizerClass::Local, Evaluation::Value, nlopt_runs<NLOPT_LN_BOBYQA>},
     // [Rowan1990]
-    OptimizerRow{"subplex", "Subplex of NLopt on values from low-discrepancy starts", OptimizerClass::Local,
-                 Evaluation::Value, nlopt_runs<NLOPT_LN_SBPLX>},
+    OptimizerRow{"subplex", "Subplex of NLopt; it uses values only, and starts from low-discrepancy points",
+                 OptimizerClass::Local, Evaluation::Value, nlopt_runs<NLOPT_LN_SBPLX>},
     // [Kraft1994]
-    OptimizerRow{"slsqp", "SLSQP of NLopt on gradients from low-discrepancy starts", OptimizerClass::Local,
-                 Evaluation::Gradient, nlopt_descents<NLOPT_LD_SLSQP>},
+    OptimizerRow{"slsqp", "SLSQP of NLopt; it uses gradients, and starts from low-discrepancy points",
+                 OptimizerClass::Local, Evaluation::Gradient, nlopt_descents<NLOPT_LD_SLSQP>},
     // [Gablonsky2001]
-    OptimizerRow{"direct-l", "DIRECT-L of NLopt: divides the box", OptimizerClass::Global, Evaluation::Value,
-                 nlopt_search<NLOPT_GN_DIRECT_L>},
+    OptimizerRow{"direct-l", "DIRECT-L of NLopt, which divides the box of the bounds again and again",
+                 OptimizerClass::Global, Evaluation::Value, nlopt_search<NLOPT_GN_DIRECT_L>},
     // [RinnooyKan1987, Kucherenko2005]. The time of its clustering grows with the square of the number of
     // points.
     OptimizerRow{"mlsl", "Multi-level single linkage of NLopt: Sobol points and SLSQP",
@@ -126,17 +127,18 @@ const std::array kRows = {
     OptimizerRow{"differential-evolution", "Differential evolution rand/1/exp of pagmo",
                  OptimizerClass::Random, Evaluation::Value,
                  [](Options o) { return make_differential_evolution({.common = o}); }},
-    OptimizerRow{
-        "simulated-annealing",
-        "Simulated annealing with ensmallen's algorithm and defaults in the unit box, reflected at bounds",
-        OptimizerClass::Random, Evaluation::Value, [](Options o) { return annealing({}, o); }},
-    OptimizerRow{"annealing-clamp", "As simulated-annealing; a move beyond a bound ends on it",
+    OptimizerRow{"simulated-annealing",
+                 "Simulated annealing with the algorithm and the defaults of ensmallen, in the unit box; "
+                 "moves are reflected at the bounds",
+                 OptimizerClass::Random, Evaluation::Value, [](Options o) { return annealing({}, o); }},
+    OptimizerRow{"annealing-clamp", "As simulated-annealing, but a move beyond a bound ends on the bound",
                  OptimizerClass::Random, Evaluation::Value,
                  [](Options o) { return annealing({.bounds = AnnealingBounds::Clamp}, o); }},
     OptimizerRow{"annealing-reject", "As simulated-annealing; a move beyond a bound is rejected",
                  OptimizerClass::Random, Evaluation::Value,
                  [](Options o) { return annealing({.bounds = AnnealingBounds::Reject}, o); }},
-    OptimizerRow{"annealing-raw", "As simulated-annealing in quantities instead of their logarithms",
+    OptimizerRow{"annealing-raw",
+                 "As simulated-annealing, but the variables are the parameters instead of their logarithms",
                  OptimizerClass::Random, Evaluation::Value,
                  [](Options o) { return annealing({.variables = AnnealingVariables::Quantities}, o); }},
     OptimizerRow{"annealing-cool", "As simulated-annealing from a temperature of 10 instead of 10,000",
