@@ -33,14 +33,14 @@ Surface reference_surface(const Surface& surface) {
     return reference;
 }
 
-/// The palette in an order in which its first members differ the most, and the coordinates of these
-/// (leading_coordinates). The members that are candidates already are among those with coordinates.
+/// The palette in an order in which its first patterns differ the most, and the coordinates of these
+/// (leading_coordinates). The patterns that are candidates already are among those with coordinates.
 struct SpreadPalette {
     std::vector<NamedPattern> patterns;
     Eigen::MatrixXd coordinates;
 };
 
-/// So many members differ the most, and have coordinates.
+/// So many patterns differ the most, and have coordinates.
 constexpr std::size_t kSpread = 128;
 
 SpreadPalette spread_palette(const Surface& surface, const std::vector<NamedPattern>& palette,
@@ -73,7 +73,7 @@ std::size_t most_candidates(const CandidateTiles& tiles) {
     return std::max(kFewestCandidates, kMostCondensed / tiles.class_count());
 }
 
-/// So many members, drawn at random, in their order.
+/// So many patterns, drawn at random, in their order.
 std::vector<NamedPattern> sampled(const std::vector<NamedPattern>& palette, std::size_t count,
                                   std::uint64_t seed) {
     if (palette.size() <= count) return palette;

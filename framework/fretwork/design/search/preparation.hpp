@@ -17,7 +17,7 @@ struct Preparation {
     TrialParts parts;
     std::vector<std::string> load_cases;  ///< names of the load cases
     std::vector<std::size_t> palette;     ///< candidates for groups, the most different first
-    /// Coordinates of the palette's first members, from leading_coordinates().
+    /// Coordinates of the palette's first patterns, from leading_coordinates().
     Eigen::MatrixXd coordinates;
     std::vector<DesignWarning> warnings{};       ///< warnings about goals for nodes that are held
     std::vector<pattern::NamedPattern> whole{};  ///< palette for extend_palette(); empty: all are candidates

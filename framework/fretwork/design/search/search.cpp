@@ -21,7 +21,7 @@ constexpr double kLeastGain = 0.005;
 /// Before the last steps, a gain of less is not worth a solution.
 constexpr double kWorthwhileGain = 0.02;
 /// Uniform paintings from which the search begins, as long as there are solutions left; then the best
-/// painting is kicked: so much of it is painted at random.
+/// painting, of which so much is painted at random.
 constexpr std::size_t kOtherStarts = 3;
 constexpr std::uint64_t kMostKicks = 100;
 constexpr double kKickedShare = 0.2;
@@ -34,7 +34,7 @@ constexpr int kMostLeftForDefect = 14;
 constexpr double kSmallSurface = 44.0;
 constexpr double kMostFactor = 8.0;
 constexpr int kSolutions = 40;
-/// A start is given up if its table promises this many times the best misfit.
+/// A start is given up if its table promises more than this many times the best objective.
 constexpr double kHopelessPromise = 1.3;
 
 /// The radius of the next step: larger if this one gained what was promised, smaller if it gained little of

@@ -98,7 +98,8 @@ class Trials {
                          std::uint64_t seed, const base::Control& control);
     /// True if pair_table() with this number of columns takes no longer than about ten solutions.
     [[nodiscard]] bool has_few_pairs(std::size_t columns) const;
-    /// The objective of displacements, as in Trial::objective, with the aims of set_aims().
+    /// The objective of displacements, as in Trial::objective, with the aims of set_aims(). It is the square
+    /// of DesignProgress::misfit.
     [[nodiscard]] double misfit(const std::vector<mechanics::NodeValues>& displacements) const {
         return objective(displacements, aims_);
     }

@@ -90,8 +90,8 @@ std::vector<Solved> Search::try_uniform(const std::vector<std::size_t>& palette,
     return found;
 }
 
-/// The place of the palette's member whose uniform painting is predicted to be the best of those that are not
-/// tried; the palette's size if there is none.
+/// The index of the palette's pattern whose uniform painting is predicted to be the best of those that are
+/// not tried; the palette's size if there is none.
 std::size_t Search::predicted_best(const std::vector<Solved>& found, const std::vector<std::size_t>& palette,
                                    const Eigen::MatrixXd& coordinates,
                                    const std::vector<bool>& is_tried) const {
