@@ -182,7 +182,8 @@ void bind_report(py::module_& m) {
         .done(Made::ByFunctions);
     Record<TargetError>(m, "TargetError",
                         "Distances to the target, as shares of the largest displacement that it asks for, of "
-                        "the full model, nonlinear, on the stable path from flat.")
+                        "the full model, nonlinear, on the path from flat; if this path loses stability, on "
+                        "the stable branch.")
         .constant("mean", &TargetError::mean, "")
         .constant("largest", &TargetError::largest, "")
         .constant("is_stable", &TargetError::is_stable, "")
@@ -193,11 +194,11 @@ void bind_report(py::module_& m) {
         .constant("project", &DesignReport::project, "painted project; its load cases have the values found")
         .constant("error", &DesignReport::error, "None if the search was stopped before the check")
         .constant("best_uniform", &DesignReport::best_uniform,
-                  "error of the best single pattern that was tried")
+                  "error of the best single pattern among those that were checked with all beams")
         .constant("best_uniform_pattern", &DesignReport::best_uniform_pattern, "its id")
         .constant("uniform_tried", &DesignReport::uniform_tried, "number of single patterns tried")
         .constant("uniform_solutions", &DesignReport::uniform_solutions,
-                  "number of nonlinear solutions for single patterns")
+                  "number of nonlinear solutions before the search leaves the single patterns")
         .constant("patterns", &DesignReport::patterns, "ids of the patterns in the painting")
         .constant("factors", &DesignReport::factors, "factor on the loads of each load case in load_cases")
         .constant("load_cases", &DesignReport::load_cases, "names of the load cases")
@@ -233,7 +234,7 @@ void bind_report(py::module_& m) {
         .constant("starts", &DesignReport::starts, "misfit that each start of the search reached")
         .constant("history", &DesignReport::history, "")
         .constant("end", &DesignReport::end, "")
-        .constant("slides", &DesignReport::slides, "True if nodes may slide along a target's surface")
+        .constant("slides", &DesignReport::slides, "True if a goal lets nodes slide along a mesh")
         .constant("seconds", &DesignReport::seconds, "")
         .constant("solutions", &DesignReport::solutions, "number of nonlinear solutions of the search")
         .constant("full_solutions", &DesignReport::full_solutions,
