@@ -8,7 +8,7 @@ fretwork=$(realpath "${1:-$here/../../build/release/apps/fretwork/fretwork}")
 out=$(realpath -m "${2:-$here/../../out/figures}")
 mkdir -p "$out"
 cd "$out"
-"$fretwork" enumerate --svg fig02.svg --sample 60 >/dev/null
+"$fretwork" enumerate --svg fig02.svg --sample 59 >/dev/null
 python3 "$here/duplicates.py" "$here/../layouts/paper7.json" .
 "$fretwork" enumerate --edges 2..3 --svg fig07.svg --reasons >/dev/null
 rm -f library.db

@@ -30,7 +30,7 @@ TABLES = (
 # name of the file, what the paper's figure shows (in our words), and what ours shows
 FIGURES = (
     ("fig02", "Fig. 2", "some of the generated patterns",
-     "60 of the 1,824, drawn at random, each with its id and one colour for each number of edges; first the layout with its candidate edges"),
+     "59 of the 1,824, drawn at random, each with its id, coloured by the number of edges; first the layout with its candidate edges"),
     ("fig05", "Fig. 5", "two graphs on the base triangle that differ in their radial edges and give one fan",
      "the same, on a pattern of ours, with the edges of each graph; the fans are compared in exact fractions"),
     ("fig06", "Fig. 6", "two graphs on the base triangle that differ in a node within a beam and give one shape",

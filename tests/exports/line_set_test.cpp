@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sample.hpp"
 
+#include <fretwork/exports/drawings/detail/bent_beams.hpp>
 #include <fretwork/exports/drawings/surface_drawing.hpp>
+#include <fretwork/mechanics/discretization.hpp>
+#include <fretwork/mechanics/linear_solver.hpp>
 
 namespace fretwork::exports {
 namespace THIS_TEST {
@@ -52,6 +55,28 @@ TEST(RimLines, AreTheSidesOfOneTileOnly) {
     const simulation::Surface surface = sample_surface();
     EXPECT_EQ(surface.tessellation.interface_nodes.size(), 27U);
     EXPECT_EQ(rim_lines(surface).lines.size(), 18U);
+}
+
+/// Three beams in a row, from node 0 over nodes 2 and 3 to node 1.
+mechanics::Frame row_of_beams() {
+    mechanics::Frame frame;
+    for (const double x : {0.0, 0.3, 0.1, 0.2}) frame.nodes.push_back({x, 0.02 * x, 0.0});
+    for (const auto& [from, to] : {std::pair{0, 2}, {2, 3}, {3, 1}})
+        frame.beams.push_back({.nodes = {mechanics::NodeIndex(from), mechanics::NodeIndex(to)},
+                               .section = {.area = 4e-6, .I2 = 1e-12, .I3 = 1e-12, .J = 2e-12},
+                               .material = {.young_modulus = 1e9, .poisson_ratio = 0.3}});
+    return frame;
+}
+
+TEST(BentBeams, NodesWithoutLoadsAreWhereTheLinearSolutionHasThem) {
+    mechanics::Frame frame = row_of_beams();
+    frame.supports = {{mechanics::NodeIndex(0), mechanics::DofSet::all()}};
+    frame.loads = {{mechanics::NodeIndex(1), {0.01, 0.002, 0.003}, {0.0, 1e-4, 2e-4}}};
+    const mechanics::NodeValues solved = mechanics::solve_linear(mechanics::assemble(frame)).displacements;
+    const LineSet lines = detail::bent_beams(frame, solved.topRows(2));
+    ASSERT_EQ(lines.lines.size(), 3U);
+    ASSERT_TRUE(lines.displacements);
+    EXPECT_LT((*lines.displacements - solved).norm(), 1e-9 * solved.norm());
 }
 
 }  // namespace THIS_TEST

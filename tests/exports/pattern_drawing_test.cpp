@@ -25,7 +25,9 @@ TEST(PatternSheet, HasAFanWithItsIdForEveryPattern) {
     for (const char* id : {"0-1+1-6", "1-6+3-6", "0-1+0-6+1-6"})
         patterns.push_back(pattern::parse_pattern_id(layout, id));
     const Svg svg(pattern_sheet_svg(layout, patterns));
-    EXPECT_EQ(svg.count("polygon"), 1U + 3U) << "the layout's base triangle, and the fans";
+    EXPECT_EQ(svg.count("polygon"), 1U + 3U + 2U)
+        << "the layout's base triangle, the fans, and a swatch for each number of edges";
+    EXPECT_THAT(svg.words(), HasSubstr("edges:\n2\n3\n"));
     for (const char* id : {"0-1+1-6", "1-6+3-6", "0-1+0-6+1-6"}) EXPECT_THAT(svg.words(), HasSubstr(id));
 }
 

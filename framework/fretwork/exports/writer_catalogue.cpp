@@ -2,6 +2,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/named.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/exports/drawings/detail/bent_beams.hpp>
 #include <fretwork/exports/drawings/surface_drawing.hpp>
 #include <fretwork/exports/making/making_files.hpp>
 #include <fretwork/exports/space/pictures.hpp>
@@ -37,20 +38,26 @@ bool is_calibrated(const simulation::Surface& surface, const std::string& model)
            std::ranges::all_of(used, [&](std::size_t p) { return has_model(surface.calibrations[p]); });
 }
 
-/// The beams at rest of the first result whose model has beams of its own, as the paper's has; empty if none
-/// has, or the surface knows no calibrations of it.
-LineSet reduced_beams(const Scene& scene) {
-    for (const Scene::LabelledResult& entry : scene.results) {
-        if (!entry.result.subject) continue;
-        const auto model =
-            std::ranges::find(scene.models, entry.result.subject->model, &reduction::TileModel::name);
-        if (model == scene.models.end() || model->parameters.empty()) continue;
-        if (!is_calibrated(scene.surface, model->name)) continue;
-        const simulation::ModelChoice choice{model->name, scene.models};
-        const auto beams = simulation::tile_beams(scene.surface, choice, scene.control.silent());
-        if (beams) return frame_lines(*beams);
-    }
-    return {};
+/// The beams of a result's tiles at rest, if its model is one of small displacements with beams of its own,
+/// as the paper's is, and the surface knows its calibrations.
+std::optional<mechanics::Frame> own_beams(const Scene& scene, const Scene::LabelledResult& entry) {
+    if (!entry.result.subject) return std::nullopt;
+    const auto model =
+        std::ranges::find(scene.models, entry.result.subject->model, &reduction::TileModel::name);
+    if (model == scene.models.end() || model->parameters.empty()) return std::nullopt;
+    if (model->displacements != reduction::Displacements::Small) return std::nullopt;
+    if (!is_calibrated(scene.surface, model->name)) return std::nullopt;
+    const simulation::ModelChoice choice{model->name, scene.models};
+    return simulation::tile_beams(scene.surface, choice, scene.control.silent());
+}
+
+/// A result as it is drawn: a reduced model by its own beams.
+LineSet drawn_lines(const Scene& scene, const Scene::LabelledResult& entry,
+                    const std::optional<mechanics::Frame>& beams) {
+    if (!beams) return result_lines(scene.surface, entry.result);
+    require_same_surface(scene.surface, entry.result);
+    const auto moved = static_cast<Eigen::Index>(scene.surface.tessellation.interface_nodes.size());
+    return detail::bent_beams(*beams, entry.result.solution.displacements.topRows(moved));
 }
 
 std::string svg_text(const Scene& scene) {
@@ -62,12 +69,12 @@ std::string svg_text(const Scene& scene) {
     options.labels = scene.labels;
     std::vector<DeformedLayer> layers;
     for (const Scene::LabelledResult& entry : scene.results) {
-        layers.push_back(
-            {entry.label, layer_colour(layers.size()), result_lines(scene.surface, entry.result)});
+        const std::optional<mechanics::Frame> beams = own_beams(scene, entry);
+        if (beams && options.reduced.lines.empty()) options.reduced = frame_lines(*beams);
+        layers.push_back({entry.label, layer_colour(layers.size()), drawn_lines(scene, entry, beams)});
     }
     if (scene.conditions && layers.empty())
         return surface_svg(scene.surface, &*scene.conditions, scene.labels);
-    if (scene.conditions) options.reduced = reduced_beams(scene);
     if (scene.conditions) return figure_svg(scene.surface, *scene.conditions, layers, options);
     if (layers.empty()) return surface_svg(scene.surface, nullptr, scene.labels);
     return layers.size() == 1 ? displacement_svg(layers.front(), options) : deformed_svg(layers, options);

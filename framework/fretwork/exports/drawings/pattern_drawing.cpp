@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 #include <vector>
 
 namespace fretwork::exports {
@@ -76,6 +78,26 @@ double most_lines(std::span<const std::vector<std::string>> texts) {
     return static_cast<double>(most);
 }
 
+/// What the colours mean: a line of swatches with numbers of edges.
+void draw_key(SvgCanvas& canvas, std::span<const Pattern> patterns, const Point2& start, double text) {
+    std::set<int> counts;
+    for (const Pattern& pattern : patterns) counts.insert(pattern.edge_count());
+    Point2 place = start;
+    const auto write = [&](const std::string& words) {
+        canvas.text(place, words, text);
+        place.x += detail::text_width(words, text) + 0.8 * text;
+    };
+    write("edges:");
+    for (const int count : counts) {
+        const std::array<Point2, 4> swatch = {place, Point2{place.x + text, place.y},
+                                              Point2{place.x + text, place.y + 0.75 * text},
+                                              Point2{place.x, place.y + 0.75 * text}};
+        canvas.polygon(swatch, {pattern_colour(count), detail::kRimColour, 0.05 * text, 1.0});
+        place.x += 1.3 * text;
+        write(std::to_string(count));
+    }
+}
+
 }  // namespace
 
 std::string pattern_sheet_svg(const NodeLayout& layout, std::span<const Pattern> patterns,
@@ -104,8 +126,7 @@ std::string pattern_sheet_svg(const NodeLayout& layout, std::span<const Pattern>
         detail::write_lines(canvas, {center.x, center.y - side - text}, ids[i], text);
     }
     if (count > 0)
-        canvas.text({canvas.box().xmin + 0.5 * text, canvas.box().ymin + 0.6 * text},
-                    "one colour for each number of edges", text);
+        draw_key(canvas, patterns, {canvas.box().xmin + 0.5 * text, canvas.box().ymin + 0.6 * text}, text);
     return canvas.document(std::to_string(count) + " patterns of layout " + layout.name());
 }
 

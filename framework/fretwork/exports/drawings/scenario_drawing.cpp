@@ -31,14 +31,13 @@ constexpr int kDrawnDivisions = 6;  ///< of a beam: it is drawn as bent as it is
 // Lengths as multiples of the tile's side.
 constexpr int kColumns = 3;
 constexpr double kCellWidth = 3.6;
-constexpr double kPictureHeight = 2.5;  ///< of a cell without its text
+constexpr double kPictureHeight = 2.0;  ///< of a cell without its text
+constexpr double kMiddle = 1.15;        ///< of the tile below the upper end of its cell
 constexpr double kReach = 0.7;          ///< of the largest arrow
 constexpr double kBall = 0.09;
 
 /// The sheet is as wide as a journal's column.
 constexpr double kText = detail::legible_height(kColumns * kCellWidth, detail::kColumnWidth);
-constexpr int kTextLines = 4;
-constexpr double kCellHeight = kPictureHeight + (kTextLines * detail::kLineStep + 0.6) * kText;
 
 /// One tile in the setting's polygon, painted with the pattern.
 Surface tile_surface(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
@@ -112,6 +111,20 @@ Cell make_cell(const pattern::NodeLayout& layout, const Modelled& modelled, cons
     cell.reduced = lines_of(ring, mechanics::solve_linear(mechanics::assemble(ring)));
     *cell.reduced->displacements *= cell.full.share;
     return cell;
+}
+
+double largest_movement(const LineSet& lines) {
+    return lines.displacements ? lines.displacements->leftCols<3>().rowwise().norm().maxCoeff() : 0.0;
+}
+
+/// The lines below a cell.
+std::vector<std::string> caption_of(const Cell& cell) {
+    const double magnitude = cell.full.share * cell.scenario->max_magnitude;
+    auto lines = detail::lines_within(
+        cell.scenario->name + " under " + detail::short_number(magnitude) + " N", kText, 0.98 * kCellWidth);
+    lines.push_back("moves by " + detail::millimetres(largest_movement(cell.full.lines)));
+    if (cell.reduced) lines.push_back("reduced: " + detail::millimetres(largest_movement(*cell.reduced)));
+    return lines;
 }
 
 /// As short as a cell is narrow.
@@ -209,28 +222,14 @@ class CellPen {
             mark.to = mark.to + middle;
             draw_load(canvas_, mark);
         }
-        write_caption(cell, {middle.x, middle.y - (0.5 * kPictureHeight + kText) * side_});
+        detail::write_lines(canvas_, {middle.x, middle.y + (kMiddle - kPictureHeight - kText) * side_},
+                            caption_of(cell), kText * side_);
     }
 
   private:
     void draw_lines(const LineSet& lines, const Point2& middle, const detail::Style& style) {
         const auto places = detail::moved(projection_.all(displaced_nodes(lines, 1.0)), middle);
         canvas_.segments(detail::segments_of(lines.lines, places), style);
-    }
-
-    void write_caption(const Cell& cell, const Point2& place) {
-        const double text = kText * side_;
-        const double magnitude = cell.full.share * cell.scenario->max_magnitude;
-        auto lines =
-            detail::lines_within(cell.scenario->name + " under " + detail::short_number(magnitude) + " N",
-                                 text, 0.98 * kCellWidth * side_);
-        lines.push_back("moves by " + detail::millimetres(largest(cell.full.lines)));
-        if (cell.reduced) lines.push_back("reduced: " + detail::millimetres(largest(*cell.reduced)));
-        detail::write_lines(canvas_, place, lines, text);
-    }
-
-    static double largest(const LineSet& lines) {
-        return lines.displacements ? lines.displacements->leftCols<3>().rowwise().norm().maxCoeff() : 0.0;
     }
 
     SvgCanvas& canvas_;
@@ -248,18 +247,21 @@ std::string scenario_sheet_svg(const pattern::NodeLayout& layout, const ReducedP
     const Surface surface = tile_surface(layout, pattern.pattern, setting);
     const double side = setting.tile_side;
     const double width = kCellWidth * side;
-    const double height = kCellHeight * side;
     std::vector<Cell> cells;
-    for (const Scenario& scenario : setting.scenarios)
+    std::size_t most_lines = 1;
+    for (const Scenario& scenario : setting.scenarios) {
         cells.push_back(make_cell(layout, {pattern, models}, setting, scenario));
+        most_lines = std::max(most_lines, caption_of(cells.back()).size());
+    }
+    const double height =
+        (kPictureHeight + (detail::kLineStep * static_cast<double>(most_lines) + 0.6) * kText) * side;
     const auto count = static_cast<int>(cells.size());
     const int rows = count / kColumns + 1;  // the key is in the cell behind the last
     SvgCanvas canvas({0.0, -rows * height, kColumns * width, 0.0}, 1.0);
     canvas.print_as_wide_as(detail::kColumnWidth);
     CellPen pen(canvas, surface);
     for (int i = 0; i < count; ++i)
-        pen.draw(cells[i],
-                 {(i % kColumns + 0.5) * width, -(i / kColumns) * height - 0.5 * kPictureHeight * side});
+        pen.draw(cells[i], {(i % kColumns + 0.5) * width, -(i / kColumns) * height - kMiddle * side});
     SheetKey(surface, cells)
         .draw(canvas, {(count % kColumns + 0.12) * width, -(rows - 1) * height - 0.4 * side}, kText * side,
               detail::beam_width(surface));

@@ -18,8 +18,9 @@ namespace {
 using geometry::Box;
 using geometry::Point2;
 
-constexpr int kBands = 16;     ///< colours of a scale
-constexpr double kEdge = 2.4;  ///< of a line's width: the white below it, which hides what is behind
+constexpr int kBands = 16;           ///< colours of a scale
+constexpr double kLegendStep = 1.5;  ///< of lines of a legend, in heights of the text
+constexpr double kEdge = 2.4;        ///< of a line's width: the white below it, which hides what is behind
 
 /// The lengths of all displacements; zeros if there are no results.
 std::vector<double> displacement_sizes(const LineSet& lines) {
@@ -60,7 +61,7 @@ View make_view(std::span<const DeformedLayer> layers, const DeformedViewOptions&
     const double margin = 0.03 * subject.width();
     view.box = {subject.xmin - margin, subject.ymin - margin, subject.xmax + margin, subject.ymax + margin};
     const double text = text_height(view.box.width());
-    view.box.ymax += 1.7 * text * legend_lines;
+    view.box.ymax += kLegendStep * text * legend_lines;
     view.box.ymin -= 2.0 * text;
     return view;
 }
@@ -76,7 +77,7 @@ Style rest_style(const Box& box) {
 /// A line of the legend, from the top left corner of the box down.
 Point2 legend_place(const Box& box, int line) {
     const double text = text_height(box.width());
-    return {box.xmin + text, box.ymax - 1.7 * text * (line + 1)};
+    return {box.xmin + text, box.ymax - kLegendStep * text * (line + 1)};
 }
 
 void draw_rest(SvgCanvas& canvas, const View& view, const DeformedViewOptions& options) {
@@ -223,7 +224,7 @@ SvgCanvas deformed_panel(std::span<const DeformedLayer> layers, const DeformedVi
     for (std::size_t i = 0; i < layers.size(); ++i) {
         canvas.layer(layers[i].label);
         // The first is seen beside those that lie upon it.
-        const double width = (i == 0 && layers.size() > 1 ? 1.8 : 1.0) * line_width(view.box);
+        const double width = (i == 0 ? 1.0 : 0.8) * line_width(view.box);
         draw_lines(canvas, {layers[i].lines, view.points[i], view.nearnesses[i], width},
                    i == 0 ? Below::Nothing : Below::OtherStates,
                    [&](std::size_t) { return layers[i].colour; });

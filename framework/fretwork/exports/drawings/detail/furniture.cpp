@@ -85,7 +85,7 @@ void draw_scale_bar(SvgCanvas& canvas, const Point2& start, double height) {
          {Point2{start.x, start.y - tick}, Point2{start.x, start.y + tick}},
          {Point2{end.x, end.y - tick}, Point2{end.x, end.y + tick}}}};
     canvas.segments(bar, {"none", kTextColour, 0.1 * height, 1.0});
-    canvas.text({start.x + 0.5 * size, start.y + 0.5 * height}, millimetres(size), height, Anchor::Middle);
+    canvas.text({start.x, start.y + 0.5 * height}, millimetres(size), height);
 }
 
 Point2 draw_line_sample(SvgCanvas& canvas, const Point2& place, const Style& style, double height) {

@@ -20,7 +20,7 @@ constexpr double kIconWidth = 2.0 * kIconSide;
 constexpr double kIconStep = 3.1;    ///< from row to row
 constexpr double kIdWidth = 10.5;    ///< beside an icon: four edges
 constexpr double kIdGap = 1.2;       ///< between ids in the list
-constexpr double kIdAfterKey = 0.5;  ///< from a letter to its id
+constexpr double kIdAfterKey = 0.4;  ///< from a letter to its id
 
 }  // namespace
 
@@ -70,8 +70,9 @@ void PatternLegend::place_beside() {
 }
 
 void PatternLegend::place_in_list() {
-    const double key = text_width(key_letters(used_.size() - 1), 1.0);
-    const double column = text_ * (kIconWidth + 0.3 + key + 0.5);
+    double key = 0.0;
+    for (std::size_t i = 0; i < used_.size(); ++i) key = std::max(key, text_width(key_letters(i), 1.0));
+    const double column = text_ * (kIconWidth + 0.3 + key + 0.2);
     const auto columns = static_cast<std::size_t>(std::max(1.0, width_ / column));
     for (std::size_t i = 0; i < used_.size(); ++i) {
         const Point2 middle{static_cast<double>(i % columns) * column + 0.5 * kIconWidth * text_,

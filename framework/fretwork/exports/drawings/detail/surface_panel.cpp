@@ -79,13 +79,15 @@ std::vector<LoadMark> few_of_each_kind(const std::vector<LoadMark>& marks) {
     return few;
 }
 
-void draw_subject(SvgCanvas& canvas, const Surface& surface, const Subject& subject) {
-    draw_tiles(canvas, surface, subject.projection);
-    draw_beams(canvas, surface, subject.projection);
+void draw_subject(SvgCanvas& canvas, const Surface& surface, const Subject& subject,
+                  Tint tint = Tint::Patterns) {
+    draw_tiles(canvas, surface, subject.projection, tint);
+    draw_beams(canvas, surface, subject.projection, tint);
     canvas.layer("loads");
     for (const LoadMark& mark : subject.marks.loads) draw_load(canvas, mark);
     canvas.layer("supports");
-    const double radius = 0.16 * tiling::mean_tile_side(surface.tessellation);
+    const double radius =
+        std::max(0.16 * tiling::mean_tile_side(surface.tessellation), 0.007 * subject.box.width());
     for (const SupportMark& mark : subject.marks.supports) draw_support(canvas, mark, radius);
     if (subject.marks.prescribed.empty()) return;
     canvas.layer("prescribed displacements");
@@ -144,20 +146,23 @@ SvgCanvas reduced_panel(const Surface& surface, const LineSet& beams, double tex
                        {"#f4f6f8", kRimColour, 0.2 * width, 1.0});
     canvas.layer("beams of the reduced model");
     const std::vector<Point2> nodes = projection.all(beams.nodes);
-    canvas.segments(segments_of(beams.lines, nodes), {"none", kReducedColour, width, 1.0});
+    canvas.segments(segments_of(beams.lines, nodes),
+                    {"none", kReducedColour, std::max(width, 0.0035 * box.width()), 1.0});
     return canvas;
 }
 
 SvgCanvas setup_panel(const Surface& surface, const Conditions& conditions, const ViewOptions& view) {
-    Subject subject = make_subject(surface, &conditions, Projection(view),
-                                   2.5 * tiling::mean_tile_side(surface.tessellation));
+    const Projection projection(view);
+    const Box plain = bounding_box(projection.all(surface.tessellation.vertices), 0.0);
+    const double reach = std::max(2.5 * tiling::mean_tile_side(surface.tessellation), 0.1 * plain.width());
+    Subject subject = make_subject(surface, &conditions, projection, reach);
     subject.marks.loads = few_of_each_kind(subject.marks.loads);
     const double text = text_height(subject.box.width());
     const ConditionLegend marks(subject.marks, &conditions, subject.box.width());
     Box box = subject.box;
     box.ymin -= marks.height() + text;
     SvgCanvas canvas(box, 1.0);
-    draw_subject(canvas, surface, subject);
+    draw_subject(canvas, surface, subject, Tint::Pale);
     marks.draw(canvas, {box.xmin + text, subject.box.ymin - 1.5 * text});
     return canvas;
 }

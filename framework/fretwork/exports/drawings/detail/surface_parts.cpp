@@ -22,6 +22,8 @@ using simulation::Surface;
 constexpr const char* kForceColour = "#20419a";
 constexpr const char* kMomentColour = "#7b3294";
 constexpr const char* kPrescribedColour = "#b2451f";
+constexpr const char* kPaleFace = "#eef1f4";
+constexpr const char* kPaleBeam = "#98a2ac";
 
 /// The row of an interface node: these are the first nodes of every model.
 Point2 node_place(const Surface& surface, mechanics::NodeIndex node) {
@@ -79,7 +81,7 @@ double beam_width(const Surface& surface) {
     return std::sqrt(surface.setting.section.area);
 }
 
-void draw_tiles(SvgCanvas& canvas, const Surface& surface, const Projection& projection) {
+void draw_tiles(SvgCanvas& canvas, const Surface& surface, const Projection& projection, Tint tint) {
     canvas.layer("tiles");
     const tiling::Tessellation& tessellation = surface.tessellation;
     for (std::size_t t = 0; t < tessellation.tiles.size(); ++t) {
@@ -87,9 +89,9 @@ void draw_tiles(SvgCanvas& canvas, const Surface& surface, const Projection& pro
         const int pattern = tessellation.tiles[t].pattern;
         const std::string number = std::to_string(t);
         const std::string id = pattern < 0 ? "not painted" : tessellation.patterns[pattern].id;
-        const Style style = pattern < 0
-                                ? Style{"#f4f6f8", "#8fa3b5", 0.2 * beam_width(surface), 1.0}
-                                : Style{pattern_colour(pattern), "#ffffff", 0.2 * beam_width(surface), 1.0};
+        const Style style = pattern < 0 ? Style{"#f4f6f8", "#8fa3b5", 0.2 * beam_width(surface), 1.0}
+                                        : Style{tint == Tint::Pale ? kPaleFace : pattern_colour(pattern),
+                                                "#ffffff", 0.2 * beam_width(surface), 1.0};
         canvas.named_polygon(polygon, style, "tile" + number, "tile " + number + ": " + id);
     }
 }
@@ -118,7 +120,7 @@ void draw_labels(SvgCanvas& canvas, const Surface& surface, const DrawnLabels& l
     }
 }
 
-void draw_beams(SvgCanvas& canvas, const Surface& surface, const Projection& projection) {
+void draw_beams(SvgCanvas& canvas, const Surface& surface, const Projection& projection, Tint tint) {
     canvas.layer("beams");
     const simulation::SurfaceBeams drawn = simulation::surface_beams(surface);
     std::vector<Point2> places;
@@ -129,7 +131,7 @@ void draw_beams(SvgCanvas& canvas, const Surface& surface, const Projection& pro
         const auto& ends = drawn.ends[b];
         beams[drawn.tiles[b]].push_back({nodes[ends[0]], nodes[ends[1]]});
     }
-    const Style style{"none", kBeamColour, beam_width(surface), 1.0};
+    const Style style{"none", tint == Tint::Pale ? kPaleBeam : kBeamColour, beam_width(surface), 1.0};
     for (std::size_t t = 0; t < beams.size(); ++t)
         canvas.named_segments(beams[t], style, "beams" + std::to_string(t));
 }

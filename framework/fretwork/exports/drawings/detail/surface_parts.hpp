@@ -14,10 +14,14 @@ namespace fretwork::exports::detail {
 /// The width of a beam as seen from above: that of a square of the section's area.
 double beam_width(const simulation::Surface& surface);
 
-void draw_tiles(SvgCanvas& canvas, const simulation::Surface& surface, const Projection& projection);
+/// Colours of a surface: tiles by their patterns, or pale tiles and beams, before which marks stand out.
+enum class Tint { Patterns, Pale };
+void draw_tiles(SvgCanvas& canvas, const simulation::Surface& surface, const Projection& projection,
+                Tint tint);
 /// Numbers of tiles in their middles, of interface nodes beside them, from above.
 void draw_labels(SvgCanvas& canvas, const simulation::Surface& surface, const DrawnLabels& labels);
-void draw_beams(SvgCanvas& canvas, const simulation::Surface& surface, const Projection& projection);
+void draw_beams(SvgCanvas& canvas, const simulation::Surface& surface, const Projection& projection,
+                Tint tint);
 
 /// A support as it is drawn, and as a legend calls it.
 struct SupportMark {
