@@ -47,12 +47,14 @@ double PatternLegend::height() const {
 void PatternLegend::place_beside() {
     std::vector<std::vector<std::string>> ids;
     std::size_t most_lines = 1;
+    double widest = 0.0;
     for (const std::size_t pattern : used_) {
         ids.push_back(lines_within(surface_->tessellation.patterns[pattern].id, 1.0, kIdWidth));
         most_lines = std::max(most_lines, ids.back().size());
+        for (const std::string& line : ids.back()) widest = std::max(widest, text_width(line, 1.0));
     }
     const double row = text_ * std::max(kIconStep, kLineStep * static_cast<double>(most_lines) + 0.4);
-    const double column = text_ * (kIconWidth + 0.6 + kIdWidth + 1.0);
+    const double column = text_ * (kIconWidth + 0.6 + widest + 1.0);
     const auto columns = static_cast<std::size_t>(std::max(1.0, width_ / column));
     for (std::size_t i = 0; i < ids.size(); ++i) {
         const Point2 middle{static_cast<double>(i % columns) * column + 0.5 * kIconWidth * text_,
