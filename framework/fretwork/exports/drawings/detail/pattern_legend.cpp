@@ -22,6 +22,28 @@ constexpr double kIdWidth = 10.5;    ///< beside an icon: four edges
 constexpr double kIdGap = 1.2;       ///< between ids in the list
 constexpr double kIdAfterKey = 0.4;  ///< from a letter to its id
 
+/// Cells of one size below each other and side by side, each with an icon at its left.
+struct IconGrid {
+    IconGrid(double width, double cell_width, double cell_height)
+        : columns(static_cast<std::size_t>(std::max(1.0, width / cell_width))),
+          cell_width(cell_width),
+          cell_height(cell_height) {}
+
+    [[nodiscard]] Point2 icon(std::size_t index, double icon_width) const {
+        const std::size_t row = index / columns;
+        return {static_cast<double>(index % columns) * cell_width + 0.5 * icon_width,
+                -(static_cast<double>(row) + 0.5) * cell_height};
+    }
+    [[nodiscard]] double height(std::size_t cells) const {
+        const std::size_t rows = (cells + columns - 1) / columns;
+        return static_cast<double>(rows) * cell_height;
+    }
+
+    std::size_t columns;
+    double cell_width;
+    double cell_height;
+};
+
 }  // namespace
 
 std::string key_letters(std::size_t index) {
@@ -54,11 +76,9 @@ void PatternLegend::place_beside() {
         for (const std::string& line : ids.back()) widest = std::max(widest, text_width(line, 1.0));
     }
     const double row = text_ * std::max(kIconStep, kLineStep * static_cast<double>(most_lines) + 0.4);
-    const double column = text_ * (kIconWidth + 0.6 + widest + 1.0);
-    const auto columns = static_cast<std::size_t>(std::max(1.0, width_ / column));
+    const IconGrid grid(width_, text_ * (kIconWidth + 0.6 + widest + 1.0), row);
     for (std::size_t i = 0; i < ids.size(); ++i) {
-        const Point2 middle{static_cast<double>(i % columns) * column + 0.5 * kIconWidth * text_,
-                            -(static_cast<double>(i / columns) + 0.5) * row};
+        const Point2 middle = grid.icon(i, kIconWidth * text_);
         icons_.push_back(middle);
         const double lines = static_cast<double>(ids[i].size() - 1);
         Point2 place{middle.x + (0.5 * kIconWidth + 0.6) * text_,
@@ -68,23 +88,20 @@ void PatternLegend::place_beside() {
             place.y -= kLineStep * text_;
         }
     }
-    height_ = row * static_cast<double>((ids.size() + columns - 1) / columns);
+    height_ = grid.height(ids.size());
 }
 
 void PatternLegend::place_in_list() {
     double key = 0.0;
     for (std::size_t i = 0; i < used_.size(); ++i) key = std::max(key, text_width(key_letters(i), 1.0));
-    const double column = text_ * (kIconWidth + 0.3 + key + 0.2);
-    const auto columns = static_cast<std::size_t>(std::max(1.0, width_ / column));
+    const IconGrid grid(width_, text_ * (kIconWidth + 0.3 + key + 0.2), kIconStep * text_);
     for (std::size_t i = 0; i < used_.size(); ++i) {
-        const Point2 middle{static_cast<double>(i % columns) * column + 0.5 * kIconWidth * text_,
-                            -(static_cast<double>(i / columns) + 0.5) * kIconStep * text_};
+        const Point2 middle = grid.icon(i, kIconWidth * text_);
         icons_.push_back(middle);
         texts_.push_back(
             {{middle.x + (0.5 * kIconWidth + 0.3) * text_, middle.y - 0.35 * text_}, key_letters(i)});
     }
-    const auto rows = static_cast<double>((used_.size() + columns - 1) / columns);
-    Point2 place{0.0, -(rows * kIconStep + 1.4) * text_};
+    Point2 place{0.0, -grid.height(used_.size()) - 1.4 * text_};
     const double indent = (key + kIdAfterKey) * text_;
     for (std::size_t i = 0; i < used_.size(); ++i) {
         const std::string& id = surface_->tessellation.patterns[used_[i]].id;
