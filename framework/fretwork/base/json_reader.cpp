@@ -92,6 +92,12 @@ void JsonReader::expect_format(std::string_view kind, int newest, int oldest) co
     Access::refuse(format, join(known, " or "));
 }
 
+void JsonReader::require_format(std::string_view needed, std::string_view lacking) const {
+    const std::string given = at("format").string();
+    if (given >= needed) return;  // numbers have one digit
+    fail("is of " + given + ", which has " + std::string(lacking) + "; " + std::string(needed) + " has");
+}
+
 void JsonReader::allow_only(std::initializer_list<std::string_view> keys) const {
     allow_only(std::span(keys.begin(), keys.size()));
 }

@@ -34,6 +34,10 @@ class JsonReader {
     /// InputError. Only unreleased versions wrote N below `oldest`; the message then asks the user to make
     /// the file again.
     void expect_format(std::string_view kind, int newest = 1, int oldest = 1) const;
+    /// Check that the document's `"format"` is `needed` or a newer number of the same kind. Throws
+    /// InputError.
+    /// @param lacking  what older numbers lack of the document, such as "no circle"
+    void require_format(std::string_view needed, std::string_view lacking) const;
     /// Throw InputError unless the value is an object with no other keys than `keys`.
     void allow_only(std::initializer_list<std::string_view> keys) const;
     /// Throw InputError unless the value is an object with no other keys than `keys`.

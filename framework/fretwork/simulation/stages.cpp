@@ -64,8 +64,7 @@ std::vector<LoadStage> parse_stages(std::string_view text, const std::string& so
         stages.push_back(std::move(stage));
     }
     if (stages.empty()) json.at("stages").fail("is empty, where at least one stage is needed");
-    if (json.at("format").string() == "fretwork/stages/1" && std::ranges::any_of(stages, has_circle))
-        json.fail("is of fretwork/stages/1, which has no circle; fretwork/stages/2 has");
+    if (std::ranges::any_of(stages, has_circle)) json.require_format("fretwork/stages/2", "no circle");
     return stages;
 }
 

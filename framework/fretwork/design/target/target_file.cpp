@@ -130,8 +130,7 @@ Target read_target_json(const JsonReader& json) {
     if (const auto description = json.find("description")) target.description = description->string();
     for (const JsonReader& goal : json.at("goals").elements()) target.goals.push_back(read_goal(goal));
     if (target.goals.empty()) json.at("goals").fail("is empty, where at least one goal is needed");
-    if (json.at("format").string() != kTargetFormat && has_circle(target))
-        json.fail("is of fretwork/target/1, which has no circle; fretwork/target/2 has");
+    if (has_circle(target)) json.require_format(kTargetFormat, "no circle");
     return target;
 }
 

@@ -271,15 +271,6 @@ FormatOfCase oldest_format(const LoadCase& load_case) {
     return {"fretwork/load-case/1", ""};
 }
 
-/// The formats' names are in the order of their numbers, which have one digit.
-void check_format(const JsonReader& json, const LoadCase& load_case) {
-    const std::string format = json.at("format").string();
-    const FormatOfCase needed = oldest_format(load_case);
-    if (format >= needed.name) return;
-    json.fail("is of " + format + ", which has " + std::string(needed.lacking) + "; " +
-              std::string(needed.name) + " has");
-}
-
 }  // namespace
 
 std::vector<LoadCase::Support> read_supports(const JsonReader& list) {
@@ -323,7 +314,8 @@ LoadCase read_load_case(const JsonReader& json) {
     load_case.gravity = read_vector(json.find("gravity"), base::kAccelerationLimits);
     for (const JsonReader& share : elements_of(json, "combines"))
         load_case.combines.push_back(read_share(share));
-    check_format(json, load_case);
+    const FormatOfCase needed = oldest_format(load_case);
+    json.require_format(needed.name, needed.lacking);
     return load_case;
 }
 

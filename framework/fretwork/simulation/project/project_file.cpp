@@ -312,8 +312,7 @@ Project project_from_json(const JsonReader& json) {
     read_load_cases(json.at("load_cases"), project);
     if (const auto models = json.find("tile_models")) read_tile_models(*models, project);
     if (const auto recipes = json.find("recipes")) read_recipes(*recipes, project);
-    if (!project.recipes.empty() && json.at("format").string() != "fretwork/project/4")
-        json.fail("is of " + json.at("format").string() + ", which has no recipes; fretwork/project/4 has");
+    if (!project.recipes.empty()) json.require_format("fretwork/project/4", "no recipes");
     return project;
 }
 
