@@ -16,17 +16,30 @@ namespace {
 
 using tiling::TileIndex;
 
-/// Reads the file if the choice does not have its content yet. False if it is too large to be kept.
-bool keep_file(std::filesystem::path& file, std::optional<FileContent>& content) {
-    if (!content) {
-        content = FileContent{base::read_text_file(file)};
-        file = base::printable(file.filename().string());
+/// A choice with the content of its file, if it has one: what paints is what the recipe keeps.
+struct LoadedChoice {
+    explicit LoadedChoice(PaintingChoice given) : choice(std::move(given)) {
+        if (auto* field = std::get_if<PaintByField>(&choice)) {
+            if (auto* image = std::get_if<FieldImage>(&field->field)) load(image->file, image->content);
+        } else if (auto* colours = std::get_if<PaintByColours>(&choice)) {
+            load(colours->drawing, colours->content);
+        }
     }
-    return content->bytes.size() <= kLargestKeptFile;
-}
+
+    PaintingChoice choice;
+    bool is_from_path = false;  ///< true if the file was read here, so that its name is a path
+
+  private:
+    void load(const std::filesystem::path& file, std::optional<FileContent>& content) {
+        if (content) return;
+        content = FileContent{base::read_text_file(file)};
+        is_from_path = true;
+    }
+};
 
 struct RecipeMaker {
     const PaintingGround& ground;
+    bool is_from_path;
 
     std::optional<PaintingChoice> operator()(PaintAtRandom choice) const {
         choice.palette = listed(choice.palette);
@@ -35,16 +48,22 @@ struct RecipeMaker {
     std::optional<PaintingChoice> operator()(PaintByField choice) const {
         choice.palette = listed(choice.palette);
         auto* image = std::get_if<FieldImage>(&choice.field);
-        if (image != nullptr && !keep_file(image->file, image->content)) return std::nullopt;
+        if (image != nullptr && !keeps(image->file, *image->content)) return std::nullopt;
         return choice;
     }
     std::optional<PaintingChoice> operator()(PaintByColours choice) const {
-        if (!keep_file(choice.drawing, choice.content)) return std::nullopt;
+        if (!keeps(choice.drawing, *choice.content)) return std::nullopt;
         return choice;
     }
     template <class Other>
     std::optional<PaintingChoice> operator()(const Other&) const {
         return std::nullopt;
+    }
+
+    /// False if the file is too large. A path means nothing in a project, which may be moved.
+    [[nodiscard]] bool keeps(std::filesystem::path& file, const FileContent& content) const {
+        if (is_from_path) file = base::printable(file.filename().string());
+        return content.bytes.size() <= kLargestKeptFile;
     }
 
     /// A library or a painting file may change or go.
@@ -62,11 +81,15 @@ void add_recipe(Project& project, PaintingChoice choice, const std::vector<TileI
     std::ranges::sort(known->tiles);
 }
 
+std::optional<PaintingChoice> recipe_of(const LoadedChoice& loaded, const PaintingGround& ground) {
+    return std::visit(RecipeMaker{ground, loaded.is_from_path}, loaded.choice);
+}
+
 /// What follows a painting of a project's tiles.
-void note_painting(Project& project, const std::vector<TileIndex>& painted, const PaintingChoice& choice,
+void note_painting(Project& project, const std::vector<TileIndex>& painted, const LoadedChoice& loaded,
                    const PaintingGround& ground) {
     if (painted.empty()) return;
-    std::optional<PaintingChoice> recipe = recipe_of(choice, ground);
+    std::optional<PaintingChoice> recipe = recipe_of(loaded, ground);
     end_recipes(project, painted);
     if (recipe) add_recipe(project, *std::move(recipe), painted);
 }
@@ -74,7 +97,7 @@ void note_painting(Project& project, const std::vector<TileIndex>& painted, cons
 }  // namespace
 
 std::optional<PaintingChoice> recipe_of(const PaintingChoice& choice, const PaintingGround& ground) {
-    return std::visit(RecipeMaker{ground}, choice);
+    return recipe_of(LoadedChoice(choice), ground);
 }
 
 std::vector<TileIndex> paint(Project& project, const PaintingChoice& choice,
@@ -82,8 +105,9 @@ std::vector<TileIndex> paint(Project& project, const PaintingChoice& choice,
     if (std::holds_alternative<std::monostate>(choice)) return {};
     const reduction::Setting setting = setting_of(project, library);
     const PaintingGround ground{project.layout, setting, library};
-    std::vector<TileIndex> painted = paint(project.tessellation, choice, ground);
-    note_painting(project, painted, choice, ground);
+    const LoadedChoice loaded(choice);
+    std::vector<TileIndex> painted = paint(project.tessellation, loaded.choice, ground);
+    note_painting(project, painted, loaded, ground);
     return painted;
 }
 
@@ -91,8 +115,9 @@ std::vector<TileIndex> paint(Project& project, std::span<const TileIndex> tiles,
                              const library::Library* library) {
     const reduction::Setting setting = setting_of(project, library);
     const PaintingGround ground{project.layout, setting, library};
-    std::vector<TileIndex> painted = paint(project.tessellation, tiles, choice, ground);
-    note_painting(project, painted, choice, ground);
+    const LoadedChoice loaded(choice);
+    std::vector<TileIndex> painted = paint(project.tessellation, tiles, loaded.choice, ground);
+    note_painting(project, painted, loaded, ground);
     return painted;
 }
 
