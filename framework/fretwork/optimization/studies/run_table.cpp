@@ -47,6 +47,14 @@ std::string command_cell(const std::string& command) {
     return base::csv_field(base::printable(command));
 }
 
+std::vector<std::string> ending_names() {
+    std::vector<std::string> names;
+    for (const Ending ending :
+         {Ending::Converged, Ending::BudgetSpent, Ending::Stalled, Ending::Invalid, Ending::Stopped})
+        names.emplace_back(ending_name(ending));
+    return names;
+}
+
 bool is_trace(const std::string& text) {
     const auto is_point = [](const std::string& point) {
         const auto colon = point.find(':');
@@ -66,9 +74,9 @@ std::string row_fault(const std::vector<std::string>& cells) {
     };
     if (base::read_number<int>(cells[2]).value_or(0) < 1)
         return "repetition '" + cells[2] + "' is not a number from 1 on";
-    constexpr std::string_view kEndings[] = {"converged", "budget-spent", "stalled", "invalid", "stopped"};
-    if (std::ranges::find(kEndings, cells[8]) == std::end(kEndings))
-        return "termination '" + cells[8] + "' is none of converged, budget-spent, stalled, invalid, stopped";
+    static const std::vector<std::string> kEndings = ending_names();
+    if (std::ranges::find(kEndings, cells[8]) == kEndings.end())
+        return "termination '" + cells[8] + "' is none of " + base::join(kEndings, ", ");
     for (const std::size_t value : {9U, 10U}) {
         if (!base::read_number<double>(cells[value])) return "value '" + cells[value] + "' is not a number";
     }
