@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
 
 namespace fretwork::studio {
 namespace {
@@ -109,8 +110,9 @@ std::optional<library::Library> library_for(const PaintingChoice& choice, const 
 
 /// One that a tile has already, if it says the same: to paint twice alike changes nothing.
 std::shared_ptr<const PaintingChoice> known_or_new(const Painting& painting, const PaintingChoice& wanted) {
+    std::set<const PaintingChoice*> seen;  // many tiles share one recipe, which may hold an image
     for (const auto& recipe : painting.recipes) {
-        if (recipe && *recipe == wanted) return recipe;
+        if (recipe && seen.insert(recipe.get()).second && *recipe == wanted) return recipe;
     }
     return std::make_shared<const PaintingChoice>(wanted);
 }
