@@ -24,10 +24,10 @@ constexpr double kIdAfterKey = 0.4;  ///< from a letter to its id
 
 /// Cells of one size below each other and side by side, each with an icon at its left.
 struct IconGrid {
-    IconGrid(double width, double cell_width, double cell_height)
-        : columns(static_cast<std::size_t>(std::max(1.0, width / cell_width))),
-          cell_width(cell_width),
-          cell_height(cell_height) {}
+    IconGrid(double width, double one_width, double one_height)
+        : columns(static_cast<std::size_t>(std::max(1.0, width / one_width))),
+          cell_width(one_width),
+          cell_height(one_height) {}
 
     [[nodiscard]] Point2 icon(std::size_t index, double icon_width) const {
         const std::size_t row = index / columns;
