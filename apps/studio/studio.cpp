@@ -127,9 +127,14 @@ void Studio::Impl::dispatch(const Request& request) {
     const StatePtr before = document().now();
     auto edit = edited(*before, name, request.json);
     if (!edit) request.json.at("do").fail("'" + base::shortened(name, 40) + "' is not a request");
-    if (edit->state == *before) return pages_.answer(request, {{"unchanged", true}});
+    base::Json answer = base::Json::object();
+    if (!edit->remarks.empty()) answer["remarks"] = edit->remarks;
+    if (edit->state == *before) {
+        answer["unchanged"] = true;
+        return pages_.answer(request, answer);
+    }
     document_->add(std::move(*edit));
-    pages_.answer(request);
+    pages_.answer(request, answer);
     follow_change(*before);
 }
 

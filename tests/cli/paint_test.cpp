@@ -3,6 +3,7 @@
 #include "cli/command.hpp"
 #include "support.hpp"
 
+#include <fretwork/simulation/project/painting_recipe.hpp>
 #include <fretwork/simulation/project/project_file.hpp>
 #include <fretwork/tiling/painting/tile_choice.hpp>
 
@@ -17,6 +18,7 @@ using test::run_command;
 using test::TemporaryFolder;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 class PaintCommand : public testing::Test {
   protected:
@@ -191,6 +193,27 @@ TEST_F(PaintCommand, AnImagesGreyChoosesPatternsFromLightToDark) {
         run("fretwork paint p.json --patterns image:ramp.png --palette 0-1+1-6,0-5+5-6 --dither").exit_code,
         0);
     EXPECT_NE(patterns(), list) << "dithered, both are mixed where it is grey";
+}
+
+TEST_F(PaintCommand, ADrawingTooLargeToBeKeptIsToldByEachCommandThatPaints) {
+    const std::string drawing =
+        R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 2000 2000" width="2000mm" height="2000mm">
+<rect width="2000" height="2000" fill="red"/>)";
+    folder_.file("small.svg", drawing + "</svg>");
+    folder_.file("large.svg", drawing + std::string(simulation::kLargestKeptFile, ' ') + "</svg>");
+    for (const std::string command :
+         {"paint p.json", "retile p.json --edge-length 50mm --out q.json",
+          "tile experiments/outlines/specimen.svg --edge-length 40mm --out r.json"}) {
+        const auto painted_by = [&](const std::string& file) {
+            return run("fretwork " + command + " --palette red=0-5+5-6 --patterns colours:" + file);
+        };
+        const Outcome small = painted_by("small.svg");
+        EXPECT_EQ(small.exit_code, 0) << command << small.err;
+        EXPECT_THAT(small.err, Not(HasSubstr("does not keep"))) << command;
+        const Outcome large = painted_by("large.svg");
+        EXPECT_EQ(large.exit_code, 0) << command << large.err;
+        EXPECT_THAT(large.err, HasSubstr("does not keep large.svg, which has more than 4 MiB")) << command;
+    }
 }
 
 TEST_F(PaintCommand, OptionsThatThePatternsDoNotGoWithAreRefused) {

@@ -3,6 +3,7 @@
 #include "running_studio.hpp"
 
 #include <fretwork/base/files/base64.hpp>
+#include <fretwork/simulation/project/painting_recipe.hpp>
 
 #include <gmock/gmock.h>
 
@@ -98,6 +99,23 @@ TEST(StudioPainting, IsThatOfTheProgramForTheSameWords) {
         expected = painted_by_the_program(expected, one.options);
         EXPECT_EQ(patterns_of(shown(client)), patterns_of(expected)) << one.options;
     }
+}
+
+TEST(StudioPainting, ADrawingTooLargeToBeKeptIsRemarked) {
+    const RunningStudio studio(test::studio_project(5, 4));
+    Client client(studio.address());
+    client.hello();
+    const auto painted_by = [&](const std::string& name, const std::string& drawing) {
+        const Json file = sent(name, base::encode_base64(drawing));
+        return client.ask("paint", {{"patterns", "colours:"}, {"palette", "red=0-5+5-6"}, {"file", file}});
+    };
+    EXPECT_FALSE(painted_by("small.svg", kLeft).contains("remarks"));
+    const std::string large = kLeft + std::string(simulation::kLargestKeptFile, ' ');
+    const Json answer = painted_by("large.svg", large);
+    ASSERT_TRUE(answer["ok"].get<bool>()) << answer;
+    ASSERT_EQ(answer["remarks"].size(), 1U) << answer;
+    EXPECT_THAT(answer["remarks"][0].get<std::string>(), HasSubstr("does not keep large.svg"));
+    EXPECT_EQ(painted_by("large.svg", large)["remarks"], answer["remarks"]) << "also if nothing changes";
 }
 
 TEST(StudioPainting, AFieldAlongALineGoesFromTheFirstPatternToTheLastAndNoFurther) {

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "options/painting_options.hpp"
+#include "output.hpp"
+
+#include <fretwork/simulation/project/painting_recipe.hpp>
+
+#include <algorithm>
 
 namespace fretwork::app {
 
@@ -40,10 +45,25 @@ base::InputError with_option_name(base::InputError error) {
     return error;
 }
 
+void warn_of_unkept_file(const simulation::Project& project, const simulation::PaintingChoice& choice,
+                         std::span<const tiling::TileIndex> painted) {
+    if (painted.empty()) return;
+    const bool has_recipe =
+        std::ranges::any_of(project.recipes, [&](const simulation::PaintingRecipe& recipe) {
+            return std::ranges::binary_search(recipe.tiles, painted.front());
+        });
+    if (const auto remark = simulation::unkept_file_remark(choice, has_recipe)) warn(*remark);
+}
+
+std::vector<tiling::TileIndex> painted_tiles(const tiling::Tessellation& tessellation) {
+    std::vector<tiling::TileIndex> painted;
+    for (const tiling::TileIndex tile : tessellation.tiles.indices())
+        if (tessellation.tiles[tile].pattern >= 0) painted.push_back(tile);
+    return painted;
+}
+
 std::size_t unpainted_count(const tiling::Tessellation& tessellation) {
-    std::size_t count = 0;
-    for (const tiling::Tile& tile : tessellation.tiles) count += tile.pattern < 0 ? 1 : 0;
-    return count;
+    return tessellation.tiles.size() - painted_tiles(tessellation).size();
 }
 
 }  // namespace fretwork::app

@@ -2,11 +2,16 @@
 #pragma once
 
 #include <fretwork/base/error.hpp>
+#include <fretwork/simulation/project/painting_choice.hpp>
+#include <fretwork/simulation/project/project.hpp>
 #include <fretwork/tiling/tessellation.hpp>
 
 #include <CLI/CLI.hpp>
 
+#include <cstddef>
+#include <span>
 #include <typed/painting_text.hpp>
+#include <vector>
 
 namespace fretwork::app {
 
@@ -15,6 +20,14 @@ void add_painting_options(CLI::App& verb, typed::PaintingText& text);
 
 /// An error of simulation::paint() that names the option instead of the entry of the choice.
 base::InputError with_option_name(base::InputError error);
+
+/// One line on standard error if these tiles, just painted by a choice, have no recipe because its image or
+/// drawing is too large.
+void warn_of_unkept_file(const simulation::Project& project, const simulation::PaintingChoice& choice,
+                         std::span<const tiling::TileIndex> painted);
+
+/// The tiles that have a pattern.
+std::vector<tiling::TileIndex> painted_tiles(const tiling::Tessellation& tessellation);
 
 /// How many tiles are not painted yet.
 std::size_t unpainted_count(const tiling::Tessellation& tessellation);

@@ -143,18 +143,6 @@ std::vector<TileIndex> paint_project(Project& project, std::vector<TileIndex> ti
     return tiles;
 }
 
-/// Large images and drawings stay outside of projects.
-void warn_of_large_file(const Project& project, const std::vector<TileIndex>& tiles,
-                        const PaintOptions& options) {
-    const std::string& patterns = options.painting.patterns;
-    const bool has_file = patterns.starts_with("image:") || patterns.starts_with("colours:");
-    if (!has_file || options.mirror || tiles.empty()) return;
-    for (const simulation::PaintingRecipe& recipe : project.recipes)
-        if (std::ranges::binary_search(recipe.tiles, tiles.front())) return;
-    warn("the project does not keep the file of --patterns, which has more than " +
-         std::to_string(simulation::kLargestKeptFile >> 20U) + " MiB: retile will paint by place alone");
-}
-
 /// How many of these tiles have each pattern.
 std::map<std::string, int> pattern_counts(const tiling::Tessellation& tessellation,
                                           const std::vector<TileIndex>& tiles) {
@@ -201,7 +189,7 @@ ExitCode run(const PaintOptions& options) {
     simulation::move_library_path(project, options.project, target);
     simulation::write_project(project, target);
     print(project, tiles, options);
-    warn_of_large_file(project, tiles, options);
+    if (!options.mirror) warn_of_unkept_file(project, choice, tiles);
     warn_of_close_bars(project, given, options.clearance);
     return ExitCode::Done;
 }

@@ -40,6 +40,7 @@ Edited paint(const State& state, const JsonReader& request) {
     Painted result = painted(state, request);
     Edited edit{state, "paint " + base::counted(result.tiles, "tile")};
     change(edit.state.painting, std::move(result.painting));
+    edit.remarks = std::move(result.remarks);
     return edit;
 }
 

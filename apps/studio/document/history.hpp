@@ -6,6 +6,7 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace fretwork::studio {
 
@@ -16,6 +17,7 @@ struct Edited {
     /// Successive edits with the same key are one step: a drag, a stroke of the brush. Empty: a separate
     /// step.
     std::string merge{};
+    std::vector<std::string> remarks{};  ///< for the page that asked
 };
 
 /// The states of a document: the present one, those before it, and those that were undone. Its memory is

@@ -32,6 +32,7 @@ Painting painted_as(const State& state, const tiling::Tessellation& painted);
 struct Painted {
     Painting painting;
     std::size_t tiles = 0;  ///< that were painted
+    std::vector<std::string> remarks{};
 };
 /// The painting that `paint` asks for. Throws InputError if it is malformed, or cannot be painted.
 Painted painted(const State& state, const base::JsonReader& request);

@@ -7,6 +7,7 @@
 #include <fretwork/simulation/project/project_library.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 #include <string>
 #include <utility>
@@ -36,6 +37,14 @@ struct LoadedChoice {
         is_from_path = true;
     }
 };
+
+/// The image or the drawing of a choice, or null.
+const std::filesystem::path* file_of(const PaintingChoice& choice) {
+    if (const auto* colours = std::get_if<PaintByColours>(&choice)) return &colours->drawing;
+    const auto* field = std::get_if<PaintByField>(&choice);
+    const auto* image = field != nullptr ? std::get_if<FieldImage>(&field->field) : nullptr;
+    return image != nullptr ? &image->file : nullptr;
+}
 
 struct RecipeMaker {
     const PaintingGround& ground;
@@ -98,6 +107,14 @@ void note_painting(Project& project, const std::vector<TileIndex>& painted, cons
 
 std::optional<PaintingChoice> recipe_of(const PaintingChoice& choice, const PaintingGround& ground) {
     return recipe_of(LoadedChoice(choice), ground);
+}
+
+std::optional<std::string> unkept_file_remark(const PaintingChoice& choice, bool has_recipe) {
+    const std::filesystem::path* file = file_of(choice);
+    if (file == nullptr || has_recipe) return std::nullopt;
+    return "the project does not keep " + base::printable(file->filename().string()) +
+           ", which has more than " + std::to_string(kLargestKeptFile >> 20U) +
+           " MiB: tiles that replace these take their patterns by place alone";
 }
 
 std::vector<TileIndex> paint(Project& project, const PaintingChoice& choice,

@@ -9,6 +9,7 @@ import { ask, tryAsk } from './studio';
 import { documentNow, loadCase, working } from './store';
 import { timeUntil } from './latency';
 import { settled, shownAnew } from './settled';
+import { tell } from './tell';
 import { pending, selectedTiles } from './ui';
 
 export const undo = (): void => void tryAsk('undo');
@@ -23,7 +24,9 @@ const hasChanged = (answer: { unchanged?: boolean } | null): boolean => answer !
 
 /** Resolves to whether the surface is another one now. */
 async function sendPaint(request: PaintRequest): Promise<boolean> {
-  const isChanged = hasChanged(await tryAsk('paint', request));
+  const answer = await tryAsk('paint', request);
+  for (const remark of answer?.remarks ?? []) tell(remark, 'warning');
+  const isChanged = hasChanged(answer);
   if (!isChanged) pending.value = new Map();
   return isChanged;
 }

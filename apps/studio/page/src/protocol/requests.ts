@@ -38,6 +38,8 @@ interface Merging {
 interface Edited {
   /** Then no event follows. */
   unchanged?: boolean;
+  /** Remarks on how it was done. */
+  remarks?: string[];
 }
 interface Made {
   tiles: number;

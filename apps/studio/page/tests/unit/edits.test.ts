@@ -2,6 +2,7 @@
 // The requests that each action of a person sends.
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { documentNow } from '../../src/document/store';
+import { notes } from '../../src/document/tell';
 import { pending, selectedTiles } from '../../src/document/ui';
 import type { Load, Support } from '../../src/protocol/messages';
 import { documentWith } from './document_of_tests';
@@ -58,6 +59,12 @@ describe('load cases', () => {
     edits.combine('snow', 0);
     expect(lastLoadCase().combines).toEqual([]);
   });
+});
+
+it('remarks on a painting are told', async () => {
+  asked.mockResolvedValue({ remarks: ['the project does not keep large.png'] });
+  edits.paintBy({ patterns: 'image:', palette: [] });
+  await vi.waitFor(() => expect(notes.value.map((note) => note.text)).toContain('the project does not keep large.png'));
 });
 
 it('a slide of the section sends the newest value, as one step of undo', async () => {
