@@ -23,7 +23,8 @@ std::vector<std::string> names_of(const Rows& rows, NameOf name_of) {
     return names;
 }
 
-/// The row of a table that has this name. Throws InputError that suggests the nearest name.
+/// The row of a table that has this name. Throws InputError that suggests the nearest name or, if none is
+/// near, lists all names.
 /// @param name_of  a member or a function that gives the name of a row
 /// @param kind     what a row is, as the error calls it: "optimizer"
 template <std::ranges::forward_range Rows, class NameOf>

@@ -51,7 +51,7 @@ inline Point2 left_of(Point2 a) {
 inline Point2 direction(double angle) {
     return {std::cos(angle), std::sin(angle)};
 }
-/// The angle from direction a to direction b, in (-pi, pi] rad; counterclockwise is positive.
+/// The angle from direction a to direction b, in [-pi, pi] rad; counterclockwise is positive.
 inline double turn(Point2 a, Point2 b) {
     return std::atan2(cross(a, b), dot(a, b));
 }

@@ -13,7 +13,7 @@ enum class OptimizerClass {
     Local,  ///< the method descends from each of `starts` points to a minimum nearby
     /// The method searches the whole box by a deterministic plan and ignores `starts` and the seed.
     Global,
-    Random,  ///< the method draws points at random, in `starts` repetitions
+    Random,  ///< the method draws points at random; most methods repeat this `starts` times
 };
 /// The word for a class in tables.
 std::string_view optimizer_class_name(OptimizerClass kind);
@@ -25,7 +25,7 @@ enum class Ending {
     Stalled,      ///< the method made no further progress before its criterion was met
     /// No start gave a descent: the objective was not finite at the start, or the first step failed.
     Invalid,
-    /// A program of its own went on after its budget was spent, and was stopped.
+    /// An outside program (OutsideCommand) went on after the budget was spent, and was stopped.
     Stopped,
 };
 /// The word for an ending in tables.
@@ -39,14 +39,14 @@ struct OptimizerOptions {
     void validate() const;
 };
 
-/// The outcome of a run: why and where the method ended. The final point need not be the best point. With
-/// several starts, reason and point belong to the start that found the best value, unless the budget was
-/// spent.
+/// The outcome of a run: why and where the method ended. The final point need not be the best point. Reason
+/// and point belong to the start in which the budget was spent. If no start spent it, they belong to the
+/// start that found the best value or, with pagmo's methods and annealing, to the last start.
 struct RunOutcome {
     Ending ending = Ending::Converged;  ///< the reason why the method ended
     Eigen::VectorXd final_point;        ///< the point at which the method ended; empty: not known
     /// Number of starts that gave no descent: the objective was not finite, or the method gave up after the
-    /// first evaluation.
+    /// first evaluation. Only ceres-residuals, its variants and methods of NLopt with starts count them.
     int dead_starts = 0;
 };
 

@@ -4,10 +4,11 @@
 #include <cstddef>
 
 /// FRETWORK_CLONES compiles a function in several versions, because the program is built for any machine of
-/// its architecture. The program picks a version when it starts, before the sanitizers are ready. Functions
-/// that such a function calls need FRETWORK_INLINE, or they are compiled for any machine. The first two
-/// versions give the same bits if every product is fused with its sum, so no sum may have two products as
-/// terms. The first version is not avx512f alone, which would not fuse short strips.
+/// its architecture. The program picks a version when it starts; the sanitizers are not ready then, so builds
+/// with them have one version. A function called from such a function needs FRETWORK_INLINE; without it, the
+/// called function is compiled for any machine. The first two versions fuse each product with its sum. Both
+/// give the same bits only if no sum has two products as terms. The first version needs more than avx512f,
+/// with which short strips would not be fused.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12 && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) &&                   \
     !defined(FRETWORK_ONE_INSTRUCTION_SET)
@@ -19,7 +20,7 @@
 
 namespace fretwork::base {
 
-/// Neighbouring numbers that one instruction adds or multiplies.
+/// Neighbouring numbers that vector instructions add or multiply together.
 using Strip8 = double __attribute__((vector_size(64), aligned(8), may_alias));
 using Strip4 = double __attribute__((vector_size(32), aligned(8), may_alias));
 using Strip2 = double __attribute__((vector_size(16), aligned(8), may_alias));

@@ -13,12 +13,12 @@
 
 namespace fretwork::design::detail {
 
-/// The goals of one load case, linearized at an equilibrium. Swaps of patterns reach only a subspace of the
-/// observations. The responses to random swaps give an orthonormal basis of this subspace; a vector in it has
-/// k coefficients.
+/// The goals of one load case, linearized at an equilibrium. Swaps of patterns move the observations nearly
+/// in a subspace. The responses to random swaps, loads and prescribed values, and the residual itself, give
+/// an orthonormal basis of this subspace; a vector in it has k coefficients.
 struct CaseModel {
-    Eigen::VectorXd residual;  ///< k coefficients of the residual, dimensionless; the sum of their squares is
-                               ///< a mean of squared shares
+    Eigen::VectorXd residual;  ///< k coefficients of the residual, dimensionless; the sum of their squares,
+                               ///< plus `unreached`, is this case's part of the objective
     double unreached = 0.0;    ///< squared norm of the residual outside the subspace
     /// The model of one tile, in the strains of TileStrains.
     struct Tile {
@@ -33,8 +33,9 @@ struct CaseModel {
     /// Derivative of the residuals with respect to the value of each prescribed entry, k rows.
     Eigen::MatrixXd by_prescribed;
     double energy = 0.0;  ///< elastic energy, J
-    /// Flexibility of all tiles together, the symmetric part of B T^-1 B^T; the rows and columns of a tile
-    /// begin at `first`. Only with SwapSample::between_tiles.
+    /// Flexibility of all tiles together: the symmetric part of B T^-1 B^T, with the tangent T and the slopes
+    /// B of the strains. The rows and columns of a tile begin at `first`. Only with
+    /// SwapSample::between_tiles.
     Eigen::MatrixXd flexibility;
     base::IndexVector<tiling::TileIndex, Eigen::Index> first;
 };
@@ -59,13 +60,13 @@ struct CaseState {
     /// Loads at the factor 1, without the surface's weight, one row for each node.
     mechanics::NodeValues unit_loads;
 };
-/// Random swaps; their responses span the subspace of a CaseModel.
+/// The random swaps with which linearize_case() spans the subspace of a CaseModel.
 struct SwapSample {
     const simulation::CandidateTiles& candidates;
     const TileStrains& strains;
     std::span<const std::size_t> painting;  ///< pattern of each tile
     std::span<const std::size_t> patterns;  ///< patterns that are swapped in
-    Eigen::Index directions = 96;           ///< largest k
+    Eigen::Index directions = 96;           ///< largest k, without the prescribed entries
     std::uint64_t seed = 1;
     int threads = 0;
     bool between_tiles = false;  ///< true: CaseModel::flexibility is computed

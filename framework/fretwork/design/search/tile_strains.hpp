@@ -16,7 +16,7 @@ namespace fretwork::design::detail {
 class TileStrains {
   public:
     /// Compute k for all candidates. Throws NumericalError if a stiffness couples in-plane and out-of-plane
-    /// strains, and Stopped.
+    /// strains; Stopped.
     TileStrains(const simulation::CandidateTiles& candidates, int threads, const base::Control& control = {});
 
     struct Blocks {

@@ -13,7 +13,7 @@ namespace fretwork::design::detail {
 struct AnnealingOptions {
     const Choice& start;
     const std::vector<bool>& allowed;  ///< for each column, true if it may be chosen
-    double most_energy = 0.0;          ///< largest energy of the change, J, at least the energy of the start
+    double most_energy = 0.0;          ///< limit of Choice::energy, J; not below the start's energy
     int proposals = 0;                 ///< number of proposals for each group
     std::uint64_t seed = 1;
     const base::Control& control;
@@ -24,8 +24,8 @@ struct Annealed {
 };
 
 /// Anneal a choice by random changes of one group. Metropolis' rule accepts changes at a falling temperature,
-/// as long as the energy of the change stays below a limit. The continuous unknowns take their best values
-/// after every change: only the part of the residuals that they cannot remove counts. Throws Stopped.
+/// as long as the energy of the whole choice does not exceed a limit. After every change, the continuous
+/// unknowns have their best values, so only the residuals that they cannot remove count. Throws Stopped.
 /// @param unknowns  an orthonormal basis of the columns of SwapTable::by_factors; a matrix without columns if
 /// there are no continuous unknowns
 Annealed anneal_choice(const SwapTable& table, const Eigen::MatrixXd& unknowns,

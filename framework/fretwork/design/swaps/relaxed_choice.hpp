@@ -10,7 +10,7 @@
 
 namespace fretwork::design::detail {
 
-/// A choice of a mixture of columns for each group.
+/// A mixture of columns for each group, instead of one column.
 struct RelaxedChoice {
     std::vector<Eigen::VectorXd> weights;  ///< for each group the weights of its columns, which sum up to 1
     double objective = 0.0;                ///< predicted sum of squares

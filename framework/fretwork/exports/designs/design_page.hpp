@@ -13,7 +13,8 @@ namespace fretwork::exports {
 /// curvatures, and the limits of the result. The template design.html is built into the library.
 std::string design_html(const design::DesignReport& report, const design::Target& target);
 
-/// List the reasons in a report why the design does not come nearer to the target, one sentence each.
+/// The limits of a design in words: how the search ended, what keeps the design from the target, and the
+/// warnings of the report.
 std::vector<std::string> design_limits(const design::DesignReport& report);
 
 }  // namespace fretwork::exports

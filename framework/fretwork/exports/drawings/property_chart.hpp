@@ -24,11 +24,11 @@ struct ChartSubject {
     base::Borrowed<reduction::Setting> setting;  ///< setting of the properties
 };
 
-/// A property chart as SVG, after [Ashby2011]: in-plane stiffness over mass per area, and bending stiffness
-/// over in-plane stiffness, all on logarithmic axes. Each point is a pattern; its colour is the in-plane
-/// Poisson's ratio. A point under the mouse pointer shows its pattern and properties. The extreme patterns
-/// are marked by letters and drawn below the chart. Throws InputError if there are no patterns, or if a
-/// pattern lacks a property; NumericalError if a stiffness or mass is not above zero.
+/// A property chart as SVG, after [Ashby2011], in two panels with logarithmic axes: in-plane stiffness
+/// against mass per area, and bending stiffness against in-plane stiffness. Each point is a pattern; its
+/// colour is the in-plane Poisson's ratio. A point under the mouse pointer shows its pattern and properties.
+/// The extreme patterns are marked by letters and drawn below the panels. Throws InputError if there are no
+/// patterns, or if a pattern lacks a property; NumericalError if a stiffness or mass is not above zero.
 std::string property_chart_svg(const ChartSubject& subject, std::span<const PatternProperties> patterns);
 
 }  // namespace fretwork::exports

@@ -12,7 +12,7 @@ namespace fretwork::exports {
 
 /// The direction of the viewer in a parallel projection.
 struct ViewOptions {
-    double azimuth = -0.6;   ///< angle about z, rad
+    double azimuth = -0.6;   ///< angle about z, rad; at 0, x points to the right
     double elevation = 0.6;  ///< angle above the plane, rad
 };
 
@@ -29,7 +29,7 @@ struct DrawnLabels {
 /// null, the drawing also shows supports (red: all dofs are held; green: only translations; orange: other
 /// dofs), prescribed displacements (diamonds) and the loads of each node with its share of the weight
 /// (arrows; those out of the plane are rings; moments have two heads). Text is legible when the drawing is
-/// scaled to a journal's column.
+/// scaled to a journal's column, unless numbers are drawn, which are as small as their tiles.
 std::string surface_svg(const simulation::Surface& surface,
                         const simulation::Conditions* conditions = nullptr, const DrawnLabels& labels = {});
 
@@ -48,7 +48,7 @@ struct DeformedViewOptions {
     reduction::Joints joints = reduction::Joints::Centreline;
     ViewOptions view{};  ///< direction of the viewer
     LineSet rest{};      ///< lines drawn dashed below everything, such as rim_lines()
-    /// Beams of a reduced model at rest, which a figure shows from above; empty: they are not shown.
+    /// Beams of a reduced model at rest, for the view from above in figure_svg(); empty: they are not shown.
     LineSet reduced{};
     DrawnLabels labels{};  ///< numbers on the drawing of the surface from above
 };
@@ -65,8 +65,8 @@ std::string displacement_svg(const DeformedLayer& layer, const DeformedViewOptio
 
 /// A figure as wide as a journal's column (84 mm), in the order of the paper's Figs. 12 to 14: the surface
 /// from above, beside it the beams of the reduced model (if `options` has them), the patterns, the surface
-/// with supports and loads, and the deformed states. Text is at least 6 pt high. Of many forces and of many
-/// moments, some that are spread evenly are drawn, and the legend counts them.
+/// with supports and loads, and the deformed states. Text is at least 6 pt high. If there are more than 32
+/// forces, 16 evenly spread ones are drawn, and the legend states the number; the same holds for moments.
 std::string figure_svg(const simulation::Surface& surface, const simulation::Conditions& conditions,
                        std::span<const DeformedLayer> layers, const DeformedViewOptions& options = {});
 

@@ -31,15 +31,15 @@ std::string solid_3mf(const fabrication::Solid& solid);
 /// Bars as 3MF with a beam lattice (extension 1.1): each bar is round and has the section's area.
 std::string lattice_3mf(const fabrication::BarPlan& plan);
 
-/// The facts of a surface as a table for people, in millimetres, grams and megapascals, followed by one line
-/// for each warning.
+/// The facts of a surface as a table for people, each value with its unit (mm, cm2, cm3, m, g, MPa), followed
+/// by one line for each warning.
 std::string facts_text(const fabrication::Facts& facts);
 /// The facts of a surface as JSON, "fretwork/facts/3", SI.
 std::string facts_json(const fabrication::Facts& facts);
 /// The facts of a surface, and a sheet with its outline.
 struct FactsOfScene {
     fabrication::Facts facts;     ///< facts for the maker
-    fabrication::CutSheet sheet;  ///< outline with marks for the warnings
+    fabrication::CutSheet sheet;  ///< outline, to which facts_html() adds the marks
 };
 /// The facts of a surface as a self-contained HTML page with the table and a picture that marks the warnings.
 std::string facts_html(const FactsOfScene& scene);

@@ -6,8 +6,8 @@
 
 namespace fretwork::mechanics::elements {
 
-/// The indices in a MotionVector of the chord's vector and of the spins of the two ends. Deformations depend
-/// on these motions.
+/// The motions on which deformations depend, as indices of a MotionVector: the chord's vector, and the spins
+/// of the two ends.
 inline constexpr int kChord = 0;
 inline constexpr int kSpin1 = 3;
 inline constexpr int kSpin2 = 6;
@@ -16,9 +16,9 @@ using MotionVector = Eigen::Matrix<double, kMotions, 1>;
 using MotionMatrix = Eigen::Matrix<double, kMotions, kMotions>;
 using DeformationSlopes = Eigen::Matrix<double, kBeamDeformations, kMotions>;
 
-/// The function F(c) = a / sin a, with c = cos a, and its derivatives. F times the sine components of a
-/// direction gives its rotation vector. F' and F'' follow from the differential equation (1 - c^2) F' = c F -
-/// 1.
+/// The function F(c) = a / sin a, with c = cos a, and its derivatives. A direction at the angle a from an
+/// axis has a part of length sin a across the axis; F times this part has the length of the rotation vector
+/// from the axis to the direction. F' and F'' follow from the differential equation (1 - c^2) F' = c F - 1.
 struct AngleRatio {
     double value;
     double slope;

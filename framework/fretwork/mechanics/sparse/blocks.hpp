@@ -7,10 +7,10 @@
 
 namespace fretwork::mechanics::sparse {
 
-/// The largest number of unknowns at a node. A pair of coupled nodes has a matrix block of this size.
+/// The largest number of unknowns at a node. A pair of coupled nodes has a matrix block of at most this size.
 inline constexpr int kBlockSize = 6;
 
-/// Tells for each component of a node whether it is an unknown.
+/// The components of a node; true for each component that is an unknown.
 using Components = std::array<bool, kBlockSize>;
 
 /// A table with one row for each node and one column for each component.

@@ -22,15 +22,15 @@ struct HeldEntry {
 enum class ElementEdit {
     /// A correction of the factors if it saves time and keeps their accuracy; otherwise new factors.
     Cheaper,
-    Refactor,  ///< new factors
+    Refactor,  ///< new factors, unless all elements are factorized ones
     /// A correction of the factors, even a slower one, if it keeps their accuracy; otherwise new factors.
     Correct,
 };
 
 /// The factorized linear stiffness of a structure with its supports: one system of equations, or two if the
 /// structure is flat and its elements decouple. The class is a value: after an edit, the new value shares all
-/// valid parts with the old value. It refers to nothing of the caller's assembly except the immutable
-/// elements.
+/// valid parts with the old value. It copies the caller's assembly, and shares only the immutable elements
+/// with it.
 class FactorizedStructure {
   public:
     /// Factorize a structure. Throws NumericalError that names a node if the structure can move without
@@ -38,8 +38,9 @@ class FactorizedStructure {
     FactorizedStructure(const Assembly& assembly, const LinearOptions& options);
     /// Factorize a structure that results from an edit of another structure. If only loads and prescribed
     /// values differ, the factors are shared. If elements are replaced by others of the same nodes, listed in
-    /// any order, `edit` decides about the factors. If supports differ, the elimination order is shared.
-    /// After any other edit, nothing is shared.
+    /// any order, `edit` decides about the factors; a flat structure that is one system gets new factors, to
+    /// try the split. If supports differ, the elimination order is shared. After any other edit, nothing is
+    /// shared.
     FactorizedStructure(const FactorizedStructure& before, const Assembly& assembly,
                         ElementEdit edit = ElementEdit::Cheaper, const base::Control& control = {});
 
@@ -59,7 +60,7 @@ class FactorizedStructure {
         sparse::NodeGraph graph;
         std::vector<int> order;
     };
-    /// Whether to try the split into two problems, in plane and out of plane.
+    /// Whether to try the split into two systems, in plane and out of plane.
     enum class Split { Tried, Refused };
 
     static std::shared_ptr<const Connections> connections_of(const Assembly& assembly,

@@ -11,8 +11,9 @@
 #include <string_view>
 #include <vector>
 
-/// Strict readers of OBJ, PLY and OFF files. An error names line and value; a count in a file is not trusted
-/// before that number of items was read; and nothing is skipped without notice.
+/// Strict readers of OBJ, PLY and OFF files. An error names the line (in a binary PLY, the vertex or face)
+/// and what is wrong. A count in a file is not trusted before that number of items was read. All data other
+/// than positions and faces are skipped.
 namespace fretwork::outlines::detail {
 
 MeshFile read_obj(const std::filesystem::path& path);
@@ -47,14 +48,14 @@ class MeshText {
     /// The value of a word, which must be a finite number.
     [[nodiscard]] double number(const TextLine& line, std::string_view word) const;
     [[nodiscard]] long long whole_number(const TextLine& line, std::string_view word) const;
-    /// The number of `things` that the file states. Throws InputError if this number is below zero or above
-    /// the number of bytes in the file.
+    /// The number of `things` that the file states. Throws InputError if this number is below zero, above the
+    /// number of bytes in the file or, for "faces", above 250,000.
     [[nodiscard]] std::size_t count(const TextLine& line, std::string_view word,
                                     const std::string& things) const;
     /// The point given by three words, starting with word `first`.
     [[nodiscard]] std::array<double, 3> point(const TextLine& line, std::size_t first) const;
 
-    /// Check a face and add it to the mesh. `vertices` are numbers from 0.
+    /// Check a face and add it to the mesh. `vertices` are indices of points, counted from 0.
     void add_face(const std::string& place, const std::vector<long long>& vertices, std::size_t vertex_count,
                   MeshFile& mesh) const;
 

@@ -12,14 +12,14 @@
 #include <functional>
 #include <vector>
 
-/// The faces between the sides of polygons, with exact crossings (CGAL's arrangements).
+/// The faces between the sides of lines, with exact crossings (CGAL's arrangements).
 namespace fretwork::outlines::detail {
 
 /// The mark of a face, for the algorithms that use the map.
 struct FaceMark {
     bool is_filled = false;
     int part = -1;    ///< faces of one part are connected by sides
-    int number = -1;  ///< index in the order of the map
+    int number = -1;  ///< index in the order of visit_faces(); -1: not visited
 };
 
 struct AppendSides {
@@ -52,12 +52,13 @@ struct LineMap {
     std::vector<Side> sides;
 };
 
-/// Make the map of lines. Sides of length zero are left out. Throws GeometryError if far too many sides
-/// cross.
+/// Make the map of lines. Sides of length zero are left out. Throws GeometryError if sides cross, or come
+/// near each other, far too often.
 LineMap make_line_map(const std::vector<MapLine>& lines);
 
-/// Callbacks of visit_faces(), which goes from face to face. On the way to a face, `cross` is called for each
-/// line that changes its winding number. At each face, `look` is called once.
+/// Callbacks of visit_faces(), which goes from face to face, also back to faces that it has left. On the way,
+/// `cross` is called for each side that is crossed, with its line and the change of that line's winding
+/// number. At each face, `look` is called once.
 struct WindingVisitor {
     std::function<void(int line, int change)> cross;
     std::function<void(PlanarMap::Face_handle)> look;

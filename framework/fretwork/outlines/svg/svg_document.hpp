@@ -33,7 +33,7 @@ class SvgDocument {
 
     [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
     [[nodiscard]] const CssRules& rules() const { return rules_; }
-    /// The name of an SVG element without its prefix; empty for elements of other namespaces.
+    /// The name of an SVG element without its prefix; empty for an element with another prefix.
     [[nodiscard]] std::string_view name_of(pugi::xml_node node) const;
     /// The element that `#id` or `url(#id)` refers to; null if the document has no such element.
     [[nodiscard]] pugi::xml_node referred(std::string_view reference) const;
@@ -41,7 +41,7 @@ class SvgDocument {
     /// The place of an element in messages: "line 3, path 'rim'".
     [[nodiscard]] std::string place(pugi::xml_node node) const;
     [[noreturn]] void fail(pugi::xml_node node, const std::string& message) const;
-    /// Read the value of an attribute or property. File and place are added to an error of the reader.
+    /// Read the value of an attribute or property. An error of the reader gets file, place and `name`.
     template <class Reader>
     auto read(pugi::xml_node node, std::string_view name, std::string_view value, Reader reader) const {
         try {

@@ -18,16 +18,16 @@ struct Start {
     [[nodiscard]] std::string name() const;
 };
 
-/// The input of candidates, and the measures that judge them.
+/// The input of make_sketch() and make_candidate(), and the limits for defects.
 struct TilingProblem {
     const outlines::Outline& outline;
     const SizeField& field;
     const TessellationOptions& options;
     QualityLimits limits;
-    /// Approximate number of tiles if holes and narrow places need small tiles; 0 if they do not.
+    /// Approximate number of tiles if an outline with holes needs small tiles; 0 for all other outlines.
     double refined_tiles = 0.0;
-    /// True if each attempt takes seconds because of the number of tiles. Starts that are known to be poor
-    /// are then only sketched.
+    /// True if each attempt takes seconds because of the number of tiles. Then fewer lattices are sketched,
+    /// and distances of sites that give sides far off are only sketched.
     [[nodiscard]] bool has_many() const { return refined_tiles > 3000.0; }
 };
 
@@ -38,14 +38,14 @@ struct Candidate {
     std::vector<Defect> defects;
     double side_error = 0.0;    ///< difference between 1 and the mean ratio of sides to wanted sides
     double irregularity = 0.0;  ///< irregularity of the tiling (see Measures); smaller is better
-    /// The distance of neighbouring sites as a multiple of the wanted side, if it was hard to find. The next
-    /// attempt with nearly the same wanted sides starts with it.
+    /// The distance of neighbouring sites as a multiple of the wanted side; none unless the search met a jump
+    /// of the sides. The next attempt with nearly the same wanted sides starts with it.
     std::optional<double> factor{};
 };
 
 /// A rough prediction of the tiling from a start: its irregularity, and the distance of the sites that gives
-/// the wanted sides. A sketch is cheap and suffices to discard the worst starts. make_sketch() reports
-/// rough_steps() steps of progress.
+/// the wanted sides. A sketch is cheap and suffices to discard the worst starts. make_sketch() reports at
+/// most rough_steps() steps of progress.
 struct Sketch {
     double irregularity = 0.0;
     double factor = 0.0;
@@ -54,8 +54,8 @@ struct Sketch {
 Sketch make_sketch(const TilingProblem& problem, const Start& start, SharedTask& task);
 std::size_t rough_steps(const TessellationOptions& options);
 
-/// Make the tiling from a start, with the distance of sites that gives the wanted sides. Reports
-/// candidate_steps() steps of progress.
+/// Make the tiling from a start, with the distance of sites that gives the wanted sides. Usually reports
+/// fewer than candidate_steps() steps of progress.
 Candidate make_candidate(const TilingProblem& problem, const Start& start, SharedTask& task);
 std::size_t candidate_steps(const TessellationOptions& options);
 
