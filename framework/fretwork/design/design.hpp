@@ -24,8 +24,8 @@ struct DesignProgress {
     int solutions = 0;     ///< number of nonlinear solutions so far
     int most = 0;          ///< largest number of nonlinear solutions of the search
     double seconds = 0.0;  ///< time since the search began, s
-    /// Misfit of the reduced model: the root of the mean of the weighted squared distances to the target, as a
-    /// share of the largest wanted displacement.
+    /// Misfit of the reduced model: the root of the mean of the weighted squared distances to the target, as
+    /// a share of the largest wanted displacement.
     double misfit = 0.0;
 };
 

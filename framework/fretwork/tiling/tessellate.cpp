@@ -144,8 +144,8 @@ struct WantedSides {
 };
 
 /// The approximate number of tiles with the sides that holes and narrow places want; 0 if all tiles have the
-/// same wanted side, and for outlines without holes. Samples lie in the box around the outline, and are scaled by the outline's share of the
-/// box.
+/// same wanted side, and for outlines without holes. Samples lie in the box around the outline, and are
+/// scaled by the outline's share of the box.
 double refined_tiles(const outlines::Outline& outline, const SizeField& field, const base::Control& control) {
     if (field.is_uniform() || outline.holes.empty()) return 0.0;
     constexpr int kSamples = 400;  // number of samples along the longer side of the box

@@ -244,6 +244,8 @@ void bind_retiling(py::module_& m) {
         .constant("project", &RetiledProject::project, "")
         .constant("report", &RetiledProject::report, "measures of the new tiles")
         .constant("dropped", &RetiledProject::dropped, "entries of load cases that were left out")
+        .constant("from_tiles", &RetiledProject::from,
+                  "for each new tile, the number of the old tile whose centroid is nearest")
         .done(Made::ByFunctions);
     m.def(
         "retile",

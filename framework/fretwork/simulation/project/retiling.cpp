@@ -199,7 +199,7 @@ RetiledProject retile(const Project& project, const RetilingOptions& options,
                               std::holds_alternative<PaintByColours>(options.painting);
     if (leaves_tiles) apply_recipes(next, library);
     paint(next, options.painting, library);
-    return {std::move(next), tiles.report, carried.dropped};
+    return {std::move(next), tiles.report, carried.dropped, std::move(carried.from)};
 }
 
 }  // namespace fretwork::simulation

@@ -69,6 +69,8 @@ struct RetiledProject {
     Project project;                    ///< the project with new tiles
     tiling::TessellationReport report;  ///< measures of the new tiles
     DroppedEntries dropped;             ///< entries of load cases that were left out
+    /// The old tile nearest to each new tile, as in CarriedOver.
+    base::IndexVector<tiling::TileIndex, tiling::TileIndex> from;
 };
 
 /// Cover the outline of a project with other tiles: new_tiles(), carry_over(), and apply_recipes() or, if
