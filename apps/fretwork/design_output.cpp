@@ -51,7 +51,7 @@ void print_design_json(const DesignReport& report, std::span<const design::Desig
                        {"error_relaxed", base::or_null(report.relaxed)},
                        {"bound", base::or_null(report.bound)},
                        {"stable", base::or_null(report.error, &TargetError::is_stable)},
-                       {"stable_from_flat", base::or_null(report.error, &TargetError::is_on_path)},
+                       {"stable_from_flat", base::or_null(report.error, &TargetError::is_stable_from_flat)},
                        {"model_error", report.model_error},
                        {"largest_utilization", base::or_null(report.largest_utilization)},
                        {"utilization_error", base::or_null(report.utilization_error)},
@@ -83,9 +83,9 @@ void print_design(const DesignReport& report) {
             "mean error %.3g %%, largest %.3g %% of the largest displacement wanted (checked with all "
             "beams)%s\n",
             100.0 * report.error->mean, 100.0 * report.error->largest,
-            !report.error->is_stable    ? "; NOT STABLE"
-            : !report.error->is_on_path ? "; it snaps on the way from flat"
-                                        : "");
+            !report.error->is_stable             ? "; NOT STABLE"
+            : !report.error->is_stable_from_flat ? "; it snaps on the way from flat"
+                                                 : "");
     } else {
         std::puts("distance to the target: not checked with all beams");
     }

@@ -94,7 +94,7 @@ TEST(PairTable, RanksAllChoices) {
             for (std::size_t g = 0, rest = number; g < 5; ++g, rest /= 5) columns.push_back(rest % 5);
             VectorXd residual = residual_of(table, columns);
             if (free.factor) {
-                const VectorXd by_factor = table.swaps.by_factors.col(0);
+                const VectorXd by_factor = table.swaps.by_unknowns.col(0);
                 residual -= by_factor * (by_factor.dot(residual) / by_factor.squaredNorm());
             }
             all.emplace_back(table.swaps.unreached + residual.squaredNorm(), std::move(columns));

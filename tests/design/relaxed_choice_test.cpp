@@ -22,7 +22,7 @@ SwapTable table_of(const VectorXd& residual, std::vector<MatrixXd> responses) {
     table.energies.setZero(responses.front().cols(), std::ssize(responses));
     table.masses = table.energies;
     table.responses = std::move(responses);
-    table.by_factors.resize(residual.size(), 0);
+    table.by_unknowns.resize(residual.size(), 0);
     return table;
 }
 
@@ -76,7 +76,7 @@ TEST(RelaxedChoice, HasABoundBelowEveryChoice) {
 TEST(RelaxedChoice, LeavesToUnknownsWhatTheyCanDo) {
     SwapTable table = random_table(12, 5, 4);
     const double without = relaxed_choice(table, {0, 0, 0, 0, 0}, {}).objective;
-    table.by_factors = table.residual;
+    table.by_unknowns = table.residual;
     table.largest_steps = VectorXd::Ones(1);
     EXPECT_LT(relaxed_choice(table, {0, 0, 0, 0, 0}, {}).objective, 0.9 * without);
 }

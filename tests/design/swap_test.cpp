@@ -97,7 +97,7 @@ double objective_of(const SwapTable& table, const Choice& choice) {
     Eigen::VectorXd residual = table.residual;
     for (std::size_t g = 0; g < choice.columns.size(); ++g)
         residual += table.responses[g].col(static_cast<Eigen::Index>(choice.columns[g]));
-    if (choice.steps.size() > 0) residual += table.by_factors * choice.steps;
+    if (choice.steps.size() > 0) residual += table.by_unknowns * choice.steps;
     return table.unreached + residual.squaredNorm();
 }
 

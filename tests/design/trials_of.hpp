@@ -53,7 +53,7 @@ inline void expect_derivatives(design::detail::Trials& trials, const design::det
             return trials.solve(moved, {}).objective;
         };
         const double difference = (at(1.0) - at(-1.0)) / (2.0 * steps[unknown]);
-        const double derivative = 2.0 * table.residual.dot(table.by_factors.col(unknown));
+        const double derivative = 2.0 * table.residual.dot(table.by_unknowns.col(unknown));
         EXPECT_NEAR(derivative, difference, 1e-4 * std::abs(difference)) << unknown;
     }
 }

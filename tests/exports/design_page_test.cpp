@@ -78,7 +78,7 @@ TEST(DesignPage, SaysWhatLimitsTheResult) {
     report.bound = 0.3;
     report.wanted_of_softest = 12.0;
     report.reach_of_ten_loads = 0.9;
-    report.error->is_on_path = false;
+    report.error->is_stable_from_flat = false;
     report.warnings = {{"/goals/0 wants the moon"}};
     const std::string all = base::join(design_limits(report), "\n");
     for (const char* part : {"no proof", "100 % shall take curvatures", "30 % (root mean square)", "12 times",

@@ -87,7 +87,7 @@ struct TargetError {
     double largest = 0.0;   ///< distance of the worst node
     bool is_stable = true;  ///< true if the equilibria of all load cases are stable
     /// True if the whole path from flat is stable; false if it loses stability on the way.
-    bool is_on_path = true;
+    bool is_stable_from_flat = true;
 };
 
 /// The shape of a surface under one load case, computed by the full model, and the wanted positions of the

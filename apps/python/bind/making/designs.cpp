@@ -187,7 +187,8 @@ void bind_report(py::module_& m) {
         .constant("mean", &TargetError::mean, "")
         .constant("largest", &TargetError::largest, "")
         .constant("is_stable", &TargetError::is_stable, "")
-        .constant("is_on_path", &TargetError::is_on_path, "True if the whole path from flat is stable")
+        .constant("is_stable_from_flat", &TargetError::is_stable_from_flat,
+                  "True if the whole path from flat is stable")
         .done(Made::ByFunctions);
     bind_shapes(m);
     Record<DesignReport>(m, "DesignReport", "The painted project, and its distance from the target.")

@@ -36,7 +36,7 @@ FullCheck check_in_full(const Trials& trials, const Point& point, BeamDemand bea
         ++check.solutions;
         if (!result.solution.is_stable_equilibrium()) {
             // The path from flat loses its stability: go on along the stable branch.
-            check.error.is_on_path = false;
+            check.error.is_stable_from_flat = false;
             options.branch = mechanics::Branch::Stable;
             session.emplace(surface, trials.load_case_at(point, c), options);
             result = session->solve(control.silent());

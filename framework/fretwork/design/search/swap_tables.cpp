@@ -189,20 +189,20 @@ void Trials::fill_group(std::size_t group, const std::vector<CaseModel>& models,
 }
 
 void Trials::add_unknowns(const std::vector<CaseModel>& models, const Point& point, SwapTable& table) const {
-    table.by_factors.setZero(table.residual.size(), point.unknowns.size());
+    table.by_unknowns.setZero(table.residual.size(), point.unknowns.size());
     table.largest_steps.resize(point.unknowns.size());
     Index row = 0;
     Index next = 0;
     for (std::size_t c = 0; c < models.size(); ++c) {
         const Index rows = models[c].residual.size();
         if (parts_.free.factor) {
-            table.by_factors.col(next).segment(row, rows) = models[c].by_loads;
+            table.by_unknowns.col(next).segment(row, rows) = models[c].by_loads;
             table.largest_steps[next] = kFactorStep * std::abs(point.unknowns[next]);
             ++next;
         }
         const auto& entries = parts_.cases[c].load_case.prescribed;
         for (std::size_t e = 0; parts_.free.prescribed && e < entries.size(); ++e, ++next) {
-            table.by_factors.col(next).segment(row, rows) =
+            table.by_unknowns.col(next).segment(row, rows) =
                 models[c].by_prescribed.col(static_cast<Index>(e));
             table.largest_steps[next] =
                 static_cast<int>(entries[e].dof) < 3 ? kPrescribedStep * largest_ : kTurnStep;
@@ -220,7 +220,7 @@ void Trials::add_section(const std::vector<CaseModel>& models, const Point& poin
         const auto rates = simulation::rates_along(sessions_.front().surface(), setting, step);
         Index row = 0;
         for (const CaseModel& model : models) {
-            table.by_factors.col(unknown).segment(row, model.residual.size()) =
+            table.by_unknowns.col(unknown).segment(row, model.residual.size()) =
                 residuals_by(model, strains_, parts_.candidates, rates);
             row += model.residual.size();
         }

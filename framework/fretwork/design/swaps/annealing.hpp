@@ -26,8 +26,8 @@ struct Annealed {
 /// Anneal a choice by random changes of one group. Metropolis' rule accepts changes at a falling temperature,
 /// as long as the energy of the whole choice does not exceed a limit. After every change, the continuous
 /// unknowns have their best values, so only the residuals that they cannot remove count. Throws Stopped.
-/// @param unknowns  an orthonormal basis of the columns of SwapTable::by_factors; a matrix without columns if
-/// there are no continuous unknowns
+/// @param unknowns  an orthonormal basis of the columns of SwapTable::by_unknowns; a matrix without columns
+/// if there are no continuous unknowns
 Annealed anneal_choice(const SwapTable& table, const Eigen::MatrixXd& unknowns,
                        const AnnealingOptions& options);
 

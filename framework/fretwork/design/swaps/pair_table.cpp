@@ -96,7 +96,7 @@ class EveryChoice {
                     static_cast<Index>(choice.columns[g] + swaps.columns() * choice.columns[h]));
         }
         choice.steps = best_steps(swaps, residual);
-        if (choice.steps.size() > 0) residual += swaps.by_factors * choice.steps;
+        if (choice.steps.size() > 0) residual += swaps.by_unknowns * choice.steps;
         choice.objective = swaps.unreached + residual.squaredNorm();
         return choice;
     }

@@ -36,7 +36,7 @@ constexpr double kSameEffect = 1e-6;
 StepFactors step_factors_of(const SwapTable& table) {
     StepFactors factors;
     factors.setThreshold(kSameEffect);
-    factors.compute(table.by_factors * table.largest_steps.asDiagonal());
+    factors.compute(table.by_unknowns * table.largest_steps.asDiagonal());
     return factors;
 }
 
@@ -50,15 +50,15 @@ class Sweeper {
         squares_.resize(table.energies.rows(), table.energies.cols());
         for (std::size_t g = 0; g < table.groups(); ++g)
             squares_.col(static_cast<Index>(g)) = table.responses[g].colwise().squaredNorm().transpose();
-        if (table.by_factors.cols() > 0) {
+        if (table.by_unknowns.cols() > 0) {
             factors_ = step_factors_of(table);
-            unknowns_ = basis_of(factors_, table.by_factors.rows());
+            unknowns_ = basis_of(factors_, table.by_unknowns.rows());
         }
     }
 
     [[nodiscard]] Choice run(const std::vector<std::size_t>& start, const Prices& prices,
                              std::uint64_t seed) const {
-        Choice choice{start, VectorXd::Zero(table_.by_factors.cols())};
+        Choice choice{start, VectorXd::Zero(table_.by_unknowns.cols())};
         VectorXd residual = residual_of(choice);
         base::SplitMix64 random(seed);
         std::vector<std::size_t> order(table_.groups());
@@ -107,7 +107,7 @@ class Sweeper {
     }
     /// These columns with the best steps of the unknowns.
     [[nodiscard]] Choice finished(const std::vector<std::size_t>& columns) const {
-        Choice choice{columns, VectorXd::Zero(table_.by_factors.cols())};
+        Choice choice{columns, VectorXd::Zero(table_.by_unknowns.cols())};
         VectorXd residual = residual_of(choice);
         step_factors(choice, residual);
         return judged(std::move(choice), residual);
@@ -119,7 +119,7 @@ class Sweeper {
         VectorXd residual = table_.residual;
         for (std::size_t g = 0; g < choice.columns.size(); ++g)
             residual += table_.responses[g].col(static_cast<Index>(choice.columns[g]));
-        if (choice.steps.size() > 0) residual += table_.by_factors * choice.steps;
+        if (choice.steps.size() > 0) residual += table_.by_unknowns * choice.steps;
         return residual;
     }
 
@@ -154,7 +154,7 @@ class Sweeper {
         const VectorXd wanted =
             choice.steps - VectorXd(table_.largest_steps.cwiseProduct(factors_.solve(residual)));
         const VectorXd bounded = wanted.cwiseMin(table_.largest_steps).cwiseMax(-table_.largest_steps);
-        residual += table_.by_factors * (bounded - choice.steps);
+        residual += table_.by_unknowns * (bounded - choice.steps);
         choice.steps = bounded;
     }
 
@@ -162,7 +162,7 @@ class Sweeper {
     const SweepOptions& options_;
     MatrixXd squares_;
     StepFactors factors_;
-    MatrixXd unknowns_;  ///< an orthonormal basis of by_factors
+    MatrixXd unknowns_;  ///< an orthonormal basis of by_unknowns
     mutable long scored_ = 0;
 };
 
@@ -257,8 +257,8 @@ void keep_best(std::vector<Choice>& choices, std::size_t count) {
 }  // namespace
 
 MatrixXd unknown_basis(const SwapTable& table) {
-    if (table.by_factors.cols() == 0) return {};
-    return basis_of(step_factors_of(table), table.by_factors.rows());
+    if (table.by_unknowns.cols() == 0) return {};
+    return basis_of(step_factors_of(table), table.by_unknowns.rows());
 }
 
 MatrixXd left_by_unknowns(const MatrixXd& basis, const MatrixXd& residuals) {
@@ -267,7 +267,7 @@ MatrixXd left_by_unknowns(const MatrixXd& basis, const MatrixXd& residuals) {
 }
 
 VectorXd best_steps(const SwapTable& table, const VectorXd& residual) {
-    if (table.by_factors.cols() == 0) return VectorXd();
+    if (table.by_unknowns.cols() == 0) return VectorXd();
     const VectorXd shares = -step_factors_of(table).solve(residual);
     return table.largest_steps.cwiseProduct(shares.cwiseMin(1.0).cwiseMax(-1.0));
 }
@@ -298,7 +298,7 @@ std::vector<Choice> neighbours(const SwapTable& table, const std::vector<std::si
     std::vector<Choice> pairs;
     for (std::size_t i = 0; i < swaps.size(); ++i) {
         control.check();
-        Choice single{start, VectorXd::Zero(table.by_factors.cols())};
+        Choice single{start, VectorXd::Zero(table.by_unknowns.cols())};
         single.columns[swaps[i].group] = swaps[i].column;
         const VectorXd left = residual + swaps[i].change;
         single.objective = table.unreached + left.squaredNorm();

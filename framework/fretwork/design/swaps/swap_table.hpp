@@ -21,7 +21,7 @@ struct SwapTable {
     Eigen::MatrixXd energies;  ///< energy f . G f of each swap (SwapAnswer), columns x groups, J
     Eigen::MatrixXd masses;    ///< mass, columns x groups, kg
     /// Derivatives of the residual, k rows and one column for each continuous unknown.
-    Eigen::MatrixXd by_factors;
+    Eigen::MatrixXd by_unknowns;
     Eigen::VectorXd largest_steps;  ///< largest step of each continuous unknown
     double energy = 0.0;            ///< elastic energy of the surface, J
 
@@ -41,7 +41,8 @@ struct Choice {
 /// The least squares steps of the continuous unknowns. Each is then clipped to SwapTable::largest_steps.
 Eigen::VectorXd best_steps(const SwapTable& table, const Eigen::VectorXd& residual);
 
-/// An orthonormal basis of the space of the columns of SwapTable::by_factors; empty if there are no unknowns.
+/// An orthonormal basis of the space of the columns of SwapTable::by_unknowns; empty if there are no
+/// unknowns.
 Eigen::MatrixXd unknown_basis(const SwapTable& table);
 /// The part of residuals that continuous unknowns cannot remove: the part orthogonal to unknown_basis().
 Eigen::MatrixXd left_by_unknowns(const Eigen::MatrixXd& basis, const Eigen::MatrixXd& residuals);

@@ -164,7 +164,7 @@ std::vector<std::string> design_limits(const DesignReport& report) {
     std::vector<std::string> lines{end_sentence(report.end)};
     add_reach(report, lines);
     if (report.error && !report.error->is_stable) lines.emplace_back("The bent surface is not stable.");
-    if (report.error && report.error->is_stable && !report.error->is_on_path)
+    if (report.error && report.error->is_stable && !report.error->is_stable_from_flat)
         lines.emplace_back("The surface snaps on its way from flat.");
     if (report.error && report.model_error > 0.2 * report.error->mean)
         lines.push_back("The reduced model of the search is off by " + percent(report.model_error) +
