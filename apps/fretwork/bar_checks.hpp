@@ -16,7 +16,7 @@ void add_clearance_option(CLI::App& verb, std::string& clearance);
 void warn_of_close_bars(const simulation::Project& project, const library::Library* library,
                         const std::string& clearance);
 
-/// Pa, of "40MPa" or "4e7", as --strength gives it. Throws InputError.
+/// The strength that --strength gives as "40MPa" or "4e7", in Pa. Throws InputError.
 double parse_strength(const std::string& text);
 
 }  // namespace fretwork::app

@@ -7,7 +7,7 @@
 
 namespace fretwork::app {
 
-/// Print what a design is, as JSON (the keys are listed in framework/fretwork/design/README.md).
+/// Print a design as JSON (the keys are listed in framework/fretwork/design/README.md).
 /// @param warnings  those of design::design_warnings()
 void print_design_json(const design::DesignReport& report, std::span<const design::DesignWarning> warnings);
 /// The same for people.

@@ -84,7 +84,7 @@ class LongWork::SignalWatch {
         }
         for (const int signal : signals_) {
             handlers_.push_back(std::signal(signal, note_signal));
-            if (signal == SIGHUP && handlers_.back() == SIG_IGN) std::signal(signal, SIG_IGN);
+            if (handlers_.back() == SIG_IGN) std::signal(signal, SIG_IGN);
         }
     }
     ~SignalWatch() {

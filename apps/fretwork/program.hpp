@@ -22,13 +22,14 @@ class Program final : public CLI::App {
     std::vector<FileOption> file_options_;
 };
 
-/// The verb of a program, or of a verb, with a name. Throws InputError that suggests the nearest name.
+/// The verb with this name among those of a program or of another verb. Throws InputError that suggests the
+/// nearest name.
 const CLI::App& find_verb(const CLI::App& app, const std::string& wanted);
 
 /// Refuse a command line whose files do not go together, before anything is computed: an output that is an
-/// input or another output (also by way of links or another spelling), that has the ending of something else,
-/// or whose folder is missing or closed to us. A file that is there is replaced only by one with the same
-/// kind of content, or if it is empty. Throws InputError that names the file.
+/// input or another output (also by way of links or another spelling), that has the ending of another kind of
+/// file, or whose folder is missing or not writable. An existing file is replaced only if it is empty or has
+/// the same kind of content. Throws InputError that names the file.
 void check_files(const Program& program);
 
 }  // namespace fretwork::app

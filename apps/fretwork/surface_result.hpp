@@ -16,7 +16,7 @@ simulation::SurfaceResult read_surface_result(const std::string& file);
 /// files.
 std::vector<simulation::SurfaceResult> read_surface_results(std::span<const std::string> files);
 
-/// Throw InputError unless a result that was read from `file` is one of a project's surface.
+/// Throw InputError unless the result, which was read from `file`, belongs to this surface.
 void check_subject_of(const simulation::SurfaceIdentity& surface, const simulation::SurfaceResult& result,
                       const std::string& file);
 

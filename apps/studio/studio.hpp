@@ -10,13 +10,13 @@ namespace fretwork::studio {
 
 struct StudioOptions {
     std::optional<std::filesystem::path> project{};  ///< to begin with; none: the start screen
-    /// To draw node layouts, beginning with this one: the name of a layout or the path of a file. None: the
+    /// The node layout to begin with, a name or the path of a file: the studio then draws layouts. None: the
     /// studio of surfaces.
     std::optional<std::string> layout{};
     std::string address = "127.0.0.1";
     std::optional<int> port{};           ///< none: 8080, or the next one that is free
     std::filesystem::path page;          ///< the page's HTML file
-    std::filesystem::path state_folder;  ///< for autosaves of documents without a file
+    std::filesystem::path state_folder;  ///< for autosaves of all documents
 };
 
 /// The studio's server: one document, shown by any number of pages. The protocol is protocol.md.
@@ -31,7 +31,7 @@ class Studio {
 
     /// The address to open in a browser.
     [[nodiscard]] std::string address() const;
-    /// The reason why unsaved changes cannot be kept, in one line; empty if they are.
+    /// The reason why unsaved changes cannot be kept, in one line; empty if they are kept.
     [[nodiscard]] std::string warning() const;
     /// Serve until stop() is called.
     void run();

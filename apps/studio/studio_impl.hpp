@@ -52,7 +52,7 @@ class Studio::Impl final : public Service {
     void redo(const Request& request);
     void select_load_case(const Request& request);
     [[nodiscard]] Document& document();
-    /// Of the document that is shown; 0: there is none.
+    /// The revision of the shown document; 0: there is none.
     [[nodiscard]] std::int64_t revision() const { return document_ ? document_->revision() : 0; }
     [[nodiscard]] std::int64_t next_revision() const { return revision() + 1; }
     void warn(const std::string& text);
@@ -99,8 +99,8 @@ class Studio::Impl final : public Service {
     void upload(const Request& request);
     void download(const Request& request);
     void save(const Request& request);
-    /// True, and the request is refused, if a file lies there that is neither the one with the hash `known`
-    /// nor the one that the page has seen: `replaces` of the request is the hash in an earlier refusal.
+    /// Refuse the request and return true if the file exists and its hash is neither `known` nor the
+    /// request's `replaces`, which a page takes from an earlier refusal that people have confirmed.
     bool refuses_to_replace(const Request& request, Conflict conflict,
                             const std::optional<std::string>& known = {});
     void folder(const Request& request);
@@ -112,13 +112,13 @@ class Studio::Impl final : public Service {
     [[nodiscard]] Document document_in(const std::filesystem::path& file) const;
     [[nodiscard]] Opened read_document(const std::filesystem::path& path);
     [[nodiscard]] Opened recovered(const Recoverable& found);
-    /// A file that was asked for by its address, and who gets it.
+    /// A file that a browser asks for with /export, and the receiver of the answer.
     struct ExportRequest {
         ExportTarget target;
         std::function<void(HttpAnswer)> answer;
     };
     void export_file(ExportRequest request);
-    /// Those that waited for an answer of the live solver.
+    /// Answer the exports that waited for the live solver.
     void resume_exports();
     void refuse_waiting_exports(const std::string& reason);
     [[nodiscard]] HttpAnswer page() const;

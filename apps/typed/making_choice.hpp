@@ -13,8 +13,8 @@ struct MakingChoice {
     std::string kerf;
     std::string frame;
     std::string bolts;  ///< diameter of holes at the supports of a load case
-    std::string eye;
-    std::string bed;  ///< "600x400" in millimetres, or with units: "60cmx40cm"
+    std::string eye;    ///< diameter of the disc of material around each bolt hole
+    std::string bed;    ///< "600x400" in millimetres, or with units: "60cmx40cm"
     std::string fit;
     std::string clearance;
     std::string layer;

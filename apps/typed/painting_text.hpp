@@ -16,9 +16,9 @@ struct PaintingText {
     /// calibrated ones. With random:SEED an id may have a weight, `ID=3`; with colours:FILE.svg every id has
     /// its colour, `red=ID`.
     std::string palette{};
-    std::string property{};  ///< of a pattern; by field and image
+    std::string property{};  ///< of a pattern; for field and image
     std::string range{};     ///< of the property, SI: `0.02,0.1`
-    bool dither = false;     ///< by field and image
+    bool dither = false;     ///< for field and image
     /// The prefix of these names in messages.
     std::string prefix = "--";
 };

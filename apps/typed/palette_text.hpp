@@ -19,8 +19,8 @@ struct PaletteText {
     base::Control control{};
 };
 
-/// The same patterns for the same text. `library` may be null. Throws InputError that names --palette;
-/// Stopped.
+/// Read a palette. The result depends on the arguments alone. `library` may be null. Throws InputError that
+/// names --palette; Stopped.
 std::vector<pattern::NamedPattern> read_palette(const PaletteText& palette, const pattern::NodeLayout& layout,
                                                 const library::Library* library);
 

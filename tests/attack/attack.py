@@ -135,7 +135,8 @@ class Attack:
         count = max(12, self.rounds // 50)
         for _ in range(count):
             command, how = self.random.choice(commands), self.random.choice((signal.SIGKILL, signal.SIGTERM, signal.SIGINT))
-            running = subprocess.Popen([self.program, *map(str, command)], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            running = subprocess.Popen([self.program, *map(str, command)], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                                       preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))  # the attack itself may run in the background
             while running.poll() is None and not self.catches(running.pid, signal.SIGTERM):
                 time.sleep(0.001)  # until main has begun, no program can do anything about a signal
             time.sleep(self.random.random() * 0.5)

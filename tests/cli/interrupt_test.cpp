@@ -35,7 +35,9 @@ bool comes_true(const std::function<bool()>& is_so) {
 /// The program in a process of its own, in a folder.
 class Running {
   public:
-    Running(const std::filesystem::path& folder, std::vector<std::string> arguments) : folder_(folder) {
+    Running(const std::filesystem::path& folder, std::vector<std::string> arguments,
+            void (*handler)(int) = SIG_DFL)
+        : folder_(folder) {
         arguments.insert(arguments.begin(), FRETWORK_PROGRAM);
         std::vector<char*> pointers;
         for (std::string& argument : arguments) pointers.push_back(argument.data());
@@ -43,6 +45,7 @@ class Running {
         const std::string messages = (folder / ".err").string();
         child_ = ::fork();
         if (child_ != 0) return;
+        std::signal(SIGINT, handler);  // the tests themselves may run in the background
         ::close(STDOUT_FILENO);
         ::open((folder / ".out").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
         ::close(STDERR_FILENO);
@@ -77,6 +80,9 @@ class Running {
     }
     [[nodiscard]] bool catches(int number) const {
         return (status("SigCgt", 16) >> static_cast<unsigned>(number - 1) & 1U) != 0;
+    }
+    [[nodiscard]] bool ignores(int number) const {
+        return (status("SigIgn", 16) >> static_cast<unsigned>(number - 1) & 1U) != 0;
     }
     [[nodiscard]] bool has_one_thread() const { return status("Threads", 10) == 1; }
     [[nodiscard]] bool has_open(const std::filesystem::path& path) const {
@@ -126,6 +132,14 @@ TEST(Interrupt, LeavesNothingOfAListThatIsBeingWritten) {
         EXPECT_EQ(program.messages(), "fretwork: stopped before it was done; nothing is half-written\n");
         EXPECT_THAT(files_in(folder.path()), testing::IsEmpty());
     }
+}
+
+TEST(Interrupt, IsIgnoredInABackgroundJobOfAScript) {
+    const TemporaryFolder folder;
+    Running program(folder.path(), {"enumerate", "--layout", "fifths12", "--list", "huge.txt"}, SIG_IGN);
+    ASSERT_TRUE(comes_true([&] { return has_content(files_in(folder.path())); }));
+    EXPECT_TRUE(program.ignores(SIGINT));
+    EXPECT_TRUE(program.catches(SIGTERM));
 }
 
 /// A named pipe in the place of a file, of which a reader gets nothing before it is filled.

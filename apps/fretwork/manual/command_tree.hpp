@@ -12,9 +12,9 @@ namespace fretwork::app {
 struct OptionText {
     std::string long_name;             ///< "--out"; empty if it has none
     std::string short_name;            ///< "-h"; empty if it has none
-    std::string positional;            ///< the name of one that is given by its place, else empty
+    std::string positional;            ///< the name of a positional option, else empty
     std::string value;                 ///< the kind of its value, such as "FILE"; empty for a flag
-    std::vector<std::string> choices;  ///< the values that it takes, where they are few
+    std::vector<std::string> choices;  ///< the values that it takes, if they are few
     std::string description;
     bool is_required = false;
 };
@@ -37,8 +37,8 @@ std::vector<const CommandText*> all_commands(const CommandText& command);
 /// The manual page of section 1, for man and groff.
 std::string man_page(const CommandText& program);
 
-// The files with which a shell completes verbs, options, and the values that are among few. All other
-// words are completed as names of files.
+// The files with which a shell completes verbs, options, and values from a short list (OptionText::choices).
+// It completes all other words as names of files.
 std::string bash_completion(const CommandText& program);
 std::string zsh_completion(const CommandText& program);
 std::string fish_completion(const CommandText& program);

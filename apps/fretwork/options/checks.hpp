@@ -9,7 +9,8 @@
 
 namespace fretwork::app {
 
-/// Whole numbers that every seed can hold: CLI11 itself lets negative and larger ones pass, as other numbers.
+/// Whole numbers of at most 18 digits, which every seed can hold. CLI11 itself would turn negative and larger
+/// numbers into other numbers.
 CLI::Validator seed_check();
 
 /// Numbers of threads.
@@ -24,7 +25,7 @@ CLI::Validator above_zero_check();
 /// Lengths of zero or more, such as 0.5mm.
 CLI::Validator length_check();
 
-/// Options without an effect are a misunderstanding: refuse those of these that are given.
+/// Throw InputError if one of these options is given, because it has no effect here.
 /// @param why  what they are for: "is for drawings, .."
 void refuse_given(const CLI::App& verb, std::initializer_list<const char*> options, const std::string& why);
 

@@ -15,7 +15,8 @@ struct FileKind {
     std::string_view
         contents;             ///< of the files that it may replace, as file_identity.hpp names them, likewise
     bool is_several = false;  ///< further files are made beside it
-    /// The verb itself refuses to replace what is in the folder by anything else.
+    /// True: the verb compares its files with those in the folder, and refuses to replace a file by a
+    /// different one.
     bool is_compared = false;
 };
 
@@ -26,7 +27,7 @@ inline constexpr FileKind kProjectFile{"a project", ".json", "project"};
 inline constexpr FileKind kResultFile{"a result", ".json", "result"};
 inline constexpr FileKind kFrameFile{"a frame", ".json", "frame"};
 inline constexpr FileKind kLibraryFile{"a pattern library", ".db .sqlite .sqlite3", "library"};
-/// Each kind of table has its own header; tables of other kinds may hold hours of work.
+/// A table replaces only tables with its own header, because tables of other kinds may hold hours of work.
 inline constexpr FileKind kCensusFile{"a census", ".csv", "edges,patterns,"};
 inline constexpr FileKind kClassesFile{"a table of classes", ".csv", "id,edges,symmetry,"};
 inline constexpr FileKind kKnownFile{"a table of best known values", ".csv", "problem,best_value,"};
@@ -75,13 +76,13 @@ inline DeclaredFile output_folder(const char* option, std::string_view files) {
     return {option, FileRole::OutputFolder, {"a folder", files, ""}};
 }
 
-/// The same if files that are there must be equal to those that are made. The verb compares them.
+/// The same for a verb that compares: a file that exists must equal the one that is made.
 inline DeclaredFile compared_folder(const char* option, std::string_view files) {
     return {option, FileRole::OutputFolder, {"a folder", files, "", false, true}};
 }
 
 /// Say which options of a verb name files, all of them in one place: what is declared is checked before any
-/// verb runs (check_files in program.hpp). Call it when the verb has its options. The verb belongs to a
+/// verb runs (check_files in program.hpp). Call it after the options are added. Pre: the verb belongs to a
 /// Program.
 void declare_files(CLI::App& verb, std::initializer_list<DeclaredFile> files);
 

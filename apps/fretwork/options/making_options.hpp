@@ -11,7 +11,7 @@ namespace fretwork::app {
 
 void add_making_options(CLI::App& verb, typed::MakingChoice& texts);
 
-/// Refuse options that none of the files which are written looks at.
+/// Throw InputError if an option is given that no writer uses.
 void refuse_ignored_making(const CLI::App& verb, std::span<const exports::WriterRow* const> writers);
 
 }  // namespace fretwork::app

@@ -10,13 +10,13 @@
 
 namespace fretwork::app {
 
-/// A length as an option has it, and from which bare number on a unit is asked for.
+/// An option with a length. A bare number of at least `large` is refused, because its unit is missing.
 struct LengthOption {
     const char* name;
     double large;  ///< m
 };
 
-/// m. Throws InputError that names the option.
+/// The length in m. Throws InputError that names the option.
 double read_length(const LengthOption& option, const std::string& text);
 
 /// How tiles are laid, as people write it.
@@ -30,9 +30,9 @@ struct TilingText {
 /// @param usual_length  the mean side without the option: "the setting's tile side"
 void add_tiling_options(CLI::App& verb, TilingText& text, const std::string& usual_length);
 
-/// m; none: the option is not given.
+/// The wanted length in m; none if the option is not given.
 std::optional<double> wanted_edge_length(const TilingText& text);
-/// rad; none: the option is not given.
+/// The wanted angle in rad; none if the option is not given.
 std::optional<double> wanted_angle(const TilingText& text);
 tiling::Narrow wanted_narrow(const TilingText& text);
 

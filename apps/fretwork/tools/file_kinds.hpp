@@ -7,10 +7,10 @@
 namespace fretwork::app {
 
 /// Read a file as the stage that owns its kind reads it, and name the kind: "fretwork/project/3", "library",
-/// "outline (svg)", "mesh (obj)", "deck (inp)", "image (png)". A JSON file says its kind itself, whatever its
-/// ending, and a library begins as a database does. Drawings, meshes, decks and images are told apart by
-/// their endings, as in every command that reads them. Throws as the reader does; InputError if the file is
-/// of no kind that fretwork reads or writes as JSON.
+/// "outline (svg)", "mesh (obj)", "deck (inp)", "image (png)". A library is recognized by its first bytes,
+/// with any ending. Drawings, meshes, decks and images are recognized by their endings, as in every command
+/// that reads them. All other JSON files name their kind. Throws as the reader does; InputError for any other
+/// kind of file, a pipe or a device.
 ///
 /// @param layout  a painting's node layout, a name or a file; empty: the one that the painting names
 std::string check_file(const std::filesystem::path& path, const std::string& layout);

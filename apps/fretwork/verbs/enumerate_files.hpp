@@ -19,10 +19,10 @@ struct PatternFilePaths {
     std::string classes;  ///< which of them are the same
 };
 
-/// Makes all files that are wanted from one search. Nothing is in its place before `finish`.
+/// Makes all wanted files from one search. No file is in its place before `finish`.
 ///
-/// The list is written as patterns come. The others need all patterns at once, and are refused beyond a
-/// number that fits into memory, or on a sheet.
+/// The list is written as patterns come. The other files need all patterns at once, and are refused if there
+/// are too many for the memory or for one sheet.
 class PatternFiles {
   public:
     PatternFiles(const pattern::NodeLayout& layout, PatternFilePaths paths,
@@ -33,7 +33,7 @@ class PatternFiles {
     void take(const pattern::Pattern& found);
     /// One more file that belongs to the others.
     void add(const std::string& path, std::string_view content) { others_.add(path, content); }
-    /// Put all files in their places. Gives what patterns have in common, if the classes are wanted.
+    /// Put all files in their places. Returns the classes of equal patterns, if they are wanted.
     std::optional<pattern::SamenessReport> finish(const pattern::SamenessOptions& options);
 
   private:

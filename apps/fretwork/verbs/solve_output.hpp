@@ -36,9 +36,9 @@ void print_solution(const mechanics::Result& result, const Wanted& wanted);
 /// what helps.
 void print_failure(const mechanics::Result& result, mechanics::Branch branch);
 
-/// The share, or null without one.
+/// The estimated discretization error as a share, or null if it is not known.
 base::Json discretization_json(const mechanics::Result& result);
-/// A line about how far a solution is from that of endlessly fine divisions.
+/// A line about the estimated difference from the solution with infinitely fine divisions.
 std::string discretization_text(const mechanics::DiscretizationError& error);
 
 }  // namespace fretwork::app

@@ -9,7 +9,8 @@ namespace fretwork::studio {
 
 /// A painting that a design has found.
 struct DesignFound {
-    /// After few solutions, so that people see where it leads; or what the design has come to.
+    /// Sketch: a painting after few solutions, which shows early where the design leads. Answer: the final
+    /// painting.
     enum class Stage { Sketch, Answer };
     Stage stage = Stage::Answer;
     design::DesignReport report;

@@ -16,8 +16,8 @@ struct DesignWish {
     std::string palette;            ///< as `fretwork design --palette` takes it
 };
 
-/// The request `design`, of the load case that is looked at. Throws InputError if it is malformed, or
-/// impossible on this document.
+/// The request `design`, for the selected load case. Throws InputError if it is malformed, or impossible on
+/// this document.
 DesignWish read_design(const base::JsonReader& request, const Situation& situation);
 
 }  // namespace fretwork::studio

@@ -24,13 +24,14 @@ class Designs {
     void stop() { thread_.cancel(); }
     /// Another document is shown: nothing of the present design is taken any more.
     void forget();
-    /// The document as it is now, after any edit. One that the design did not make gives it up.
+    /// Tell the present document, after any edit. An edit of the tiles, painting, load cases or setting that
+    /// the design did not make ends the design.
     void follow(const StatePtr& now);
     /// The document as the design has painted it.
     void painted(const StatePtr& now);
-    /// What joins the edits of one design to one step of undo.
+    /// The key that merges the edits of one design into one step of undo.
     [[nodiscard]] std::string merge_key() const { return "design:" + std::to_string(number_); }
-    /// Send a page how the design is doing, or how the last one ended.
+    /// Send a page the last report of the design at work or, until the next edit, of the one that ended.
     void send(ClientId client) { pages_.send(client, last_); }
 
   private:
@@ -38,7 +39,7 @@ class Designs {
         StatePtr state;  ///< as the design knows the document
         std::int64_t revision = 0;
     };
-    /// What the thread is given.
+    /// The input of the thread.
     struct Work {
         int number = 0;
         StatePtr state;

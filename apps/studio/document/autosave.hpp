@@ -19,17 +19,17 @@
 
 namespace fretwork::studio {
 
-/// Which document an autosave is of.
+/// The document of an autosave.
 struct AutosaveLabel {
     std::string name;
     std::optional<std::filesystem::path> document{};  ///< its file; none: it was never saved
 };
 
-/// Where the unsaved state of one document is kept, in a folder of the studio's own: a file that no other
-/// studio writes to while this object lives.
+/// A file for the unsaved state of one document, in a folder of the studio's own. No other studio writes to
+/// it while this object lives.
 class AutosavePlace {
   public:
-    /// A place that is free, and holds nothing. Makes the folder. Throws IoError.
+    /// Take a place that no studio holds and that has no file. Makes the folder. Throws IoError.
     ///
     /// @param document  the document's file; none: it was never saved
     AutosavePlace(const std::filesystem::path& folder, const std::optional<std::filesystem::path>& document);
@@ -45,7 +45,7 @@ class AutosavePlace {
     std::optional<base::FileLock> lock_;
 };
 
-/// An autosave that a studio left behind: it has ended, or shows another document.
+/// An autosave that a studio left behind. That studio has ended, or shows another document.
 struct Recoverable {
     std::string key;  ///< names it within its folder
     std::filesystem::path file;
@@ -70,7 +70,7 @@ class Autosave {
     explicit Autosave(std::function<void(const std::string& error)> failed);
     Autosave(const Autosave&) = delete;
     Autosave& operator=(const Autosave&) = delete;
-    /// Writes what waits.
+    /// Writes the waiting states.
     ~Autosave();
 
     void keep(StatePtr state, AutosaveLabel label, std::filesystem::path file);

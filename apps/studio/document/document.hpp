@@ -18,17 +18,17 @@ struct ProjectFile {
 /// Nothing if there is no such file. Throws IoError if it cannot be read.
 std::optional<std::string> hash_of_file(const std::filesystem::path& path);
 
-/// The document of a server: its history, its file, and which load case is looked at.
+/// The document of a server: its history, its file, and the selected load case.
 class Document {
   public:
     Document(State state, std::int64_t revision);
     /// One that was read from a file.
     Document(State state, ProjectFile file, std::int64_t revision);
-    /// One whose unsaved changes were found: to undo them is to have what lies in its file.
+    /// A document whose unsaved changes were found. Undo leads back to the content of its file.
     static Document recovered(Document saved, State changed);
-    /// Another one with a name, which it has as long as it has no file.
+    /// This document with a name, which is used until it has a file.
     Document named(std::string name) &&;
-    /// A document whose first state needs no saving: it is an example, or a file that was sent.
+    /// This document, marked as saved, because it is an example or a file that was sent.
     Document found_elsewhere() &&;
 
     [[nodiscard]] const StatePtr& now() const { return history_.now(); }
@@ -46,7 +46,7 @@ class Document {
     bool undo();
     bool redo();
     void select_load_case(std::size_t index);
-    /// Its present state lies in this file now.
+    /// Tell that the present state was written to this file.
     void saved_as(const std::filesystem::path& path, std::string hash);
 
   private:

@@ -12,7 +12,7 @@ namespace fretwork::studio {
 
 enum class Mixed { Refused, Taken };
 
-/// The name of a tile model of the catalogue, or, where it is taken, `mixed:SHARE`. Throws InputError that
+/// The name of a tile model of the catalogue or, with Mixed::Taken, `mixed:SHARE`. Throws InputError that
 /// names the models.
 std::string read_model(const base::JsonReader& json, Mixed mixed);
 

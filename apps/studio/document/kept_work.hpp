@@ -19,8 +19,9 @@ struct Opened {
     std::optional<AutosavePlace> place{};
 };
 
-/// The unsaved work in a studio's state folder: that of the document that is shown, which is kept there while
-/// it differs from its file, and that of studios that have ended. Used on the server's thread.
+/// The unsaved work in a studio's state folder. The changes of the shown document are kept there while it
+/// differs from its file. The folder also has the work of studios that have ended. Used on the server's
+/// thread.
 class KeptWork {
   public:
     /// @param warn    receives why the work of a document cannot be kept
@@ -28,8 +29,8 @@ class KeptWork {
     KeptWork(std::filesystem::path folder, std::function<void(const std::string&)> warn,
              std::function<void(const std::string&)> failed);
 
-    /// From now on the work is that of another document, or of the same in another file. Without a place it
-    /// takes a new one; if the folder takes no file, it warns and keeps nothing.
+    /// From now on, keep the work of another document, or of the same document with another file. Without a
+    /// place, a new one is taken; if the folder cannot be written, a warning is given and nothing is kept.
     ///
     /// @param document  its file; none: it was never saved
     void take_place(std::optional<AutosavePlace> place, const std::optional<std::filesystem::path>& document);
@@ -41,8 +42,8 @@ class KeptWork {
     /// The document is saved, or given up.
     void forget();
 
-    /// The unsaved changes of a project file, if they are newer than the file: to undo them is to have what
-    /// lies in it. Otherwise the file as it is, with a warning if the changes cannot be read.
+    /// The document of a project file with its unsaved changes, if they are newer than the file; undo leads
+    /// back to the file. Otherwise the document as it is, with a warning if the changes cannot be read.
     [[nodiscard]] Opened with_changes(Document saved, const std::filesystem::path& file) const;
     /// The list of what other studios left behind, for pages.
     [[nodiscard]] base::Json recoverable_json() const;

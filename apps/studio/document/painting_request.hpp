@@ -21,7 +21,7 @@ typed::PaintingText read_painting_text(const base::JsonReader& request);
 std::string kind_of(const simulation::PaintingChoice& recipe);
 
 /// The painting after all its recipes are followed again, each on the tiles that have it. Throws InputError
-/// if one cannot be followed, such as by a library that has changed.
+/// if one cannot be followed, such as because the library has changed.
 Painting painted_again(const State& state);
 
 /// The patterns of a tessellation with the document's tiles, as a painting of the document. Its palette keeps

@@ -12,20 +12,22 @@
 
 namespace fretwork::studio {
 
-/// True if tiles are only looked at, and nothing is changed.
+/// Yes: the tiles are only shown, and the document does not change.
 enum class Preview { No, Yes };
 
 /// The request `retile`: other tiles for the outline of a document.
 struct RetileRequest {
     simulation::RetilingOptions options;
-    /// "keep": by place; "made:one": one pattern that can be made; else the id of the pattern of all tiles.
+    /// "keep": each tile takes the pattern of the nearest old tile, and recipes are followed again;
+    /// "made:one": all tiles get one pattern that can be made; else the id of the pattern of all tiles.
     std::string patterns = "keep";
     Preview preview = Preview::No;
 };
 /// Throws InputError if the request is malformed, or asks to keep patterns of another layout.
 RetileRequest read_retile(const base::JsonReader& json, const State& state);
 
-/// The slow part of a request: the tiles, and with "made:one" the pattern that can be made on them.
+/// The result of the slow part of a request: the tiles and, with "made:one", the pattern that can be made on
+/// them.
 struct Retiling {
     StatePtr of;  ///< the document when it was asked for
     RetileRequest wanted;
@@ -44,10 +46,10 @@ struct Retiled {
     Edited edit;
     base::Json answer;
 };
-/// Put the tiles into a document whose ground is the one they were made for. Paintings by place are made
-/// again on the new tiles. Throws InputError if a load case finds no node, or a painting cannot be made
-/// again.
-/// @param preview  the answer to one has a picture of the tiles
+/// Put the tiles into a document whose ground is the one they were made for. With "keep", recipes are
+/// followed again on the new tiles. Throws InputError if a load case finds no node, or a painting cannot be
+/// made again.
+/// @param preview  Yes: the answer has the polygons of the tiles
 Retiled retiled(const State& state, const Retiling& made, Preview preview);
 
 }  // namespace fretwork::studio

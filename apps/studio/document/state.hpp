@@ -15,7 +15,7 @@ namespace fretwork::studio {
 struct Painting {
     std::vector<pattern::NamedPattern> palette;
     std::vector<int> patterns;  ///< of each tile: an index into the palette; -1: not painted
-    std::vector<int> turns;     ///< for each tile: turned by this many vertices from the ground
+    std::vector<int> turns;     ///< for each tile: the vertices by which it is turned relative to `ground`
     /// For each tile the choice by place or by chance that painted it, as simulation::recipe_of() has it;
     /// null: it was painted by hand.
     std::vector<std::shared_ptr<const simulation::PaintingChoice>> recipes;
@@ -36,7 +36,7 @@ struct State {
 
     Part<simulation::Project> ground;  ///< layout, outline and tiles; its painting and all else is not used
     Part<Painting> painting;
-    Part<std::vector<std::string>> tile_models;  ///< of each tile its own; ""
+    Part<std::vector<std::string>> tile_models;  ///< own model of each tile; "": none
     Part<std::vector<simulation::LoadCase>> load_cases;
     Part<reduction::Setting> setting;
     Part<LibraryLink> library;
@@ -55,8 +55,8 @@ State make_state(const simulation::Project& project, const std::filesystem::path
 /// The project of a document whose file is to lie in `folder`.
 simulation::Project make_project(const State& state, const std::filesystem::path& folder);
 
-/// The tile model that a document begins with: the last in the catalogue to which nothing is fitted and that
-/// is not the reference; one for large displacements, if there is any.
+/// The tile model that a document begins with: the last reduced model in the catalogue without fitted
+/// parameters; among these, one for large displacements if there is any.
 std::string first_model();
 
 /// A rough size of what two states do not share, in bytes.

@@ -15,7 +15,7 @@ class ExportTarget {
     /// Throws InputError for keys and kinds of file that do not exist.
     explicit ExportTarget(Target target);
 
-    /// Whether the file shows how the surface answers its load: files for cutting and printing do not.
+    /// Whether the file shows the solution (the answer to the load). Files for cutting and printing do not.
     [[nodiscard]] bool shows_answer() const;
     /// The file, with its remarks. Safe to call from any thread.
     ///

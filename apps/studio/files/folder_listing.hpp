@@ -12,7 +12,7 @@ namespace fretwork::studio {
 
 /// What lies in a folder of this machine, for a page that chooses a file: `path`, `parent` (null at the top),
 /// `home` (null if unknown), `folders` and `files` by name, and `left_out`, the number of entries beyond the
-/// most that are listed. Hidden entries are left out, and files with other endings.
+/// first 2,000. Hidden entries are left out, and files with other endings.
 ///
 /// @param endings  such as ".json"; none: all files
 /// Throws InputError if there is no such folder, or if it cannot be read.

@@ -9,7 +9,7 @@
 
 namespace fretwork::studio {
 
-/// The request `new`: an example, or an outline with how to tile and paint it.
+/// The request `new`: an example, or an outline and the way in which it is tiled and painted.
 struct NewRequest {
     std::string example;
     SentOutline outline;

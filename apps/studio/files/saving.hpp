@@ -9,15 +9,15 @@
 
 namespace fretwork::studio {
 
-/// Throws InputError unless a file of a kind, such as "project", may be saved there: under a name that ends
-/// with .json, where nothing is yet, or a file of that kind. Other files are not to be lost.
+/// Check that a file of a kind, such as "project", may be saved there: its name ends in .json, and it does
+/// not exist or is of that kind. Throws InputError, so that no other file is lost.
 void require_file_of_kind(const std::filesystem::path& path, const std::string& kind);
 
-/// A file that is not replaced without a question.
+/// A file that is replaced only after people have confirmed it.
 struct Conflict {
     enum class Reason {
         Changed,  ///< another program has written it since it was read
-        Exists    ///< it is another one
+        Exists    ///< another file is there
     };
     std::filesystem::path path;
     Reason reason;

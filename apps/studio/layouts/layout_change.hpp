@@ -10,7 +10,7 @@
 
 namespace fretwork::studio {
 
-/// The places to which nodes go by hand, and the nodes that go along.
+/// The options of changes by hand: the grid on which nodes lie, and the nodes that move along.
 struct LayoutHand {
     /// Nodes lie at multiples of 1 / steps: shares of a side, or barycentric coordinates.
     std::int64_t steps = 60;
@@ -38,13 +38,14 @@ struct ChangedLayout {
     std::optional<pattern::LayoutNodeIndex> node{};  ///< the one that was moved or added
 };
 
-/// The nodes that lie where they do because of a node: its partner on the other slanted side, the interface
-/// node across the middle of the side, or the mirror image of a face node, if that is a node.
+/// The nodes at the mirror image of a node: its partner on the other radial side, the interface node across
+/// the middle of the side, or the mirror image of a face node.
 std::vector<pattern::LayoutNodeIndex> twins_of(const pattern::NodeLayout& layout,
                                                pattern::LayoutNodeIndex node);
 
-/// Change a layout. A node stays in its region, and between its neighbours on a side; a node with twins takes
-/// them along, or away. Throws InputError that names node and rule where no layout would come of it.
+/// Change a layout. A node stays in its region, and between its neighbours on a side; twins move with their
+/// node, and are removed with it. Throws InputError that names node and rule if the result is no valid
+/// layout.
 ChangedLayout changed(const pattern::NodeLayout& layout, const LayoutChange& change, const LayoutHand& hand);
 
 }  // namespace fretwork::studio

@@ -12,7 +12,7 @@
 
 namespace fretwork::studio {
 
-/// Where a count ends at the latest: layouts may have more patterns than anybody waits for.
+/// The limits at which a count ends, because counting some layouts would take too long.
 struct CountLimits {
     std::uint64_t patterns = 50'000'000;
     std::chrono::milliseconds time{20'000};

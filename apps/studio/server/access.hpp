@@ -8,13 +8,13 @@
 
 namespace fretwork::studio {
 
-/// A secret of 128 random bits that addresses of the studio carry, in hexadecimal. Throws IoError if the
+/// A secret of 128 random bits, in hexadecimal. All URLs of the studio contain it. Throws IoError if the
 /// system gives no random numbers.
 std::string make_token();
 
 /// Whether a request's Host or Origin is this machine: 127.0.0.1, localhost or [::1] with any port, so that a
-/// forwarded port works; or `address` itself, where the server listens at another one. A page of any other
-/// origin shall reach nothing, whatever names lead here.
+/// forwarded port works; or `address`, the IP address at which the server listens. A page of any other origin
+/// shall reach nothing, whatever names lead here.
 bool is_own_host(std::string_view host, std::string_view address);
 bool is_own_origin(std::string_view origin, std::string_view address);
 
@@ -28,7 +28,7 @@ struct Target {
 /// Nothing if it is malformed.
 std::optional<Target> parse_target(std::string_view text);
 
-/// A text as a value in an address: every letter but the plainest as %41.
+/// A text as a value in a URL: every byte as %41, except ASCII letters, digits and "-._~/".
 std::string escaped(std::string_view text);
 
 /// Compares in a time that does not depend on how much of the token is right.

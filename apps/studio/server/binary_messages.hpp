@@ -14,7 +14,7 @@ namespace fretwork::studio {
 /// Binary messages of the protocol (protocol.md).
 enum class MessageKind : std::uint32_t { Beams = 1, Solution = 2 };
 
-/// Which beams a message is about: the revision of the document for which they were sent.
+/// The revision of the document, and the revision for which the beams of the message were sent (`beams`).
 struct FrameStamp {
     std::int64_t revision = 0;
     std::int64_t beams = 0;
@@ -26,10 +26,10 @@ std::string beams_message(const simulation::SurfaceBeams& beams, const FrameStam
 using BeamFields = std::bitset<simulation::kBeamFields.size()>;
 inline const BeamFields kAllBeamFields = BeamFields().set();
 std::vector<std::string> names_of(const BeamFields& fields);
-/// A list of names of fields. Throws InputError at one that there is not.
+/// Read a list of names of fields. Throws InputError for an unknown name.
 BeamFields read_beam_fields(const base::JsonReader& json);
 
-/// With those of the wanted fields that the state has: all of them, or none.
+/// The message has all wanted fields, or none if the state has no forces.
 std::string solution_message(const simulation::BeamState& state, const FrameStamp& stamp,
                              const BeamFields& fields);
 /// Without beam fields.

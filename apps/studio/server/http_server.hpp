@@ -22,7 +22,7 @@ struct HttpAnswer {
     std::string type = "text/plain; charset=utf-8";
     std::string body;
     std::string download_name{};  ///< of a file to be stored; empty: to be shown
-    std::string remark{};         ///< one line of plain letters on the file, for who stores it
+    std::string remark{};         ///< one line about the file, for the person who stores it
 };
 
 /// The callbacks of the server. All calls come on the server's thread, and only for requests that are
@@ -46,13 +46,13 @@ struct ServerOptions {
     /// Without: 8080, or the next one that is free.
     std::optional<int> port{};
     std::string token;
-    /// A request that has not come as a whole by then is given up, and so is an answer that nobody takes.
+    /// The time after which an incomplete request, or an answer that nobody takes, is given up.
     std::chrono::milliseconds request_time{30'000};
 };
 
-/// HTTP and WebSocket (RFC 6455) for a few clients: limits on what they may send, and on what waits for them.
-/// Without the token, with a Host or Origin that is not this machine, or outside of the page, a request gets
-/// a status of 4xx and one line.
+/// HTTP and WebSocket (RFC 6455) for a few clients, with limits on their messages and on the messages that
+/// wait for them. A request without the token, with a Host or Origin that is not this machine, or with
+/// another path or method gets a status of 4xx and one line.
 class HttpServer {
   public:
     /// It listens when this returns. Throws IoError if the port is taken or the address is not this

@@ -26,8 +26,8 @@ Part binary_part(std::string bytes);
 /// Parts that are sent together and in this order.
 struct Outgoing {
     std::vector<Part> parts;
-    /// An unsent message of the same key is left out when this one comes: a slow reader gets the newest
-    /// positions. Empty: nothing may be left out.
+    /// The key of messages that replace each other. An unsent message with the same key is dropped, so that a
+    /// slow reader gets the newest positions. Empty: no message is dropped.
     std::string stream{};
 };
 

@@ -36,7 +36,7 @@ class Pages {
     void remove(ClientId client) { fields_.erase(client); }
     [[nodiscard]] bool contains(ClientId client) const { return fields_.contains(client); }
     [[nodiscard]] const BeamFields& fields(ClientId client) const { return fields_.at(client); }
-    /// The fields that any page shows.
+    /// The fields that at least one page shows.
     [[nodiscard]] BeamFields shown_fields() const;
 
     void send(ClientId client, const Outgoing& outgoing) { server_.send(client, outgoing); }
@@ -54,7 +54,8 @@ class Pages {
     void refuse(ClientId client, const base::Json& id, const std::string& error,
                 const base::Json& more = base::Json::object());
 
-    /// Work in another thread, whose outcome comes back to the server's: a function to call, or a refusal.
+    /// Do work on another thread. It returns a function, which the server's thread then calls; an error
+    /// becomes a refusal.
     void in_background(Background& thread, const Request& request,
                        std::function<std::function<void()>(const base::Control&)> work);
 

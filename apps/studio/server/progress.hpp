@@ -9,7 +9,7 @@
 
 namespace fretwork::studio {
 
-/// Reports at most ten times a second how far work is, and nothing of work that is done at once.
+/// Reports at most ten times a second how far work is, but not in the first 0.2 s.
 class ShareProgress final : public base::Progress {
   public:
     /// The share of the work that is done, 0 to 1. May be empty.

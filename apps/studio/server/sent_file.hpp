@@ -18,7 +18,7 @@ struct SentFile {
     friend bool operator==(const SentFile&, const SentFile&) = default;
 };
 
-/// The keys `name` and `text_base64` of an object; which others it may have is for the caller to say.
+/// The keys `name` and `text_base64` of an object. The caller checks that it has no other keys.
 SentFile parse_sent_file(const base::JsonReader& json);
 
 /// A sent file on this machine's disk, as long as this lives.
@@ -26,7 +26,7 @@ class FileOnDisk {
   public:
     explicit FileOnDisk(const SentFile& sent);
     [[nodiscard]] std::filesystem::path path() const;
-    /// As the file was called where it was sent, fit to be shown.
+    /// The name of the file at its sender, shortened and printable.
     [[nodiscard]] const std::string& name() const { return shown_; }
 
   private:
@@ -51,7 +51,7 @@ auto read_sent(const SentFile& sent, const Read& read) {
 /// A text without the character NUL, at which the system would end a path.
 std::string read_plain_text(const base::JsonReader& json);
 
-/// The placeholder for a long text in a message.
+/// A name, printable and shortened to 60 characters, for messages.
 std::string shown_name(const std::string& name);
 
 /// A name of the program's own, or the path of a file. Throws InputError if it is longer than any path.

@@ -16,7 +16,7 @@ namespace fretwork::studio {
 struct SentOutline {
     SentFile file;
     std::string part = "largest";   ///< of a drawing with several, as `fretwork tile --part`
-    std::optional<double> width{};  ///< m, that it is to have
+    std::optional<double> width{};  ///< wanted width, m; none: its own
 };
 
 /// The outline that would be tiled, and the size of all parts of the drawing.

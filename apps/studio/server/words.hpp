@@ -8,11 +8,11 @@
 
 namespace fretwork::studio {
 
-/// An error for people who see a surface and no files: places in messages and files become words ("load
-/// case 1, support 2"), and what the solvers say becomes what can be done.
+/// An error in words for people who see a surface but no files. Places in messages and files become words
+/// ("load case 1, support 2"), and errors of solvers become advice.
 std::string in_words(const base::Error& error);
 
-/// The source that errors in messages of pages have; their senders need not see it.
+/// The name of the source in errors about messages of pages. in_words() leaves it out.
 inline constexpr const char* kMessageSource = "message";
 
 /// The reason of the system, and the file.

@@ -10,8 +10,8 @@
 
 namespace fretwork::studio {
 
-/// Estimates in the background how far a doubtful live solution is from the full model's, once it rests, and
-/// reports it to the pages. Used on the server's thread.
+/// Estimates in the background the error of a doubtful live solution against the full model, once nothing
+/// changes any more, and reports it to the pages. Used on the server's thread.
 class ErrorWatch {
   public:
     /// @param now  gives the situation that is shown

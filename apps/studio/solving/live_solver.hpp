@@ -24,14 +24,15 @@ struct SolverInput {
     BeamFields fields{};        ///< that somebody shows
 };
 
-/// The kind of positions: an equilibrium (or the end of the search for one), or the first step towards it.
+/// The kind of positions. FirstIterate: the first step towards an equilibrium. Answer: an equilibrium, or the
+/// end of the search for one.
 enum class Stage { FirstIterate, Answer };
 
 /// An equilibrium, and the beams that it moves.
 struct SolvedSurface {
     Stage stage = Stage::Answer;
     std::string model;
-    Situation situation;        ///< what it is the answer to; revisions also count what changes no answer
+    Situation situation;        ///< the one that is answered; a revision may differ without effect on it
     std::int64_t revision = 0;  ///< of the document when it was asked for
     std::int64_t beams_revision = 0;
     std::shared_ptr<const simulation::SurfaceBeams> beams;
@@ -71,8 +72,8 @@ class LiveSolver {
 
   private:
     using Clock = std::chrono::steady_clock;
-    /// The next input, and how to stop the present one. The stability of what is dragged is left open until
-    /// it rests.
+    /// The next input, and the token that stops its solve. While a load is dragged, stability is not checked
+    /// until the load stands still.
     struct Attempt {
         SolverInput input;
         mechanics::StabilityCheck check = mechanics::StabilityCheck::Made;
@@ -80,7 +81,7 @@ class LiveSolver {
     };
     void run(const std::stop_token& ending);
     std::optional<Attempt> next_attempt(const std::stop_token& ending);
-    /// By newer input, now that the first iterate is shown.
+    /// Let newer input stop the solve, now that its first iterate is shown.
     void let_overtake();
     void end_attempt(Clock::time_point began);
     [[nodiscard]] bool is_to_be_stopped(Clock::time_point now) const;
@@ -98,7 +99,7 @@ class LiveSolver {
     std::optional<SolverInput> waiting_;
     std::stop_source stop_;
     std::optional<Clock::time_point> began_{};             ///< the solve under way
-    bool is_shown_ = false;                                ///< its answer is, or its first iterate
+    bool is_shown_ = false;                                ///< true: its answer or its first iterate is
     std::optional<Clock::time_point> unanswered_since_{};  ///< the first input that has no answer yet
     Clock::duration last_took_{};                          ///< the last solve that was not stopped
 
@@ -106,7 +107,7 @@ class LiveSolver {
     SyncedSession session_;
     std::optional<SolverInput> unchecked_{};  ///< answered, except for its stability
     SolvedPtr last_solved_;                   ///< the session's last solution; null: none yet
-    Situation last_situation_;                ///< and what it is of
+    Situation last_situation_;                ///< the situation of that solution
     StatePtr state_of_beams_;
     std::shared_ptr<const simulation::SurfaceBeams> beams_;
     std::int64_t beams_revision_ = 0;
@@ -119,7 +120,8 @@ class LiveSolver {
 /// Whether the stability of a solution was left open, to answer sooner.
 bool is_unchecked(const simulation::SurfaceResult& result);
 
-/// The warnings about a result, for people: it did not converge, it is unstable, it is linear and turns far.
+/// The warnings about a result, for people: it did not converge, it is unstable, its model may be far off, or
+/// it is linear and turns far.
 std::vector<std::string> warnings_of(const simulation::SurfaceResult& result);
 
 }  // namespace fretwork::studio

@@ -31,7 +31,7 @@ class LiveView {
         return first_revision_ && revision >= *first_revision_;
     }
 
-    // Results of the document that is shown; those of another one are to be left out.
+    // Take a result. Pre: it is one of the shown document (see is_shown).
     void take_beams(const ShownBeams& shown);
     void take_solution(const SolvedPtr& solved);
     void take_failure(const SolverInput& input, const std::string& error);

@@ -58,7 +58,7 @@ Json job_event(const char* name, const LongJob& job, const Json& more) {
 
 }  // namespace
 
-LongWork solve_work() {
+JobWork solve_work() {
     return [](const LongJob& job, const base::Control& control) -> std::vector<Outgoing> {
         OneSolve one(job.input, job.beams.beams, options_of(*job.input.situation.state, job.model));
         SolvedSurface solved = solved_in(job, one.solve(control));
@@ -68,7 +68,7 @@ LongWork solve_work() {
     };
 }
 
-LongWork path_work(int steps) {
+JobWork path_work(int steps) {
     return [steps](const LongJob& job, const base::Control& control) {
         auto options = options_of(*job.input.situation.state, job.model);
         options.load_steps = steps;
@@ -87,7 +87,7 @@ LongWork path_work(int steps) {
     };
 }
 
-LongWork modes_work(simulation::ModeKind kind, int count) {
+JobWork modes_work(simulation::ModeKind kind, int count) {
     return [kind, count](const LongJob& job, const base::Control& control) -> std::vector<Outgoing> {
         const State& state = *job.input.situation.state;
         const auto modes =
@@ -107,7 +107,7 @@ LongWork modes_work(simulation::ModeKind kind, int count) {
     };
 }
 
-LongWork compare_work(SolvedPtr live) {
+JobWork compare_work(SolvedPtr live) {
     return [live = std::move(live)](const LongJob& job,
                                     const base::Control& control) -> std::vector<Outgoing> {
         OneSolve one(job.input, job.beams.beams, options_of(*job.input.situation.state, job.model));
@@ -132,7 +132,7 @@ LongWork compare_work(SolvedPtr live) {
 LongJobs::LongJobs(HttpServer& server, Pages& pages, std::function<bool(const LongJob&)> is_shown)
     : server_(server), pages_(pages), is_shown_(std::move(is_shown)) {}
 
-void LongJobs::add(const LongJob& job, LongWork work) {
+void LongJobs::add(const LongJob& job, JobWork work) {
     const auto report = [this, job](const char* name, const Json& more) {
         server_.post([this, event = job_event(name, job, more)] { pages_.broadcast(event); });
     };

@@ -18,13 +18,13 @@ struct LongJob {
     std::string model;  ///< as events name it
 };
 /// The messages to the pages.
-using LongWork = std::function<std::vector<Outgoing>(const LongJob&, const base::Control&)>;
+using JobWork = std::function<std::vector<Outgoing>(const LongJob&, const base::Control&)>;
 
-LongWork solve_work();
-LongWork path_work(int steps);
-LongWork modes_work(simulation::ModeKind kind, int count);
+JobWork solve_work();
+JobWork path_work(int steps);
+JobWork modes_work(simulation::ModeKind kind, int count);
 /// The job's model against the live solution.
-LongWork compare_work(SolvedPtr live);
+JobWork compare_work(SolvedPtr live);
 
 /// Jobs that take long, one after the other on their own thread: other models, modes, the load path,
 /// comparisons. Used on the server's thread.
@@ -33,7 +33,7 @@ class LongJobs {
     /// @param is_shown  whether a job's beams are those that are shown; otherwise its messages are dropped
     LongJobs(HttpServer& server, Pages& pages, std::function<bool(const LongJob&)> is_shown);
     /// Throws InputError if too many are waiting.
-    void add(const LongJob& job, LongWork work);
+    void add(const LongJob& job, JobWork work);
     /// Stop the running job and forget the waiting ones; pages see each of them fail.
     void cancel() { thread_.cancel(); }
 

@@ -9,15 +9,15 @@
 
 namespace fretwork::studio {
 
-/// A state, and which of its load cases is looked at.
+/// A state and its selected load case.
 struct Situation {
     StatePtr state;
     std::size_t load_case = 0;
     friend bool operator==(const Situation&, const Situation&) = default;
 };
 
-/// A session that follows a document: what differs from the state before becomes edits of the session, so
-/// that everything else is kept.
+/// A session that follows a document. The differences from the state before become edits of the session,
+/// which keeps everything else.
 class SyncedSession {
   public:
     SyncedSession() = default;
@@ -49,7 +49,8 @@ struct OpenedSurface {
 OpenedSurface open_surface(const State& state);
 /// The library alone, without making the surface.
 std::optional<library::Library> open_library(const State& state);
-/// With what it combines. Throws InputError that says what to do if the document has no such load case.
+/// The selected load case, together with the load cases that it combines. Throws InputError that says what to
+/// do if the document has no such load case.
 simulation::LoadCase load_case_of(const Situation& situation);
 
 }  // namespace fretwork::studio

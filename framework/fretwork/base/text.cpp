@@ -126,7 +126,7 @@ std::string shortened(std::string_view text, std::size_t most) {
 }
 
 std::optional<std::string> nearest_name(std::string_view word, std::span<const std::string> candidates) {
-    constexpr std::size_t kLongestName = 200;  // the distance takes time with the product of the lengths
+    constexpr std::size_t kLongestName = 200;  // the time grows with the product of the lengths
     if (word.size() > kLongestName) return std::nullopt;
     const std::size_t limit = std::max<std::size_t>(1, word.size() / 3);
     std::optional<std::string> nearest;

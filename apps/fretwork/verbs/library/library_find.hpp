@@ -6,7 +6,7 @@
 namespace fretwork::app {
 
 /// Print the patterns that a query finds, as a table or as JSON. Throws InputError that names the option with
-/// an expression that is none.
+/// the invalid expression.
 void print_found(const library::Library& library, const library::PatternQuery& query, bool as_json);
 
 }  // namespace fretwork::app

@@ -46,7 +46,7 @@ template <class Options>
 class Keywords {
   public:
     explicit Keywords(const py::kwargs& named) : Keywords(py::dict(named.attr("copy")()), 0) {}
-    /// Those that are left after others are taken out. They are used up.
+    /// The keywords that are left after others were taken out of `named`, which is used up.
     static Keywords rest(py::dict named) { return Keywords(std::move(named), 0); }
 
     Options options{};

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // How the framework's small types become Python's: indices are ints, points are rows of arrays, sets of dofs
-// are names, exact fractions are fractions.Fraction. Every source of the module includes this first.
+// are names, exact fractions are fractions.Fraction. Every source of the module includes this before any
+// binding, mostly by bind.hpp.
 
 #include <fretwork/base/index_vector.hpp>
 #include <fretwork/geometry/polygon.hpp>
@@ -39,7 +40,8 @@ concept Worded = std::is_enum_v<Enum> && requires {
 /// object is no text.
 int place_of_word(py::handle object, const char* kind, std::span<const char* const> words);
 
-/// The component names of a set of dofs. Throws InputError for a word that is none.
+/// The component names of a set of dofs. Returns false if the object is neither a text nor iterable. Throws
+/// InputError for an unknown word.
 bool read_dofs(py::handle object, mechanics::DofSet& dofs);
 py::object dof_names(const mechanics::DofSet& dofs);
 
@@ -52,7 +54,7 @@ py::array_t<double, py::array::c_style | py::array::forcecast> read_rows(py::han
 py::object int_of_digits(const std::string& digits);
 
 py::object fraction(std::int64_t numerator, std::int64_t denominator);
-/// Throws InputError, or the error of Fraction() as ValueError.
+/// Throws TypeError for a float, and otherwise the errors of Fraction() and of Rational.
 pattern::Rational read_fraction(py::handle object);
 
 }  // namespace fretwork::python
@@ -223,7 +225,7 @@ struct type_caster<Enum> {
     static handle cast(Enum member, return_value_policy, handle) {
         return object(handle(type)[Words::kWords[static_cast<std::size_t>(member)]]).release();
     }
-    static inline PyObject* type = nullptr;  ///< the words' members, by word; lives as long as the program
+    static inline PyObject* type = nullptr;  ///< a dict from word to member; lives as long as the program
 };
 
 }  // namespace pybind11::detail

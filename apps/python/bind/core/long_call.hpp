@@ -12,9 +12,9 @@ namespace fretwork::python {
 /// Long work of the framework, called from Python: without the GIL, with progress, and stopped by Ctrl-C (or
 /// any other signal whose handler raises) within 50 ms.
 ///
-/// Python runs the handlers of signals on its main thread alone, when that asks. Of the framework's threads,
-/// the one that called asks every few milliseconds. The others look at a flag that the arrival of SIGINT
-/// raises, since the caller may be waiting for them.
+/// Python runs the handlers of signals only on its main thread, when this thread asks. The calling thread
+/// asks every ten milliseconds. The framework's other threads read a flag that SIGINT raises, because the
+/// calling thread may be waiting for them.
 class LongCall {
   public:
     /// @param progress  called with the task, the steps that are done, and all of them; None: nobody listens;
@@ -44,8 +44,8 @@ class LongCall {
         }
     }
 
-    /// The same for work that returns what it has when it is stopped, which `was_stopped(result)` says: then
-    /// KeyboardInterrupt is not raised. What else Python raised is.
+    /// The same for work that, when stopped, returns its result so far. If `was_stopped(result)`,
+    /// KeyboardInterrupt is not raised, but any other error that Python raised is.
     template <class Work, class WasStopped>
     auto run_to_keep(const Work& work, const WasStopped& was_stopped) {
         return run([&](const base::Control& control) {
@@ -64,7 +64,8 @@ class LongCall {
     }
     /// Raises what was raised on the way, if anything was.
     void raise_kept();
-    /// Takes KeyboardInterrupt from what was raised, with the signals that have arrived. Without the GIL.
+    /// Runs the handlers of the signals that have arrived, then forgets KeyboardInterrupt if it was raised.
+    /// Called without the GIL.
     void forget_interrupt();
     /// Lets Python handle the signals that have arrived.
     static void raise_pending();

@@ -16,7 +16,7 @@ void add_field(py::object& type, const char* name, const py::object& set);
 /// How values of a class come into being in Python.
 enum class Made {
     ByFields,     ///< by its constructor, whose keywords are the fields
-    ByFunctions,  ///< by functions only, which check them; they are read-only
+    ByFunctions,  ///< by functions only, which check the values; fields are read-only
 };
 
 /// Gives a class its constructor, `__repr__`, `__eq__`, `__copy__` and pickling from its fields.
@@ -44,7 +44,8 @@ template <class Value>
 concept EigenDense = py::detail::is_eigen_dense_plain<Value>::value;
 
 /// A struct of the framework as a class in Python. Members that are structs themselves are references into
-/// their owner, which they keep alive; lists come out as tuples, and other members as copies.
+/// their owner, which they keep alive. Arrays of fixed size, and arrays that cannot be set, are views of the
+/// owner. Lists come out as tuples, and other members as copies.
 template <class T>
 class Record {
   public:
@@ -91,7 +92,8 @@ class Record {
     void construct() {
         if constexpr (std::is_default_constructible_v<T>) type_.def(py::init<>());
     }
-    /// Memory that a setter moves is not shown to arrays: `Access` is Member& or const Member&.
+    /// No array is a view of memory that a setter may move. `Access` is Member& if the member can be set,
+    /// else const Member&.
     template <class Access, class Owner, class Member>
     static py::cpp_function getter(Member Owner::*member) {
         if constexpr (kIsStruct<Member>)

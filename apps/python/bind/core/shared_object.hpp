@@ -10,8 +10,8 @@
 
 namespace fretwork::python {
 
-/// An object that one thread may use at a time, and that can be closed. Threads of Python that do not keep to
-/// that get an error, not a race: calls without the GIL are long.
+/// An object that one thread may use at a time, and that can be closed. A second thread gets an error instead
+/// of a race, which is possible because calls run without the GIL.
 template <class T>
 class SharedObject {
   public:

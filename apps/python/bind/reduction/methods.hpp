@@ -11,7 +11,7 @@
 
 namespace fretwork::python {
 
-/// An evaluator for the time of a run: used later, it says that the run is over.
+/// An evaluator for the time of a run. Its functions throw Error after the run.
 class RunningEvaluator {
   public:
     explicit RunningEvaluator(std::shared_ptr<optimization::Evaluator*> evaluator)
@@ -31,10 +31,10 @@ using RunFunction = std::function<py::object(const RunningEvaluator&, const opti
 optimization::OptimizerRow make_method(std::string name, RunFunction run, std::string summary,
                                        optimization::OptimizerClass kind, optimization::Evaluation needs);
 
-/// The methods of the library and further ones.
+/// The methods of optimization::optimizer_catalogue(), followed by further ones.
 std::vector<optimization::OptimizerRow> rows_and_all(const std::vector<optimization::OptimizerRow>& own);
 
-/// Takes the methods of a call, `optimizers`, out of its keywords: they are added to those of the library.
+/// Takes the methods of a call, `optimizers`, out of its keywords: they are added to those of the catalogue.
 std::vector<optimization::OptimizerRow> taken_optimizers(py::dict& named);
 
 }  // namespace fretwork::python

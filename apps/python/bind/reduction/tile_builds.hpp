@@ -14,7 +14,8 @@
 
 namespace fretwork::python {
 
-/// What a tile is built from, for a function in Python, which may keep it: nothing is borrowed.
+/// The input from which a function in Python builds a tile. The function may keep it, because nothing is
+/// borrowed.
 struct OwnedTileInput {
     pattern::NodeLayout layout;
     pattern::Fan fan;
@@ -29,7 +30,8 @@ using BuildFunction = std::function<py::object(const OwnedTileInput&)>;
 std::shared_ptr<const reduction::TileStructure> build_in_python(const BuildFunction& build,
                                                                 const reduction::TileInput& input);
 
-/// Takes the tile models of a call, `models`, out of its keywords; without them, all of the framework.
+/// Takes the tile models of a call, `models`, out of its keywords; without this keyword, all models of the
+/// framework.
 std::vector<reduction::TileModel> taken_models(py::dict& named);
 std::vector<reduction::TileModel> models_or_all(
     const std::optional<std::vector<reduction::TileModel>>& models);

@@ -20,7 +20,7 @@ struct OwnedSession {
 using SessionObject = SharedObject<OwnedSession>;
 using SessionPointer = std::shared_ptr<SessionObject>;
 
-/// A solution of a session has as many rows as the session's last one.
+/// The solution of a result. Throws InputError unless it has as many rows as the session's last solution.
 inline const mechanics::Solution& checked(const OwnedSession& session,
                                           const simulation::SurfaceResult& result) {
     if (result.solution.displacements.rows() != session.rows)

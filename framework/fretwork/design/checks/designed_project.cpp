@@ -8,7 +8,8 @@
 namespace fretwork::design::detail {
 namespace {
 
-/// Where bars have another section, the project carries it, and no library: that has the old one.
+/// If width or thickness of the bars is free, the project has its own setting and no library, because the
+/// library has the old section.
 void write_section(const Trials& trials, const Point& point, DesignReport& report) {
     const auto& free = trials.parts().free;
     if (!free.width && !free.thickness) return;

@@ -11,18 +11,18 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// The first temperature, in shares of the objective where annealing begins, and the last one in shares of
-/// it.
+/// The first temperature, as a share of the objective at the start, and the last temperature, as a share of
+/// the first.
 constexpr double kFirstTemperature = 0.1;
 constexpr double kTemperatureDrop = 1e-3;
 /// Proposals at one temperature.
 constexpr long kPlateau = 256;
-/// In temperatures: what costs more is not accepted.
+/// The largest cost that may be accepted, in temperatures.
 constexpr double kCertainRefusal = 40.0;
 
-/// The state of the annealing. With the residuals r and the answers v of a group's columns a change of its
-/// column o to c adds 2 r . (v_c - v_o) + |v_c - v_o|^2 to the objective: products of the v are computed
-/// once.
+/// The state of the annealing. Let r be the residuals, and v the responses of a group's columns. A change of
+/// the group's column from o to c adds 2 r . (v_c - v_o) + |v_c - v_o|^2 to the objective. The products of
+/// all v are computed once.
 class Annealing {
   public:
     Annealing(const SwapTable& table, const MatrixXd& unknowns, const AnnealingOptions& options)
@@ -83,7 +83,7 @@ class Annealing {
                2.0 * products(column, old) + products(old, old);
     }
 
-    /// r . v of a group's own column, as long as r is the same.
+    /// The product r . v of a group's present column; valid as long as r has this version.
     struct Known {
         long version = -1;
         double product = 0.0;

@@ -24,7 +24,7 @@ using detail::Mesh;
 
 static_assert(std::endian::native == std::endian::little, "glTF is little-endian");
 
-// The numbers of the format.
+// Constants of glTF: types of numbers, and kinds of buffers.
 constexpr int kFloat = 5126;
 constexpr int kUnsignedShort = 5123;
 constexpr int kUnsignedInt = 5125;
@@ -99,7 +99,8 @@ std::string load_name(const mechanics::Solution& solution) {
     return "load " + base::format_number(solution.load_factor, 6);
 }
 
-/// The load of each step; through load stages, each step is the end of one, whose number and name come first.
+/// The name of each step: its load. With load stages, each step is the end of a stage, and the name begins
+/// with the number and the name of the stage.
 std::vector<std::string> step_names(const simulation::SurfaceResult& result) {
     const std::vector<std::string> stages = simulation::stage_names(result);
     std::vector<std::string> names;
@@ -149,7 +150,8 @@ std::vector<std::uint16_t> colour_numbers(const Mesh& mesh) {
     return numbers;
 }
 
-/// Corners counterclockwise seen from outside: programs turn normals of triangles that face away.
+/// The triangles, with corners counterclockwise as seen from outside. Otherwise, viewers would flip the
+/// normals of triangles that face away.
 std::vector<std::uint32_t> outward_triangles(const Mesh& mesh) {
     std::vector<std::uint32_t> indices;
     for (auto [a, b, c] : mesh.triangles) {
@@ -255,7 +257,7 @@ class MotionFile {
     void add_frame() {
         file_["scene"] = 0;
         file_["scenes"] = Json::array({{{"nodes", {0}}}});
-        // The format's y is up.
+        // In glTF, the y axis points up.
         const double half = std::sqrt(0.5);
         file_["nodes"] =
             Json::array({{{"name", "surface"}, {"mesh", 0}, {"rotation", {-half, 0.0, 0.0, half}}}});
@@ -286,7 +288,8 @@ class MotionFile {
         text += std::string("BIN\0", 4) + binary;
         return text;
     }
-    /// The program that made the file comes first: by this it knows its own files, which it may replace.
+    /// The name of this program comes first. By this name, the program recognizes its own files, which it may
+    /// replace.
     [[nodiscard]] std::string json_text() const {
         const Json asset = {{"version", "2.0"}, {"generator", std::string(base::kMadeBy)}};
         return "{\"asset\":" + asset.dump() + "," + file_.dump().substr(1);

@@ -27,7 +27,8 @@ void LinearElement::evaluate(std::span<const NodeState> states, Demand demand,
         const Eigen::Vector3d moment = inverse.transpose() * response.force.segment<3>(at);
         response.force.segment<3>(at) = moment;
         if (demand == Demand::Force) continue;
-        // K = T^T K_spin T + the change of T^T m relates components of the rotation vector to spins.
+        // In components of the rotation vector, K = T^T K_spin T + d(T^T m)/d(theta). This is solved for
+        // K_spin.
         Eigen::Matrix3d change = geometry::spin_map_derivative(rotation, moment);
         change = 0.5 * (change + change.transpose()).eval();
         response.tangent.block<3, 3>(at, at) -= change;

@@ -10,7 +10,7 @@ namespace fretwork::pattern::detail {
 /// The cosine of an angle between rational directions of the hexagon has a rational square. Let q be this
 /// square with the sign of the cosine; q falls as the angle grows from 0 to 180 degrees. The square of the
 /// limit's cosine is rational only at multiples of 30 and 45 degrees, where the comparison is exact. At any
-/// other limit, the square is enclosed between two rationals 1e-40 apart. A q between these two rationals is
+/// other limit, the square is enclosed between two rationals 2e-41 apart. A q between these two rationals is
 /// an error, which has never occurred.
 class AngleLimit {
   public:

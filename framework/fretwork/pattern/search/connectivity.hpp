@@ -11,7 +11,7 @@ namespace fretwork::pattern::detail {
 
 /// A test of the graph rules on the quotient of the fan by its rotations, with bit sets of orbits.
 /// detail/fan_graph.hpp defines the graph rules by Boost.Graph on the fan itself. The tests compare both
-/// implementations on every graph of three layouts.
+/// implementations on every graph of five layouts.
 ///
 /// The quotient suffices for the following reasons. A "root" is the center, or the outside node that connects
 /// all interface nodes. Rotations of the fan leave roots in place.

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where a project says which tile model a tile has; "" where it does not.
+/// The JSON pointer of the entry that gives a tile its own model; "" if there is none.
 std::string place_of_model(const Project& project, tiling::TileIndex tile) {
     for (std::size_t i = 0; i < project.tile_models.size(); ++i) {
         if (std::ranges::find(project.tile_models[i].tiles, tile) != project.tile_models[i].tiles.end())
@@ -23,7 +23,8 @@ std::string place_of_model(const Project& project, tiling::TileIndex tile) {
     return "";
 }
 
-/// A library that another program has changed, or a disk.
+/// Throw InputError if a value is not plausible: another program or a fault of the disk has changed the
+/// library.
 void check_values(std::span<const double> values, const std::string& pattern,
                   const reduction::TileModel& model) {
     constexpr double kLeast = 1e-100, kMost = 1e100;  // of what any calibration gives
@@ -38,7 +39,8 @@ void check_values(std::span<const double> values, const std::string& pattern,
     }
 }
 
-/// Pipes, and names of open files, which may also lead to a file that a shell has opened.
+/// True for pipes and for names of open files, such as /dev/stdin, even if a shell has opened a regular file
+/// there.
 bool is_stream(const fs::path& file) {
     const fs::path folder = file.lexically_normal().parent_path();
     if (folder == "/dev" || folder == "/dev/fd" || folder == "/proc/self/fd") return true;

@@ -27,7 +27,7 @@ class LegendPixels {
             for (int column = x; column < x + box.width; ++column) cover(column, row, 255, colour);
     }
 
-    /// A text whose box has its upper left corner at a place.
+    /// Write a text; its box has the upper left corner (x, y).
     void write(int x, int y, const LetteredText& text) {
         for (int row = 0; row < text.height; ++row)
             for (int column = 0; column < text.width; ++column)
@@ -105,7 +105,7 @@ std::vector<std::uint8_t> with_legend(std::vector<std::uint8_t> pixels, PixelSiz
         const double share = static_cast<double>(i) / (kValues - 1);
         const LetteredText value =
             lettering.set(short_number(field.factor * (range.from + share * (range.to - range.from))));
-        // The first begins, and the last ends, where the colours do.
+        // The first value begins at the left end of the colours, and the last value ends at the right end.
         drawn.write(x + static_cast<int>(std::lround(share * (width - value.width))), below, value);
     }
     drawn.write(x, below + measures.line, lettering.set(legend.note));

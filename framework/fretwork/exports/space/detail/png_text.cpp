@@ -38,7 +38,7 @@ std::string png_text(PixelSize size, const std::vector<std::uint8_t>& bytes) {
     png_set_IHDR(writer.png, writer.info, size.width, size.height, 8, PNG_COLOR_TYPE_RGB_ALPHA,
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
-    // By this the program knows its own files, which it may replace.
+    // By this entry, the program recognizes its own files, which it may replace.
     std::string key = "Software";
     std::string value(base::kMadeBy);
     png_text_struct software{};
