@@ -40,8 +40,8 @@ struct OptimizerOptions {
 };
 
 /// The outcome of a run: why and where the method ended. The final point need not be the best point. Reason
-/// and point belong to the start in which the budget was spent. If no start spent it, they belong to the
-/// start that found the best value or, with pagmo's methods and annealing, to the last start.
+/// and point belong to the start in which the budget was spent or, if no start spent it, to the start that
+/// found the best value.
 struct RunOutcome {
     Ending ending = Ending::Converged;  ///< the reason why the method ended
     Eigen::VectorXd final_point;        ///< the point at which the method ended; empty: not known

@@ -2,6 +2,7 @@
 #include <fretwork/base/random.hpp>
 #include <fretwork/optimization/methods/annealing_then_ceres.hpp>
 #include <fretwork/optimization/methods/detail/ceres_descent.hpp>
+#include <fretwork/optimization/methods/detail/starts.hpp>
 
 namespace fretwork::optimization {
 namespace {
@@ -11,19 +12,20 @@ class AnnealingThenCeres final : public Optimizer {
     explicit AnnealingThenCeres(const AnnealingThenCeresOptions& options) : options_(options) {}
 
     RunOutcome run(Evaluator& evaluator) const override {
-        RunOutcome outcome;
-        for (int i = 0; i < options_.annealing.common.starts; ++i) {
-            SimulatedAnnealingOptions once = options_.annealing;
-            once.common = {.starts = 1, .seed = base::derived_seed(options_.annealing.common.seed, i)};
-            outcome = make_simulated_annealing(once)->run(evaluator);
-            if (outcome.ending == Ending::BudgetSpent || evaluator.best_point().size() == 0) break;
-            outcome = descend(evaluator);
-            if (outcome.ending == Ending::BudgetSpent) break;
-        }
-        return outcome;
+        detail::BestRun best(evaluator);
+        for (int i = 0; i < options_.annealing.common.starts && !best.is_over(); ++i)
+            best.add(run_once(evaluator, base::derived_seed(options_.annealing.common.seed, i)));
+        return best.outcome();
     }
 
   private:
+    [[nodiscard]] RunOutcome run_once(Evaluator& evaluator, std::uint64_t seed) const {
+        SimulatedAnnealingOptions once = options_.annealing;
+        once.common = {.starts = 1, .seed = seed};
+        RunOutcome annealed = make_simulated_annealing(once)->run(evaluator);
+        const bool has_start = evaluator.best_point().size() > 0;
+        return annealed.ending == Ending::BudgetSpent || !has_start ? annealed : descend(evaluator);
+    }
     [[nodiscard]] RunOutcome descend(Evaluator& evaluator) const {
         detail::CeresDescent descent(evaluator, options_.continuation, evaluator.best_point());
         RunOutcome outcome;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/random.hpp>
+#include <fretwork/optimization/methods/detail/starts.hpp>
 #include <fretwork/optimization/methods/detail/unit_box.hpp>
 #include <fretwork/optimization/methods/simulated_annealing.hpp>
 #include <fretwork/optimization/sampling.hpp>
@@ -124,12 +125,10 @@ class SimulatedAnnealing final : public Optimizer {
     explicit SimulatedAnnealing(const SimulatedAnnealingOptions& options) : options_(options) {}
 
     RunOutcome run(Evaluator& evaluator) const override {
-        RunOutcome outcome;
-        for (int run = 0; run < options_.common.starts; ++run) {
-            outcome = Annealing(options_, evaluator, run).run();
-            if (outcome.ending == Ending::BudgetSpent) break;
-        }
-        return outcome;
+        detail::BestRun best(evaluator);
+        for (int run = 0; run < options_.common.starts && !best.is_over(); ++run)
+            best.add(Annealing(options_, evaluator, run).run());
+        return best.outcome();
     }
 
   private:

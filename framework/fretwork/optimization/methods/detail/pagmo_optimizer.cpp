@@ -2,6 +2,7 @@
 // The only file with a problem of pagmo, because such a problem takes long to compile.
 #include <fretwork/base/random.hpp>
 #include <fretwork/optimization/methods/detail/pagmo_optimizer.hpp>
+#include <fretwork/optimization/methods/detail/starts.hpp>
 #include <fretwork/optimization/methods/detail/unit_box.hpp>
 
 #include <cmath>
@@ -49,7 +50,7 @@ class PagmoRuns final : public Optimizer {
     PagmoRuns(MakeEvolution make, const PagmoOptions& options) : make_(make), options_(options) {}
 
     RunOutcome run(Evaluator& evaluator) const override {
-        RunOutcome outcome{Ending::BudgetSpent, {}};
+        BestRun best(evaluator);
         try {
             for (int i = 0; i < options_.common.starts; ++i) {
                 const unsigned seed = base::derived_seed(options_.common.seed, i);
@@ -57,14 +58,14 @@ class PagmoRuns final : public Optimizer {
                 const pagmo::population first{pagmo::problem(UnitProblem(evaluator)), evolution.population,
                                               seed};
                 const auto champion = evolution.algorithm.evolve(first).champion_x();
-                outcome = {Ending::Converged,
-                           UnitBox(evaluator.problem())
-                               .point(Eigen::Map<const Eigen::VectorXd>(champion.data(), champion.size()))};
+                best.add({Ending::Converged,
+                          UnitBox(evaluator.problem())
+                              .point(Eigen::Map<const Eigen::VectorXd>(champion.data(), champion.size()))});
             }
         } catch (const Refused&) {
-            outcome = {Ending::BudgetSpent, evaluator.best_point()};
+            best.add({Ending::BudgetSpent, evaluator.best_point()});
         }
-        return outcome;
+        return best.outcome();
     }
 
   private:
