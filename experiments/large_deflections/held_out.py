@@ -3,7 +3,7 @@
 """Corotational cantilevers and bridges of further seeds: how many are beyond the aims, and do their results say so?
 
 Usage: held_out.py PROGRAM PATTERNS OUT [--seeds 3,4,5,6] [--count 126]
-Rows go to OUT/held_out.csv; those that are there are kept. Prints the table of README.md. Exit code 1 if a surface beyond the aims is
+Rows go to OUT/held_out.csv; those that are there are kept. Prints a table of both kinds. Exit code 1 if a surface beyond the aims is
 not named: neither warned of, nor with an estimate that is beyond them.
 """
 import json

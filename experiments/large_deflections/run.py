@@ -21,7 +21,7 @@ DIGITS = 5  # of the numbers in tables
 FIELDS = ["number", "kind", "shape", "tiles", "span", "deflection", "rotation", "full_s", "full_linear_s"]
 for name in MODELS:
     FIELDS += [f"{name}_{what}" for what in ("mean", "largest", "l2", "s")]
-# What the difference from mixed:0.05, 0.1 and 0.3 says of the corotational mean error, and mixed:0.3 of the others'.
+# Estimates of a mean error: the difference from mixed:0.05 and 0.1 for corotational, and from mixed:0.3 for the other models.
 DIFFERENCES = {"by_5": ("mixed:0.05", "corotational"), "by_10": ("mixed:0.1", "corotational"),
                "condensed_by_30": ("mixed:0.3", "condensed"), "mixed_by_30": ("mixed:0.3", "mixed:0.05")}
 FIELDS += ["estimate_mean", "estimate_largest", "estimate_l2", *DIFFERENCES, "buckled", "note"]

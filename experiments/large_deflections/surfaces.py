@@ -67,7 +67,7 @@ SHAPES = (rectangle, trapezoid, waisted, angle, blob, band)
 
 
 def outline(shape, rng):
-    """Of about 60 to 200 tiles of the paper's size."""
+    """Of about 45 to 240 tiles of the paper's size."""
     width = rng.uniform(0.4, 0.8)
     boundary = shape(width, width * rng.uniform(0.35, 0.7), rng)
     holes = []
