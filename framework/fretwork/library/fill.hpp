@@ -37,14 +37,15 @@ struct FillReport {
     std::size_t dead_starts = 0;
 };
 
-/// Compute the missing data of some of a library's patterns: responses, effective properties, and the
-/// calibration that the options describe.
+/// Compute the missing data of some of a library's patterns: the calibration that the options describe, and
+/// the responses. Effective properties are computed with the responses, if tiles have four or six sides.
 ///
-/// Finished patterns are stored about every second in one transaction, so a killed process loses about one
-/// second of computation, and a new call continues with the patterns that are not stored. The result does not
-/// depend on threads, interruptions and shards. A failed computation is recorded with its reason, and does
-/// not stop the rest. Memory does not grow with the number of patterns. Throws as Library::store; data that
-/// was stored before the error remains.
+/// Finished patterns are stored every FillOptions::seconds_between_stores in one transaction. A killed
+/// process loses the patterns that are not stored yet, and a new call continues with them. The result does
+/// not depend on threads, interruptions, or the division of the patterns among several calls. A failed
+/// computation is recorded with its reason, and does not stop the rest. Apart from the list of patterns,
+/// memory does not grow with their number. Throws as Library::store; data that was stored before the error
+/// remains.
 FillReport fill(Library& library, std::span<const pattern::NamedPattern> patterns,
                 const FillOptions& options);
 

@@ -23,8 +23,8 @@ namespace fretwork::library {
 
 /// The access to a library's file.
 enum class Access {
-    ReadOnly,  ///< the file is not changed
-    ReadWrite  ///< the file may be changed, and is made if it does not exist
+    ReadOnly,  ///< nothing is stored; at most, the transaction of a killed writer is rolled back
+    ReadWrite  ///< data may be stored; the file must exist
 };
 
 /// True if `left` comes before `right` in the order of Library::patterns(): by number of edges, then by the
@@ -102,7 +102,8 @@ std::string calibration_computation(const CalibrationKey& key);
 /// IoError (disk full, no permission, file locked by another process for longer than ten seconds).
 class Library {
   public:
-    /// Create a new file. Throws InputError if the file exists, IoError if it cannot be written.
+    /// Create a library in a new or an empty file. Throws InputError if the file exists and is not empty,
+    /// IoError if it cannot be written.
     static Library create(const std::filesystem::path& path, const pattern::NodeLayout& layout,
                           const reduction::Setting& setting);
     /// Open a file. A file of schema 3 is converted to the present schema if it is opened for writing, and is
@@ -174,8 +175,9 @@ class Library {
     [[nodiscard]] bool lacks_calibration(std::string_view pattern_id, const CalibrationKey& key) const;
 
     /// Store a batch in one transaction, whole or not at all. A recorded failure of a computation is deleted
-    /// if the batch has the result of that computation. Throws InputError (unknown pattern or scenario, wrong
-    /// number of samples, a value that differs from the stored one), NumericalError (a value is not finite).
+    /// if the batch has the result of that computation. A property replaces the stored one. Throws InputError
+    /// (unknown pattern or scenario, wrong number of samples, a response or calibration that differs from the
+    /// stored one), NumericalError (a value is not finite).
     void store(std::span<const PatternData> batch, std::span<const Failure> failures = {});
     /// All recorded failures.
     [[nodiscard]] std::vector<Failure> failures() const;
@@ -200,13 +202,14 @@ class Library {
     [[nodiscard]] std::vector<std::pair<std::string, double>> properties(std::string_view pattern_id) const;
 
     /// A SHA-256 (64 hexadecimal digits) of the content: layout, setting, patterns, responses, calibrations,
-    /// properties, failures. The hash does not depend on the order of storing, on times, hosts and program
-    /// versions, or on SQLite's layout of the file.
+    /// properties, failures. The hash does not depend on the setting's strength and section shape, on the
+    /// order of storing, on times, hosts and program versions, or on SQLite's layout of the file.
     [[nodiscard]] std::string content_hash() const;
     /// True if `hash` is the hash of the content by this or an older version of the program.
     [[nodiscard]] bool has_content(std::string_view hash) const;
-    /// Write each table as one CSV file, and layout.json and setting.json, into a folder, which is created if
-    /// missing. Rows are sorted; times and hosts are left out, so equal contents give equal files.
+    /// Write each table of content and the view `behaviour` as one CSV file, but the layout and the setting
+    /// as layout.json and setting.json, into a folder, which is created if missing. Rows are sorted; times
+    /// and hosts are left out, so equal contents give equal files.
     void export_csv(const std::filesystem::path& folder, const base::Control& control = {}) const;
 
   private:

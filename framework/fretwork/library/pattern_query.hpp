@@ -9,8 +9,8 @@
 namespace fretwork::library {
 
 /// A search for patterns by their behaviour. Both expressions are SQL expressions. They may contain
-/// FoundPatterns::columns, `pattern_id`, numbers, comparison, arithmetic, `between`, `in`, `like`, `and`,
-/// `or`, `not`, `is null`, and SQLite's scalar functions.
+/// FoundPatterns::columns, `pattern_id`, `mirror`, numbers, comparison, arithmetic, `between`, `in`, `like`,
+/// `and`, `or`, `not`, `is null`, and SQLite's scalar functions.
 struct PatternQuery {
     std::string where{};      ///< condition, such as `bending_poisson < 0`; empty: every pattern
     std::string sort{};       ///< expression by which the patterns are sorted; empty: by pattern id
@@ -28,7 +28,7 @@ struct FoundPattern {
 /// The patterns that a query has found, in its order.
 struct FoundPatterns {
     /// Names of the columns with numbers: number of edges, smallest objective of all calibrations, and the
-    /// columns of the view `behaviour` (schema.md).
+    /// properties in the view `behaviour` (schema.md).
     std::vector<std::string> columns;
     std::vector<FoundPattern> patterns;  ///< the patterns
     std::size_t known = 0;               ///< number of all patterns of the library with known behaviour

@@ -33,7 +33,7 @@ struct CalibrationStatistics {
     double median = 0.0;         ///< median of E
     /// far_above_limit() of all calibrations of the key in the library
     double far_above_limit = 0.0;
-    std::vector<FarAbove> far_above;  ///< patterns with E far above the median
+    std::vector<FarAbove> far_above;  ///< patterns with E above far_above_limit
     /// For each parameter, the number of patterns with this parameter at a bound.
     std::map<std::string, std::size_t> at_bound;
     /// Number of samples of these patterns, scenarios times magnitudes.

@@ -10,7 +10,7 @@ namespace fretwork::optimization {
 
 /// The outcome of a run.
 struct OptimizationReport {
-    std::string optimizer;              ///< name of the method
+    std::string optimizer;              ///< name of the method; empty if it has no row in a catalogue
     Ending ending = Ending::Converged;  ///< the way in which the run ended
     Eigen::VectorXd point;              ///< the best point found; empty if the objective was never finite
     double value = 0.0;                 ///< objective at the best point

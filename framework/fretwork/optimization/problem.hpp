@@ -13,7 +13,7 @@ enum class Evaluation {
     Value,      ///< the objective
     Gradient,   ///< the objective and its gradient
     Residuals,  ///< the residuals and their Jacobian matrix
-    Curvature   ///< the objective, its gradient and its Hessian matrix
+    Curvature   ///< the objective, its gradient and a generalized Gauss-Newton matrix
 };
 /// The word for a kind of evaluation in tables.
 std::string_view evaluation_name(Evaluation kind);
@@ -28,7 +28,7 @@ struct Bounds {
     [[nodiscard]] bool contain(const Eigen::VectorXd& point) const;
     /// The point within the bounds that is nearest to `point`.
     [[nodiscard]] Eigen::VectorXd clamp(const Eigen::VectorXd& point) const;
-    /// The point lower + shares (upper - lower), component by component.
+    /// The point lower + shares (upper - lower), component by component, clamped to the bounds.
     [[nodiscard]] Eigen::VectorXd at_shares(const Eigen::VectorXd& shares) const;
     /// Throws InputError unless all bounds are finite and lower < upper.
     void validate() const;
@@ -52,7 +52,7 @@ struct ResidualEvaluation {
 
 /// Gradient and curvature. `curvature` is a generalized Gauss-Newton matrix: positive semidefinite, and equal
 /// to the Hessian without the terms that contain second derivatives of the inner model. If the problem also
-/// offers residuals, it is not smaller than 2 J^T J.
+/// offers residuals, the matrix is not smaller than 2 J^T J, where J is their Jacobian.
 struct CurvatureEvaluation {
     double objective = 0.0;     ///< objective without smoothing
     double value = 0.0;         ///< smoothed objective, which is differentiated

@@ -20,8 +20,8 @@ struct CensusRow {
     int edges = 0;            ///< number of edges
     GraphCount patterns = 0;  ///< number of all graphs with this number of edges, valid or not
     /// For each filter, the number of graphs that it rejects, whether or not other filters reject them, too.
-    /// An entry is empty if no closed form counts these graphs and the layout has more than kMostEdgesWalked
-    /// candidate edges.
+    /// An entry is empty if the layout has more than kMostEdgesWalked candidate edges and the graphs cannot
+    /// be counted without walking them.
     std::vector<std::optional<GraphCount>> rejected;
     GraphCount valid = 0;  ///< number of graphs that all filters accept
 };
@@ -40,10 +40,11 @@ inline constexpr int kMostEdgesWalked = 20;
 
 /// Count the graphs that each filter rejects, and the valid graphs, which all filters accept. Up to
 /// kMostEdgesWalked candidate edges, every graph is walked. With more candidate edges, a search counts the
-/// valid graphs, and closed forms count the graphs that filters about pairs, loads and groups of edges
-/// reject; the columns of other filters stay empty.
+/// valid graphs. The graphs that filters about pairs, loads and groups of edges reject are counted without
+/// walking them if memory allows; all other columns stay empty.
 Census take_census(const NodeLayout& layout, const EnumerationOptions& options = {});
-/// Take the census with the `valid` counts of an earlier search under the same options.
+/// Take the census with the `valid` counts of an earlier search under the same options. The counts are
+/// ignored if every graph is walked.
 Census take_census(const NodeLayout& layout, const EnumerationOptions& options, const PatternCount& valid);
 
 /// The census as CSV with LF. Columns: edges, patterns, one for each filter, valid. An entry is empty if it

@@ -28,9 +28,9 @@ struct EnumerationOptions {
     FilterSettings filters{};  ///< the rules that valid patterns keep
     /// Number of threads; 0: one for each processor; the result and its order do not depend on the number.
     int threads = 0;
-    /// The search has 256 pieces. Each piece stores at most this number of patterns until they are passed on
-    /// in order. A smaller number saves memory but costs time: a piece with more patterns is searched again,
-    /// one section at a time.
+    /// The search takes its pieces in batches of 256. Each piece of a batch stores at most this number of
+    /// patterns until they are passed on in order. A smaller number saves memory but costs time: a piece with
+    /// more patterns is divided and searched again.
     std::size_t most_kept = std::size_t{1} << 15;
     base::Control control{};  ///< progress counts pieces of the search; a stop throws base::Stopped
     /// Throws InputError if a value is invalid.
@@ -48,8 +48,8 @@ struct PatternCount {
 /// patterns' edge lists. A pattern comes before all patterns that extend its list.
 ///
 /// Paper, Sections 4.1 and 4.2, with one difference: filters are not applied afterwards. Instead, a search
-/// adds edges one by one and turns back as soon as a rule can no longer be kept. Memory does not grow with
-/// the number of patterns: see EnumerationOptions::most_kept.
+/// adds edges one by one and turns back as soon as a rule that prunes (see rule.hpp) can no longer be kept.
+/// Memory does not grow with the number of patterns: see EnumerationOptions::most_kept. Returns the count.
 PatternCount for_each_pattern(const NodeLayout& layout, const EnumerationOptions& options,
                               const std::function<void(const Pattern&)>& visit);
 

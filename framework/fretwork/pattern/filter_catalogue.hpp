@@ -11,7 +11,7 @@
 
 namespace fretwork::pattern {
 
-/// The size of the regular hexagon in which a fan would be made. Rules about lengths need it.
+/// The sizes of the regular hexagon and of the beams to be made. Rules about lengths need them.
 struct FabricationScale {
     double tile_side = 0.025980762113533160;  ///< side of the hexagon, m; 0.015 sqrt(3), as in the paper
     double beam_width = 0.002;                ///< width of the beams, m; as in the paper

@@ -15,8 +15,8 @@ class Mirror {
     /// Find the mirror image of each edge of a layout.
     explicit Mirror(const NodeLayout& layout);
 
-    /// The mirror image of a pattern. None if the pattern uses a face node whose mirror image is not in the
-    /// layout.
+    /// The mirror image of a pattern. None if the mirror image of one of its edges is not a candidate edge of
+    /// the layout.
     [[nodiscard]] std::optional<Pattern> image(const Pattern& pattern) const;
     /// True if the pattern is its own mirror image.
     [[nodiscard]] bool is_symmetric(const Pattern& pattern) const;

@@ -25,7 +25,7 @@ enum class Region {
     RightRadial,  ///< the node lies on v0 v2, which is v0 v1 of the next sector
     Face,         ///< the node lies inside the triangle
     Interface,    ///< the node lies on v1 v2
-    Corner        ///< the node lies at v1 or v2
+    Corner        ///< the node lies at v1 or v2; not used, because layouts may not have such nodes
 };
 
 /// A node of the base triangle v0 v1 v2; v0 is the polygon's centroid, v1 and v2 are the ends of one of its
@@ -57,20 +57,20 @@ struct NodeLayoutDescription {
 /// is immutable.
 ///
 /// Numbering: center, radial nodes on v0 v1, radial nodes on v0 v2, face nodes, interface nodes (from v1 to
-/// v2), corners. Candidate edges are sorted by first, then second node. Three kinds of edges are not
+/// v2). Candidate edges are sorted by first, then second node. Three kinds of edges are not
 /// candidates: edges along the right radial side (the left radial side gives the same fan), edges along the
 /// interface side, and edges that pass through another node. Paper, Sections 4.1 and 4.2.
 class NodeLayout {
   public:
-    /// Make a layout from its description. Throws InputError that names a node and the rule that the node
-    /// breaks.
+    /// Make a layout from its description. Throws InputError that names the broken rule and, if one node
+    /// breaks it, this node.
     explicit NodeLayout(NodeLayoutDescription description);
 
     /// The description from which the layout was made.
     [[nodiscard]] const NodeLayoutDescription& description() const { return description_; }
     /// The name of the layout, which may stand before a pattern id.
     [[nodiscard]] const std::string& name() const { return description_.name; }
-    /// The nodes, in the order of the class comment.
+    /// The nodes, in the order of their numbers.
     [[nodiscard]] const base::IndexVector<LayoutNodeIndex, LayoutNode>& nodes() const { return nodes_; }
     /// The candidate edges, sorted.
     [[nodiscard]] const base::IndexVector<EdgeIndex, Edge>& candidate_edges() const { return edges_; }

@@ -46,8 +46,8 @@ EdgeIndex find_edge(const NodeLayout& layout, std::string_view text);
 std::string pattern_id(const NodeLayout& layout, const Pattern& pattern);
 
 /// The pattern with an id, which may have the layout's name in front ("paper7:0-1+1-6"). The edges may come
-/// in any order. Throws InputError if the text is not an id, or if it names another layout or an edge that is
-/// not a candidate.
+/// in any order. Throws InputError if the text is not an id, or if it names another layout, an edge that is
+/// not a candidate, or an edge twice.
 Pattern parse_pattern_id(const NodeLayout& layout, std::string_view id);
 
 /// A pattern and its id in its layout.

@@ -58,18 +58,20 @@ struct EdgeGroup {
 /// available any more. Cost: one AND per group.
 struct CoverRule {
     std::vector<EdgeGroup> groups;  ///< the groups, each with at least one edge in a pattern
-    /// Words for messages: "no beam ends at", as in "no beam ends at node n6".
+    /// Words for messages: "no beam ends at", as in "no beam ends at interface node n6".
     std::string phrase;
 };
 
 /// The fan in the hexagon has a graph property. Boost.Graph defines the property; the search uses an
-/// equivalent bit-parallel test. Pruning: none. Cost: a few graph searches with bit sets.
+/// equivalent bit-parallel test. Pruning: if both properties are required, the search turns back once no
+/// available edge meets a loose end, an inner node where one beam ends. Cost: a few graph searches with bit
+/// sets.
 struct GraphRule {
     /// The property that the fan's graph must have.
     enum class Property {
         Connected,  ///< the graph has one component
-        /// The graph has no articulation point after a further node outside was connected to all interface
-        /// nodes.
+        /// The graph, with a further node outside that is connected to all interface nodes, has no
+        /// articulation point.
         WithoutArticulation
     };
     Property property = Property::Connected;  ///< the property

@@ -41,7 +41,8 @@ class PatternSampler {
     /// NumericalError if `most_trials` trials in a row find no valid pattern.
     std::vector<Pattern> draw(std::size_t count, std::uint64_t most_trials = 100'000'000);
 
-    /// Estimate the number of valid patterns from `trials` additional trials.
+    /// Estimate the number of valid patterns from the first `trials` trials, whatever was drawn before.
+    /// Throws InputError if `trials` is 0.
     [[nodiscard]] CountEstimate estimate(std::uint64_t trials) const;
 
   private:

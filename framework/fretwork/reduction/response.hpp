@@ -29,8 +29,8 @@ struct Response {
         /// True if there is no equilibrium because the path turns back before this magnitude.
         bool limit_load = false;
         /// The discretization error, estimated by Richardson extrapolation, as a share of the largest
-        /// displacement (or rotation) of the tile's nodes. None if no estimate was requested, or if the
-        /// sample did not converge with either number of divisions.
+        /// displacement (or rotation) of the tile's nodes. None if no estimate was requested, if the sample
+        /// did not converge with both numbers of divisions, or if the two solutions differ too much.
         std::optional<double> discretization_error{};
     };
     std::string scenario;         ///< name of the scenario
@@ -76,8 +76,9 @@ Response follow_scenario(const LoadedTile& tile, const Scenario& scenario, const
 
 /// Options of compute_responses().
 struct ResponseOptions {
-    bool estimate_error = false;  ///< true: fill Sample::discretization_error, at 50 % more cost
-    base::Control control{};      ///< progress counts scenarios
+    /// True: fill Sample::discretization_error. The cost is 50 % higher; with odd divisions, it triples.
+    bool estimate_error = false;
+    base::Control control{};  ///< progress counts scenarios
 };
 
 /// The nonlinear responses of a pattern, one for each scenario of the setting, with each beam divided into

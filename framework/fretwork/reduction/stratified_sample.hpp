@@ -9,7 +9,8 @@
 
 namespace fretwork::reduction {
 
-/// Choose up to `size` items: the same number from each stratum, or all items of a stratum with fewer items.
+/// Choose up to `size` items: from each stratum the same number (the first strata may give one more), or all
+/// items of a stratum with fewer items.
 /// The chosen items are evenly spread within their stratum. Returns ascending indices. The choice is
 /// deterministic.
 /// @param strata  the stratum of each item

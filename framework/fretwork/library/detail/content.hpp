@@ -8,13 +8,14 @@
 
 namespace fretwork::library::detail {
 
-/// The SHA-256 of all rows of content, sorted by their keys. Each value is hashed as its type, its length if
-/// it is a text, and its bytes.
+/// The SHA-256 of all rows of content, sorted by their keys; the setting without its strength and section
+/// shape. Each value is hashed as its type, its length if it is a text, and its bytes.
 std::string content_hash(Database& database);
 /// The content hash as it was computed for tables of schema 3.
 std::string schema3_content_hash(Database& database);
 
-/// Write the content as one CSV file for each table, and the layout and the setting as JSON files.
+/// Write each table of content and the view `behaviour` as one CSV file, but the layout and the setting as
+/// JSON files.
 void export_csv(Database& database, const std::filesystem::path& folder);
 
 }  // namespace fretwork::library::detail

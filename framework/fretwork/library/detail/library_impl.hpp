@@ -35,7 +35,7 @@ struct Library::Impl {
     void require_pattern(std::string_view id) const;
     /// The pattern of a stored id. Throws InputError that names the file if the id is invalid.
     [[nodiscard]] pattern::NamedPattern entry(std::string id) const;
-    /// The patterns whose ids a statement gives, in the order of the enumeration.
+    /// The patterns whose ids a statement gives, in the order of Library::patterns().
     [[nodiscard]] std::vector<pattern::NamedPattern> select_patterns(detail::Statement& ids) const;
     /// The patterns at these places (ascending) among the patterns with this number of edges.
     [[nodiscard]] std::vector<pattern::NamedPattern> patterns_at(int edges,

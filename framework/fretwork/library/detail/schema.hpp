@@ -39,11 +39,11 @@ std::string content_columns(const Table& table);
 
 /// Make the tables in an empty file, and write the header fields.
 void create_schema(Database& database);
-/// Make the table that create_schema makes and schema 3 lacks.
+/// Make the table calibration_parameter, which schema 3 lacks.
 void create_parameter_table(Database& database);
 /// The version in the header of a database ("main", or as it was attached).
 std::int64_t schema_version(const Database& database, const std::string& database_name = "main");
-/// Write this version into the header.
+/// Write kSchemaVersion into the header.
 void set_schema_version(Database& database);
 /// Throw InputError unless the file is a library of a version that can be read.
 void check_schema(const Database& database);

@@ -15,15 +15,15 @@ namespace fretwork::library::detail {
 /// ("main", or as it was attached).
 std::string schema3_parameters(const std::string& database_name);
 
-/// Make temporary views, so that a schema-3 file that is only read answers the queries of schema 4.
+/// Make a temporary view, so that a schema-3 file that is only read answers the queries of schema 4.
 void view_schema3(Database& database);
 
 /// Change the tables of a schema-3 file to those of schema 4, all of them or none. Does nothing if another
 /// process has done so meanwhile.
 void migrate_schema3(Database& database);
 
-/// A query of the calibrations in the columns of schema 3, from which content hashes were made at that time.
-/// The query works on databases of schema 3 and 4.
+/// A query of the calibrations with the columns of schema 3, for content hashes as programs of schema 3 made
+/// them. The query works on databases of schema 3 and 4.
 std::string schema3_calibrations();
 
 }  // namespace fretwork::library::detail

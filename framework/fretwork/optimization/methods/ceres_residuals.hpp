@@ -30,7 +30,7 @@ enum class CeresBounds {
 struct CeresResidualsOptions {
     OptimizerOptions common{};                       ///< number of starts, and seed
     double tolerance = 1e-8;                         ///< Ceres stops below this relative change of its cost
-    int largest_iterations = 200;                    ///< largest number of iterations of one descent
+    int largest_iterations = 200;                    ///< largest number of iterations in one stage
     CeresStep step = CeresStep::LevenbergMarquardt;  ///< the choice of steps
     CeresBounds bounds = CeresBounds::Projection;    ///< the treatment of bounds
     /// Smoothing of each continuation stage, descending; see Problem.

@@ -12,11 +12,11 @@ namespace fretwork::optimization {
 /// smoothing than the stage before, and the last stage minimizes nearly the objective itself.
 struct ContinuationOptions {
     std::vector<double> smoothing = {1e-1, 1e-2, 1e-3, 1e-4};  ///< smoothing of each stage, descending
-    /// Every stage but the last ends if a step lowers the value by less than this share of the value.
+    /// Every stage but the last ends if a step is predicted to lower the value by less than this share of it.
     double loose_tolerance = 1e-3;
     double tolerance = 1e-7;      ///< the corresponding share for the last stage
     int largest_iterations = 60;  ///< largest number of iterations in one stage
-    /// Number of points sampled for each descent, which starts at the best of them.
+    /// Number of points sampled for each descent. The descents start at the best of all these points.
     int samples_per_start = 12;
     /// Throws InputError if a value is invalid.
     void validate() const;
@@ -50,7 +50,7 @@ std::unique_ptr<Optimizer> make_ceres_multistart(const MultistartOptions& option
 
 /// Levenberg-Marquardt descents with the problem's generalized Gauss-Newton matrix: every step minimizes the
 /// damped quadratic model exactly over the bounds. This method differs from make_ceres_multistart() only in
-/// its steps.
+/// its steps, and in the tests that end a stage.
 std::unique_ptr<Optimizer> make_gauss_newton_multistart(const MultistartOptions& options);
 
 }  // namespace fretwork::optimization

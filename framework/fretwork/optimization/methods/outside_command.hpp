@@ -10,7 +10,7 @@ namespace fretwork::optimization {
 /// A method that is a program of its own, in any language.
 struct OutsideCommand {
     std::string name;     ///< name of the method: letters, digits, '-', '_' and '.'
-    std::string command;  ///< command of the shell, started once for each run; the run's budget can stop it
+    std::string command;  ///< shell command, started once for each run; a stop of the caller ends it
     /// Throws InputError if the name is not valid, or there is no command.
     void validate() const;
 };
@@ -31,12 +31,13 @@ struct OutsideCommand {
 ///
 /// The answer is `spent` if the rest of the budget does not cover the evaluation. It is `outside` for a point
 /// beyond the bounds, which is not charged. At its end, the program writes `done`, or `done stalled` if its
-/// criterion was not met. After `spent`, it may end without this line. A
-/// program that asks more than a hundred times after `spent` is killed; its run ends as Ending::Stopped.
+/// criterion was not met. After `spent`, it may end without this line. A program that sends more than a
+/// hundred requests after `spent` is killed; its run ends as Ending::Stopped.
 ///
 /// Cost and results are counted as for every method; only the program's processor time is not. A run throws
-/// IoError if the command cannot be started, and InputError if it writes anything else, ends too early, or is
-/// done without a value.
+/// IoError if the shell cannot be started, and InputError if the shell does not find the program, or if the
+/// program writes anything else, ends too early or with an exit code other than 0, or is done without a
+/// value.
 OptimizerRow outside_command_row(const OutsideCommand& method);
 
 }  // namespace fretwork::optimization

@@ -29,7 +29,8 @@ struct SimulatedAnnealingOptions {
     long initial_moves = 1000;         ///< number of moves at the initial temperature
     /// Relative decrease of T: after each later move, T becomes (1 - cooling) T.
     double cooling = 1e-3;
-    int sweeps_per_adaptation = 100;  ///< number of sweeps between two adaptations of the moves' scales
+    /// Number of sweeps, with one move of each variable, between two adaptations of the moves' scales.
+    int sweeps_per_adaptation = 100;
     /// Largest change of the objective by a move in a frozen run.
     double tolerance = 1e-5;
     /// A run ends, frozen, after this number of adaptations with all moves within the tolerance.

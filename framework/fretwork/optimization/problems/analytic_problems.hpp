@@ -15,10 +15,9 @@ struct AnalyticProblem {
     Eigen::VectorXd best_point;        ///< point of the global minimum
 };
 
-/// Test functions from the literature. Each of these problems offers every kind of evaluation: sphere,
-/// Rosenbrock, Powell's singular function, Beale, Rastrigin and Levy (many minima), and a sum of distances
-/// with its minimum in a kink. No function has its minimum in the middle of its box, where some methods
-/// start.
+/// Test functions from the literature: sphere, Rosenbrock, Powell's singular function, Beale, Rastrigin and
+/// Levy (many minima), and a sum of distances with its minimum in a kink. Each problem offers every kind of
+/// evaluation. No function has its minimum in the middle of its box, where some methods start.
 std::vector<AnalyticProblem> analytic_problems();
 
 }  // namespace fretwork::optimization

@@ -16,7 +16,7 @@ class LeastSquaresProblem final : public Problem {
     using Residuals = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
     /// The function that gives the derivatives of the residuals at a point, one row for each residual.
     using Jacobian = std::function<Eigen::MatrixXd(const Eigen::VectorXd&)>;
-    /// Make a problem from its residuals; the Jacobian may be empty.
+    /// Make a problem from its residuals. The Jacobian may be empty if only values are evaluated.
     LeastSquaresProblem(std::string name, Bounds bounds, Residuals residuals, Jacobian jacobian);
 
     [[nodiscard]] std::string name() const override { return name_; }

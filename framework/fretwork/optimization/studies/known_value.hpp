@@ -15,7 +15,7 @@ struct KnownValue {
     std::string problem;      ///< id of the problem
     double best_value = 0.0;  ///< the lowest known value of the objective
     double scale = 1.0;       ///< scale of targets: a target is best_value + share * scale
-    std::string found_by;     ///< name of the method that found the value
+    std::string found_by;     ///< method and run that found the value, or "construction"
 };
 
 /// Read a table of known values. Throws InputError that names file and line.
@@ -41,7 +41,8 @@ struct KnownValueOptions {
 std::vector<KnownValue> find_known_values(const std::vector<std::string>& problems,
                                           const KnownValueOptions& options);
 
-/// Replace each known value by the best value in a table of results, if the table's value is lower.
+/// Replace each known value by the best value in a table of results, if the table's value is lower; it also
+/// becomes the scale. Values that are known in closed form stay. Throws InputError.
 void improve_known_values(std::vector<KnownValue>& values, const std::filesystem::path& results);
 
 }  // namespace fretwork::optimization::study

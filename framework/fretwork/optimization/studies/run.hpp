@@ -14,7 +14,7 @@ namespace fretwork::optimization::study {
 /// The identity of a run in a study.
 struct RunKey {
     std::string problem;    ///< id of the problem
-    std::string optimizer;  ///< name of the method, with its number of starts
+    std::string optimizer;  ///< name of the method
     int repetition = 0;     ///< number of the repetition, from 1
     friend auto operator<=>(const RunKey&, const RunKey&) = default;
 };

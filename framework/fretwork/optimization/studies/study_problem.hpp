@@ -18,7 +18,8 @@ struct StudyProblem {
     std::shared_ptr<const optimization::Problem> problem;  ///< the problem to minimize
     std::optional<double> best_value;                      ///< the minimum, if it is known in closed form
     Eigen::VectorXd optimum;                               ///< the point of the minimum; empty: not known
-    /// Unit for differences from the best value; none: the median of such differences over spread points.
+    /// Scale of differences from the best value. None: their median over spread points or, if `best_value` is
+    /// none, the lowest value found.
     std::optional<double> scale{};
 };
 

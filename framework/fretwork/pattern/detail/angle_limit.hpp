@@ -8,10 +8,10 @@ namespace fretwork::pattern::detail {
 /// The smallest angle that two beams may enclose, for exact comparisons in the regular hexagon.
 ///
 /// The cosine of an angle between rational directions of the hexagon has a rational square. Let q be this
-/// square with the sign of the cosine; q falls as the angle grows from 0 to 180 degrees. The square of the
-/// limit's cosine is rational only at multiples of 30 and 45 degrees, where the comparison is exact. At any
-/// other limit, the square is enclosed between two rationals 2e-41 apart. A q between these two rationals is
-/// an error, which has never occurred.
+/// square with the sign of the cosine; q falls as the angle grows from 0 to 180 degrees. At multiples of 30
+/// and 45 degrees, the square of the limit's cosine is rational, and the comparison is exact. At any other
+/// limit, the square is enclosed between two rationals 2e-41 apart. is_above() throws NumericalError if q
+/// lies between them.
 class AngleLimit {
   public:
     /// @param radians  the limit, from 0 to pi; a limit within 1e-12 of a multiple of 30 or 45 degrees is

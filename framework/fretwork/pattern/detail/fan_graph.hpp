@@ -25,8 +25,8 @@ FanComponents fan_components(const Fan& fan);
 /// The articulation points of the fan with its outside, ascending.
 std::vector<FanNodeIndex> articulation_nodes(const Fan& fan, Outside outside = Outside::Ring);
 
-/// The beams (positions in Fan::edges) that share no block (biconnected component) with the outside. Such
-/// beams are connected to the rest at one articulation point at most, and bear no load.
+/// The beams (positions in Fan::edges) that share no block (biconnected component) with the outside. They
+/// hang on one articulation point, or are not connected to the outside at all, and bear no load.
 std::vector<std::size_t> dangling_beams(const Fan& fan);
 
 }  // namespace fretwork::pattern::detail

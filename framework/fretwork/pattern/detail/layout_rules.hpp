@@ -8,10 +8,10 @@
 
 namespace fretwork::pattern::detail {
 
-/// A rule for layouts that a description breaks.
+/// A breach of a layout rule by a description.
 struct LayoutFault {
     std::string pointer;  ///< where in a layout file, as a JSON pointer
-    std::string message;  ///< names the node and the rule
+    std::string message;  ///< names the rule and, if one node breaks it, the node
 };
 
 /// The first rule that a description breaks, if any.

@@ -16,7 +16,7 @@ namespace fretwork::pattern::detail {
 /// gain). The center is the only node that is a whole orbit.
 class Quotient {
   public:
-    /// A node of the layout as (orbit, sector) of sector 0.
+    /// A node of the layout in sector 0, as an orbit and a shift by sectors.
     struct Place {
         int orbit = 0;
         int shift = 0;  ///< 1 on the right radial side, which is the next sector's left one

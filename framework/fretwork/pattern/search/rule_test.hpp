@@ -15,7 +15,7 @@ class RuleTest {
   public:
     RuleTest(const NodeLayout& layout, std::span<const Filter> filters);
 
-    /// One bit for each filter: set if the graph breaks the filter's rule.
+    /// One bit for each of at most 64 filters: set if the graph breaks the filter's rule.
     std::uint64_t broken(Word edges);
 
   private:

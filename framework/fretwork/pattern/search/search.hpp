@@ -40,7 +40,7 @@ class SearchProblem {
 
     Quotient quotient;
     std::vector<std::uint64_t> ends;  ///< for each edge, the orbits that it meets
-    /// For each edge, the orbits whose nodes it meets more than once.
+    /// For each edge, the orbits at whose nodes at least two copies of the edge end.
     std::vector<std::uint64_t> double_ends;
     std::vector<Word> edges_at;  ///< for each orbit, the edges that meet it
 

@@ -27,7 +27,7 @@ struct CalibrationOptions {
     std::string optimizer = "ceres-multistart";  ///< name of a row of `optimizers`
     /// The catalogue that has the optimizer.
     std::span<const optimization::OptimizerRow> optimizers = optimization::optimizer_catalogue();
-    int starts = 8;           ///< number of descents from different points
+    int starts = 8;           ///< number of descents, or of repetitions of a method without descents
     std::uint64_t seed = 1;   ///< seed of all random choices
     int budget = 20000;       ///< largest cost, in the unit of the calibration's problem
     base::Control control{};  ///< progress and stop
@@ -45,11 +45,13 @@ struct Calibration {
     double objective = 0.0;  ///< E of Eq. (8) at the parameters
     /// Weighted contribution of each scenario to E: the sum over the magnitudes in Eq. (8).
     std::vector<double> scenario_errors;
-    long evaluations = 0;  ///< cost of the fit, in the same unit
-    /// Fitted parameters in the order of the model's row; empty if nothing is fitted.
+    long evaluations = 0;  ///< cost of the fit, in the unit of the calibration's problem
+    /// Fitted parameters in the order of the model's row (read from a library: by name); empty if nothing is
+    /// fitted.
     std::vector<NamedValue> parameters;
     std::vector<std::string> at_bound;  ///< names of the parameters at a bound
-    /// True if the descent that found these parameters met the method's criterion within the budget.
+    /// True if the budget was not spent, and the start that found these parameters met the method's
+    /// criterion.
     bool converged = true;
     int dead_starts = 0;  ///< number of starts without a descent; not stored in libraries
 };

@@ -8,8 +8,8 @@
 namespace fretwork::reduction {
 
 /// The calibration of any linear tile model. The tile is built and condensed at each point; derivatives are
-/// central differences. The variables are the parameters, or the natural logarithms of parameters with a
-/// logarithmic scale.
+/// central differences, but one-sided at a bound. The variables are the parameters, or the natural logarithms
+/// of parameters with a logarithmic scale.
 class DifferenceProblem final : public CalibrationProblem {
   public:
     /// Make the problem, which keeps references to model, tile and objective. Throws InputError if the bounds

@@ -11,7 +11,7 @@ namespace fretwork::reduction {
 
 /// A setting with a name, which ids of problems state after an '@'.
 struct NamedSetting {
-    std::string name;  ///< name without '@', '/', ',' and blanks
+    std::string name;  ///< name, not empty, without '@', '/', ',', ':', quotes and blanks
     Setting setting;   ///< the setting
 };
 
@@ -19,8 +19,8 @@ struct NamedSetting {
 /// - calibration/PATTERN: the paper's model, fitted to a pattern's responses in the paper's setting. The id
 ///   of a pattern of another layout starts with that layout's name (paper8:0-1+1-7).
 ///   calibration/PATTERN@SETTING is the same in a setting of `settings`;
-/// - synthetic/N: the paper's model, fitted to its own displacements at random parameters from the middle 80
-///   % of their ranges;
+/// - synthetic/N: the paper's model, fitted to its own displacements at a random point in the middle 80 % of
+///   the range of each variable;
 /// - analytic/NAME: a function of the literature.
 /// Throws InputError if a setting's name is not valid.
 optimization::study::ProblemFamilies study_families(const std::vector<NamedSetting>& settings = {});

@@ -43,10 +43,10 @@ std::array<HexagonBlocks, kPlaneParameters> hexagon_block_derivatives(Plane plan
 
 HexagonBlocks no_blocks();
 void add_blocks(HexagonBlocks& sum, double factor, const HexagonBlocks& blocks);
-/// The sum of the products of equal entries.
+/// The sum of the products of corresponding entries.
 double sum_of_products(const HexagonBlocks& one, const HexagonBlocks& other);
 
-/// Turn (x, y) components into the axes of a node at `angle`: local = turn * global.
+/// The matrix that turns (x, y) components into the axes of a node at `angle`: local = turn * global.
 Eigen::Matrix3d turn_to(Plane plane, double angle);
 
 }  // namespace fretwork::reduction::detail

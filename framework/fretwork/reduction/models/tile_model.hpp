@@ -47,17 +47,17 @@ enum class Role {
     Reduced     ///< any other model
 };
 
-/// How tiles of a surface share what is built. With Congruent, a tile is built in its own axes, from a
-/// polygon with coordinates rounded to a tolerance. The origin of these axes is the centroid of the polygon,
-/// x runs along the first side (from vertex 0 to vertex 1), and y points into the tile. With None, each tile
-/// is built in the surface's axes from its exact polygon.
+/// The sharing of built tiles in a surface. With Congruent, a tile is built in its own axes, from a polygon
+/// with coordinates rounded to a grid. The origin of these axes is the centroid of the polygon, x runs along
+/// the first side (from vertex 0 to vertex 1), and y points into the tile. With None, or if the rounded
+/// polygon is not convex, each tile is built in the surface's axes from its exact polygon.
 enum class Sharing {
     None,      ///< each tile is built by itself
     Congruent  ///< congruent tiles are built once
 };
 
-/// A tile model turns a painted tile into elements between its interface nodes. Each tile model is a row of
-/// the catalogue.
+/// A tile model builds the structure of a painted tile, which meets its neighbours at its interface nodes.
+/// Each built-in tile model is a row of the catalogue.
 struct TileModel {
     std::string name;           ///< name in commands, files and libraries
     std::string summary;        ///< description in one line
@@ -88,7 +88,7 @@ const std::vector<TileModel>& tile_models();
 /// The row with this name. Throws InputError that suggests the nearest name, or lists all names.
 const TileModel& find_tile_model(std::string_view name, std::span<const TileModel> models = tile_models());
 
-/// The index of a parameter in a model's row. Throws InputError that lists the parameters.
+/// The index of a parameter in a model's row. Throws InputError that suggests the nearest name, or lists all.
 std::size_t parameter_index(const TileModel& model, std::string_view name);
 
 }  // namespace fretwork::reduction

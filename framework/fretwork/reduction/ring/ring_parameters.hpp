@@ -13,7 +13,7 @@ namespace fretwork::reduction {
 
 /// The number of parts. The parts are the quantities that define a ring with links: A (m^2), I2, I3 and J
 /// (m^4) of the links; A, I2, I3 and J of the ring; theta (rad, counterclockwise positive); R (m), the ring's
-/// circumradius.
+/// circumradius if each side has one interface node, in general its size as in ring_tile().
 inline constexpr int kRingParts = 10;
 /// The index of theta among the parts.
 inline constexpr int kRingTheta = 8;

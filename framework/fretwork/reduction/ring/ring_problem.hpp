@@ -9,9 +9,9 @@ namespace fretwork::reduction {
 
 /// The minimization problem by which a ring with links is calibrated to one pattern. The variables are the
 /// natural logarithms of A, I2, I3 and J as multiples of the setting's values, theta in radians, and R as a
-/// share of the centroid-to-side distance. An evaluation of any kind costs one factorization of the model's
-/// stiffness. A gradient takes one further (adjoint) solution for each scenario. Residuals and curvature take
-/// one further solution for each scenario and parameter.
+/// share of the centroid-to-side distance. An evaluation of any kind counts as one factorization of the
+/// model's stiffness. A gradient takes one further (adjoint) solution for each scenario. Residuals and
+/// curvature take one further solution for each scenario and parameter.
 class RingProblem final : public CalibrationProblem {
   public:
     /// Make a problem that keeps references to the model, the parameters and the objective.

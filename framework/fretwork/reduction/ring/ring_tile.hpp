@@ -19,7 +19,8 @@ namespace fretwork::reduction {
 mechanics::Frame ring_tile(const RingParts& parts, const pattern::NodeLayout& layout, const Setting& setting,
                            const geometry::Polygon& polygon);
 
-/// A row of the catalogue: a ring with links, with these parameters to be calibrated.
+/// A row of the catalogue: a ring with links, with these parameters to be calibrated. The row keeps a
+/// reference to `parameters`.
 TileModel ring_tile_model(const RingParameters& parameters, std::string summary);
 
 }  // namespace fretwork::reduction

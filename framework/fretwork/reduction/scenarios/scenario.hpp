@@ -10,12 +10,12 @@
 
 namespace fretwork::reduction {
 
-/// A standard load case of one tile in the reference hexagon (paper, Section 5.2 and Fig. 10). It refers to
-/// one interface node on each side; spread_over_sides() adapts it to layouts with several.
+/// A standard load case of one tile in the setting's regular polygon (paper, Section 5.2 and Fig. 10). It
+/// refers to one interface node on each side; spread_over_sides() adapts it to layouts with several.
 struct Scenario {
     /// The support of a node.
     struct Support {
-        int interface_node = 0;   ///< number in the reference hexagon
+        int interface_node = 0;   ///< number of the interface node, from 0
         mechanics::DofSet fixed;  ///< components that stay zero
         friend bool operator==(const Support&, const Support&) = default;
     };

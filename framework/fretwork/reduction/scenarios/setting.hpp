@@ -32,8 +32,8 @@ std::string_view joints_name(Joints joints);
 
 /// Material and section of the beams of a tile.
 struct TileMaterial {
-    mechanics::Section section;    ///< section of each bar
-    mechanics::Material material;  ///< material of each bar
+    mechanics::Section section;    ///< section of each beam
+    mechanics::Material material;  ///< material of each beam
 };
 
 /// All inputs of a response besides its pattern: material, section, tile size, scenarios and discretization.
@@ -66,7 +66,7 @@ struct Setting {
 std::vector<std::string> warnings_about(const Setting& setting);
 
 /// The paper's setting: a hexagon inscribed in a circle of diameter 0.03 sqrt(3) m, bars of 2 x 2 mm, 1 GPa,
-/// nu 0.3, and the five scenarios. One value differs: each beam has two elements, and one in the paper.
+/// nu 0.3, and the five scenarios. One value differs: each beam has two elements, in the paper one.
 Setting paper_setting();
 
 /// The paper's setting with stiff joints, for surfaces to be made: their bars merge where they meet. A new

@@ -9,9 +9,10 @@
 
 namespace fretwork::reduction {
 
-/// Read a setting file. A value that the file does not state is taken from paper_setting(). A scenario is an
-/// object, the name of a scenario of the paper, or {"use": name, "max_magnitude": newtons}. Throws InputError
-/// with file and JSON pointer.
+/// Read a setting file. If a key such as "material" is missing, its value is taken from paper_setting(); a
+/// material without the key "density" has density 0. A scenario is an object, the name of a scenario of the
+/// paper, or {"use": name} with the optional keys "max_magnitude" (N) and "weight". Throws InputError with
+/// file and JSON pointer.
 Setting read_setting(const std::filesystem::path& path);
 
 /// The setting named "paper" or "made" or, for another text, the setting in the file with this path.

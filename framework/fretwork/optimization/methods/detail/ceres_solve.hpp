@@ -15,12 +15,14 @@ struct Linearization {
     Eigen::MatrixXd jacobian;
 };
 
-/// The problem that Ceres minimizes. `linearize` returns nothing once the budget is spent.
+/// The problem that Ceres minimizes. `linearize` returns nothing if the budget is spent, or if the objective
+/// is not finite.
 struct CeresTask {
     std::function<std::optional<Linearization>(const Eigen::VectorXd&)> linearize;
     int residuals = 0;
     std::optional<Bounds> bounds{};  ///< none: any point is valid
-    /// Called at the first point and at every point that Ceres accepts; none: Ceres' own tests decide alone.
+    /// Returns true to end the run. Called at the first point and at every point that Ceres accepts. None:
+    /// Ceres' own tests decide alone.
     std::function<bool(const Linearization&)> is_converged{};
 };
 

@@ -9,9 +9,9 @@
 
 namespace fretwork::optimization::detail {
 
-/// A shell command that runs beside us. Its standard input and output are one socket, on which both sides
-/// speak in lines; its standard error is ours. It has a process group of its own, so that Ctrl-C reaches this
-/// program alone, which then ends the command.
+/// A shell command that runs beside this program. Its standard input and output are one socket, on which both
+/// sides write lines; it shares the standard error of this program. It has a process group of its own, so
+/// that Ctrl-C reaches only this program, which then ends the command.
 class ChildProcess {
   public:
     /// Start the command. The control stops all waiting for it within 50 ms. Throws IoError.
@@ -21,14 +21,14 @@ class ChildProcess {
     ChildProcess(const ChildProcess&) = delete;
     ChildProcess& operator=(const ChildProcess&) = delete;
 
-    /// Its next line, without the end of line, LF or CR LF; none at the end of its output. Throws InputError
-    /// if a line does not end, Stopped.
+    /// The command's next line, without the LF or CR LF at its end; none at the end of the output, where a
+    /// line without LF is dropped. Throws InputError if a line is longer than a mebibyte. Throws Stopped.
     std::optional<std::string> read_line();
-    /// Write a line. One that the command no longer reads is lost. Throws Stopped.
+    /// Write a line. A line that the command no longer reads is lost. Throws Stopped.
     void write_line(const std::string& text);
-    /// Say that no more lines come, and wait a second for the end of the command. Then the command and all
-    /// that it has started are killed. Returns its exit code, or that of a shell whose command was killed by
-    /// a signal: 128 and its number; none if it had not ended by itself.
+    /// Close the command's input, wait up to a second for its end, and kill what is left of its process
+    /// group. Returns its exit code, or 128 plus the number of the signal that ended it; none if it did not
+    /// end within the second. Throws Stopped.
     std::optional<int> finish();
 
   private:

@@ -14,7 +14,8 @@ namespace fretwork::optimization::detail {
 /// smoothing, in the unit box.
 struct NloptOptions {
     OptimizerOptions common{};
-    /// The relative change of the objective, and of the variables as shares of the box, at which a run ends.
+    /// A run ends if the relative change of the objective, or of each variable as a share of the box, is
+    /// below this number.
     double tolerance = 1e-8;
     double initial_step = 0.1;  ///< initial step of the local methods, as a share of the box
     ObjectiveScale scale = ObjectiveScale::AsItIs;

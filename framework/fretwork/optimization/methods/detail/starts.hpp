@@ -8,8 +8,8 @@
 namespace fretwork::optimization::detail {
 
 /// The points of the low-discrepancy sequence from which descents begin: of `samples` points, the
-/// `options.starts` points with the best values, best first. If there are no more samples than starts, the
-/// first points are returned without an evaluation. Empty if the budget does not cover a single sample.
+/// `options.starts` points with the best values, best first. If `samples` is at most `options.starts`, the
+/// first `options.starts` points, not evaluated. Empty if the budget does not cover a single sample.
 std::vector<Eigen::VectorXd> choose_starts(Evaluator& evaluator, const OptimizerOptions& options,
                                            int samples);
 
