@@ -96,18 +96,18 @@ mechanics::Frame ring_tile(const RingParts& parts, const pattern::NodeLayout& la
     return frame;
 }
 
-TileModel ring_tile_model(const RingParameters& parameters, std::string summary) {
-    return {.name = parameters.model,
+TileModel ring_tile_model(base::Borrowed<RingParameters> parameters, std::string summary) {
+    return {.name = parameters->model,
             .summary = std::move(summary),
             .parameters = tile_parameters(parameters),
             .build =
-                [&parameters](const TileInput& input) {
-                    return beam_tile(ring_tile(parameters.parts(input.parameters), input.layout,
+                [parameters](const TileInput& input) {
+                    return beam_tile(ring_tile(parameters->parts(input.parameters), input.layout,
                                                input.setting, input.polygon),
                                      input.fan->interface_node_count);
                 },
-            .problem = [&parameters](const Objective& objective, const pattern::NodeLayout& layout,
-                                     const Setting& setting) -> std::unique_ptr<CalibrationProblem> {
+            .problem = [parameters](const Objective& objective, const pattern::NodeLayout& layout,
+                                    const Setting& setting) -> std::unique_ptr<CalibrationProblem> {
                 if (!RingHexagon::fits(layout, setting)) return nullptr;
                 return std::make_unique<RingProblem>(std::make_unique<RingHexagon>(setting), parameters,
                                                      objective, setting);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/borrowed.hpp>
 #include <fretwork/geometry/polygon.hpp>
 #include <fretwork/reduction/models/tile_model.hpp>
 #include <fretwork/reduction/ring/ring_parameters.hpp>
@@ -19,8 +20,8 @@ namespace fretwork::reduction {
 mechanics::Frame ring_tile(const RingParts& parts, const pattern::NodeLayout& layout, const Setting& setting,
                            const geometry::Polygon& polygon);
 
-/// A row of the catalogue: a ring with links, with these parameters to be calibrated. The row keeps a
-/// reference to `parameters`.
-TileModel ring_tile_model(const RingParameters& parameters, std::string summary);
+/// A row of the catalogue: a ring with links, with these parameters to be calibrated. The parameters have to
+/// outlive the row.
+TileModel ring_tile_model(base::Borrowed<RingParameters> parameters, std::string summary);
 
 }  // namespace fretwork::reduction
