@@ -58,11 +58,12 @@ struct Scene {
     /// Supports and loads to draw; none: no load case is drawn.
     std::optional<simulation::Conditions> conditions{};
     std::vector<LabelledResult> results{};  ///< results; the first is the main result
-    double displacement_scale = 1.0;        ///< factor on displacements in drawings of deformed states
-    /// Direction of the viewer of deformed states; none: chosen automatically.
+    double displacement_scale = 1.0;        ///< factor on displacements in drawings and pictures
+    /// Direction of the viewer of deformed states. None: pictures and pages choose the best direction, and
+    /// drawings take that of ViewOptions.
     std::optional<ViewOptions> view{};
     PictureOptions picture{};  ///< size and colours of pictures
-    /// Strength behind utilizations, Pa; none: the strength in the setting.
+    /// Strength to which utilizations refer, Pa; none: the strength in the setting.
     std::optional<double> strength{};
     DrawnLabels labels{};                             ///< numbers on drawings from above
     Making making{};                                  ///< options for files to cut or print

@@ -37,16 +37,16 @@ struct WriterRow {
     Content content;                 ///< content; it distinguishes rows with the same file extension
     std::string_view description;    ///< description in `--help`
     Written (*write)(const Scene&);  ///< function that makes the text
-    /// The members of a scene that a writer reads besides surface and results.
+    /// The members of a scene that a writer reads besides surface, results, models and control.
     enum class Kind {
-        Data,     ///< no further members
-        Drawing,  ///< conditions, scale and view
-        Picture,  ///< those of a drawing, and Scene::picture
-        Motion,   ///< those of a picture without view; the file moves through the load steps of a result
-        Made      ///< the members for making
+        Data,     ///< no further members; .vtu: the strength
+        Drawing,  ///< conditions, scale, view and labels
+        Picture,  ///< conditions, scale, view, strength and Scene::picture
+        Motion,   ///< scale, strength and Scene::picture; the file moves through the load steps of a result
+        Made      ///< Scene::making; facts: also the load case
     };
     Kind kind = Kind::Data;  ///< kind of members
-    /// True if the writer reads conditions, scale and view of a scene.
+    /// True if the file is a drawing, a picture or a motion. Each reads the scale.
     [[nodiscard]] bool is_drawing() const { return kind == Kind::Drawing || is_picture(); }
     /// True if the writer also reads Scene::picture.
     [[nodiscard]] bool is_picture() const { return kind == Kind::Picture || moves(); }
@@ -60,12 +60,12 @@ struct WriterRow {
     [[nodiscard]] bool shows_results() const { return !is_made() || content == Content::Facts; }
 };
 
-/// The unit of lengths in the files of a writer.
+/// The unit of lengths in the files of a writer: "millimetre", "metre", or "none" for pictures and pages.
 std::string_view unit_of(const WriterRow& writer);
 
 /// All kinds of files. A new kind needs a source file and a row.
 std::span<const WriterRow> writer_catalogue();
-/// The writer for a file extension and a content. If `content` is empty, it is the first writer for this
+/// The writer for a file extension and a content. Without `content`, the result is the first writer for this
 /// extension. Throws InputError that lists the valid extensions or contents.
 const WriterRow& find_writer(const std::filesystem::path& path, std::optional<Content> content = {});
 /// True if a writer is the first with its file extension: the default without a given content.

@@ -33,7 +33,7 @@ CutSheet sheet_of_shape(const simulation::Surface& surface, const Shape& shape);
 /// Labels with the numbers of the tiles, at the tiles' centers.
 std::vector<Label> tile_labels(const tiling::Tessellation& tessellation);
 
-/// The box around everything on a sheet.
+/// The box around all pieces and guides of a sheet, without its text. Pre: the sheet has a piece.
 geometry::Box box_of(const CutSheet& sheet);
 
 }  // namespace fretwork::fabrication

@@ -60,13 +60,13 @@ struct Facts {
     std::size_t pierces = 0;
     std::size_t layers = 0;       ///< number of layers of a print
     double wall_length = 0.0;     ///< total length of the contours of all layers, m
-    double sharpest_angle = 0.0;  ///< smallest angle between two bars at a node, rad
-    /// The narrowest gap or opening, if one is narrower than twice a bar's width.
+    double sharpest_angle = 0.0;  ///< smallest angle between two bars at a node, rad; none: 2 pi
+    /// The narrowest gap or opening, if one is narrower than the clearance or twice a bar's width.
     std::optional<NarrowPlace> narrowest{};
-    double smallest_radius = 0.0;  ///< smallest radius of an inner corner, m; 0: sharp
+    double smallest_radius = 0.0;  ///< smallest radius of an inner corner, m; 0: sharp, or no inner corner
     /// The deflection under the surface's own weight on the supports of a load case, computed with
-    /// corotational tiles. If the equilibrium path does not reach the whole weight, there is a warning and no
-    /// sag.
+    /// corotational tiles. There is no sag without supports or density. If the equilibrium path does not
+    /// reach the whole weight, there is a warning and no sag.
     struct Sag {
         std::string load_case;    ///< name of the load case with the supports
         double weight = 0.0;      ///< load on the supports, N: `mass` times 9.80665 m/s2

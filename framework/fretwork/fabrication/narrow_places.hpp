@@ -7,7 +7,7 @@
 
 namespace fretwork::fabrication {
 
-/// A place where two sides of a contour come near each other.
+/// A place where the contours of the material come near each other, or an opening is narrow.
 struct NarrowPlace {
     /// The kind of a narrow place.
     enum class Kind {
@@ -16,7 +16,7 @@ struct NarrowPlace {
     };
     Kind kind = Kind::Gap;       ///< kind of the place
     geometry::Point2 place;      ///< the middle of the gap or of the circle, m
-    double width = 0.0;          ///< m
+    double width = 0.0;          ///< width of the gap, or diameter of the circle, m
     TileIndex tile;              ///< tile of the bar nearest to the place
     TessellationNodeIndex node;  ///< node nearest to the place
 };
@@ -26,7 +26,7 @@ struct NarrowPlace {
 std::vector<NarrowPlace> narrow_places(const Shape& shape, const BarPlan& plan, double clearance,
                                        const base::Control& control = {});
 
-/// The largest circle inside an opening, with a radius accurate to one per cent.
+/// The largest circle inside an opening. The radius is at most 1 % (or 10 nm) too small.
 struct InnerCircle {
     geometry::Point2 center;  ///< m
     double radius = 0.0;      ///< m

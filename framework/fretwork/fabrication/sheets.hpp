@@ -23,18 +23,18 @@ struct Bed {
 ///
 /// A part is a group of neighbouring tiles; tile sides separate it from other parts. Each interface node
 /// between two parts has a connector: the part with the lower number has a plate with a knob, and the other
-/// part has a plate with a socket. The connector's name is engraved on both plates.
+/// part has a plate with a socket. The connector's number is engraved on both plates.
 struct SheetSet {
     std::vector<CutSheet> sheets;  ///< sheets with the parts to cut from each
-    /// The plan of assembly: the outlines of the parts at their places as guides, and the numbers of parts
-    /// and tiles as labels.
+    /// The plan of assembly: the outlines of the parts at their places as guides, and the numbers of parts,
+    /// tiles and connectors as labels.
     CutSheet assembly;
     std::size_t parts = 0;       ///< number of parts
     std::size_t connectors = 0;  ///< number of connectors
 };
 
-/// Cut a surface into parts on sheets. Throws as make_shape(). Throws InputError if a tile does not fit the
-/// bed, or if plates of two connectors meet.
+/// Cut a surface into parts on sheets. Throws as make_shape(). Throws InputError if `bed` is invalid, if a
+/// tile does not fit the bed, or if a connector's plate meets another plate or an end of its tile side.
 SheetSet cut_into_sheets(const simulation::Surface& surface, const ShapeOptions& options, const Bed& bed);
 
 /// All sheets of a set side by side, with the plan of assembly above them, as one drawing.

@@ -23,12 +23,13 @@ struct SolidOptions {
     void validate() const;
 };
 
-/// Extrude a shape from z = 0 to its height. Vertices lie on a grid with a spacing of a tenth of a
-/// micrometre, or of 2^-22 of the size for shapes of more than a metre, so that they still differ as 32-bit
-/// numbers in millimetres.
+/// Extrude a shape from z = 0 to its height. x and y lie on a grid with a spacing of a tenth of a micrometre
+/// or, if a coordinate is above 0.42 m, of 2^-22 of the largest coordinate. Vertices thus still differ as
+/// 32-bit numbers in millimetres.
 ///
-/// Every edge of the solid belongs to two triangles, in opposite directions. A shape that touches itself has
-/// no such solid: throws GeometryError that names the place. Throws Stopped.
+/// Every edge of the solid belongs to two triangles, in opposite directions. Throws GeometryError, with the
+/// place if it is known, if the shape touches itself, because it has no such solid. Throws InputError if an
+/// option is invalid. Throws Stopped.
 Solid make_solid(const Shape& shape, const SolidOptions& options = {});
 
 /// The volume of a solid, m3.
@@ -36,7 +37,7 @@ double volume(const Solid& solid);
 
 /// The result of checking that a solid is closed.
 struct SolidCheck {
-    std::size_t open_edges = 0;  ///< number of directed edges without exactly one opposite edge
+    std::size_t open_edges = 0;  ///< number of directed edges that are repeated or lack an opposite edge
     /// Vertices - edges + triangles, which should be 2 for each piece minus 2 for each opening.
     long euler_number = 0;
 };

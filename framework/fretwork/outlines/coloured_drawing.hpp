@@ -12,8 +12,8 @@
 
 namespace fretwork::outlines {
 
-/// Parse a CSS colour ("red", "#f00", "rgb(255, 0, 0)"). Returns "#rrggbb". Throws InputError on anything
-/// else.
+/// Parse a CSS colour: a name, a hexadecimal colour or rgb() ("red", "#f00", "rgb(255, 0, 0)"). Returns
+/// "#rrggbb", without the opacity. Throws InputError for all other texts, also for hsl().
 std::string parse_colour(std::string_view text);
 
 /// The filled areas of an SVG, by colour. Coordinates are in metres from the lower left corner of the
@@ -28,7 +28,8 @@ class ColouredDrawing {
     ColouredDrawing(ColouredDrawing&&) noexcept;
     ColouredDrawing& operator=(ColouredDrawing&&) noexcept;
 
-    /// The colours in use, each once, in the order in which they are drawn: "#rrggbb", and "" for gradients.
+    /// The colours in use, each once, in the order in which they are drawn: "#rrggbb", and "" for gradients,
+    /// patterns and colours that parse_colour() does not know.
     [[nodiscard]] std::vector<std::string> colours() const;
     /// The visible colour at a point; none if no area is filled at the point.
     [[nodiscard]] std::optional<std::string> colour_at(geometry::Point2 point) const;

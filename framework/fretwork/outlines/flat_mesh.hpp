@@ -18,8 +18,8 @@ struct MeshFile {
 /// InputError with file and place, also if the mesh has no face.
 MeshFile read_space_mesh(const std::filesystem::path& path);
 
-/// Read a mesh as read_space_mesh does, and check that it lies in a plane z = constant. Throws InputError or
-/// GeometryError with file and place.
+/// Read a mesh as read_space_mesh does, and check that z is constant up to a millionth of the mesh's size.
+/// Throws InputError or GeometryError with file and place.
 MeshFile read_flat_mesh(const std::filesystem::path& path);
 
 }  // namespace fretwork::outlines

@@ -18,8 +18,8 @@ struct Outline {
     friend bool operator==(const Outline&, const Outline&) = default;
 };
 
-/// Check and orient an outline. Throws GeometryError that names two sides that cross, or a hole that lies
-/// outside the boundary.
+/// Check and orient an outline. Throws GeometryError that names the first flaw, such as two sides that cross
+/// (see outline_flaw()).
 Outline make_outline(geometry::Polygon boundary, std::vector<geometry::Polygon> holes);
 
 /// The area of an outline without its holes, m2.
@@ -35,7 +35,7 @@ double area_of(const Outline& outline);
 Outline parse_outline(std::string_view text, const std::string& source);
 /// The outline as JSON; parse_outline gives an equal outline.
 std::string outline_text(const Outline& outline);
-/// Write an outline as JSON, atomically. Throws IoError and then leaves the file as it was.
+/// Write an outline as JSON, atomically. Throws IoError if this fails; the file is then as it was.
 void write_outline(const Outline& outline, const std::filesystem::path& path);
 
 /// The outlines of a file, and remarks about changes made by the reader.
@@ -45,19 +45,21 @@ struct OutlineFile {
     std::vector<std::string> remarks;
 };
 
-/// Read outlines from SVG (the areas that a browser would fill), DXF (closed curves of the model space),
-/// OBJ/PLY/OFF (flat, one part) or JSON (one part). The file extension selects the format. Lengths are
-/// metres; x runs to the right, y upwards. The origin of an SVG is the lower left corner of its viewBox;
-/// other files keep their origin. Throws InputError or GeometryError with file and place.
+/// Read outlines from SVG (the areas that a browser would fill or, if there are none, the areas in closed
+/// lines), DXF (the areas in closed lines of the model space), OBJ/PLY/OFF (flat, one part) or JSON (one
+/// part). The file extension selects the format. Lengths are metres; x runs to the right, y upwards. The
+/// origin of an SVG is the lower left corner of its viewBox; other files keep their origin. Throws InputError
+/// or GeometryError with file and place.
 OutlineFile read_outline_file(const std::filesystem::path& path);
 /// The largest part of a file, read as by read_outline_file().
 Outline read_outline(const std::filesystem::path& path);
 
-/// Select parts of a file: "largest", "all", or a number from 1, the largest first. If parts are left out, a
-/// remark names the parts that were taken. Throws InputError that lists the valid choices.
+/// Select parts of a file: "largest", "all", or a number; part 1 is the largest. If parts are left out, a
+/// remark names the part that was taken. Throws InputError that lists the valid choices.
 OutlineFile take_parts(OutlineFile file, std::string_view which);
 
-/// Scale all parts of a file by one factor, so that together they are `width` metres wide.
+/// Scale all parts of a file by one factor, so that the box around them is `width` metres wide. Throws
+/// GeometryError if a part is no outline any more because of rounding.
 OutlineFile scaled_to_width(OutlineFile file, double width);
 
 /// The width and height of the box around outlines: "284 x 190 mm".

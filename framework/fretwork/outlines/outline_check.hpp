@@ -10,9 +10,9 @@
 
 namespace fretwork::outlines {
 
-/// Find, by exact tests, why loops (the boundary, then the holes) are not an outline: a point that is not
-/// finite, a side of length zero, two sides that touch or cross, a hole outside the boundary or inside
-/// another hole. Nothing if the loops are an outline. Throws base::Stopped.
+/// Find, by exact tests, why loops (the boundary, then the holes) are not an outline: a loop of less than
+/// three points, a point that is not finite, a side of length zero, two sides that touch or cross, a hole
+/// outside the boundary or inside another hole. Nothing if the loops are an outline. Throws base::Stopped.
 std::optional<std::string> outline_flaw(const std::vector<geometry::Polygon>& loops,
                                         const base::Control& control);
 

@@ -15,7 +15,7 @@
 namespace fretwork::tiling {
 
 /// A point of an outline is left out if its distance from the point before it is below this share of the
-/// wanted side.
+/// wanted side. The last points are also compared with the first point.
 inline constexpr double kNegligibleShare = 1e-6;
 
 /// The treatment of an outline that is narrower than a tile.
@@ -23,7 +23,9 @@ enum class Narrow {
     Refine,  ///< make tiles smaller until one tile fits
     /// Make tiles smaller as with Refine, then merge as many as possible: a narrow band gets long tiles.
     Merge,
-    Refuse,  ///< throw GeometryError, also if smaller tiles are needed for another reason
+    /// Throw GeometryError, also if a tiling with the wanted sides has other defects. Tiles around small
+    /// holes are made smaller all the same.
+    Refuse,
 };
 
 /// Options of tessellate().
@@ -34,16 +36,19 @@ struct TessellationOptions {
     Narrow narrow = Narrow::Refine;  ///< treatment of places where the outline is narrower than a tile
     int remeshing_iterations = 10;   ///< number of iterations of the isotropic remeshing
     int relaxation_iterations = 40;  ///< number of iterations towards a centroidal tessellation
-    int lattice_angles = 12;  ///< number of triangular lattices to try in addition to the remeshed triangles
-    /// The angle of the rows of tiles to the x axis, rad: only one lattice at this angle is tried. Angles
-    /// repeat after 60 degrees. None: the most regular of several tilings.
+    /// Number of triangular lattices that are sketched; the best are tried in full. With small tiles at some
+    /// places, half as many are sketched, or at most two. 0: only the remeshed triangles are tried.
+    int lattice_angles = 12;
+    /// The angle of the rows of tiles to the x axis, rad. Only one lattice at this angle is tried, and no
+    /// remeshing. Angles repeat after 60 degrees. None: the most regular of several tilings.
     std::optional<double> angle{};
     /// Number of threads; 0: one for each processor; the result does not depend on the number.
     int threads = 0;
-    /// Progress and stop. The stop is checked in every loop. Some calls of CGAL and of the standard library
-    /// process the whole outline without a check; README.md states their times.
+    /// Progress and stop. The stop is checked in all long loops. Some calls of CGAL and of the standard
+    /// library process the whole outline without a check. README.md states the time from a request to the
+    /// return.
     base::Control control{};
-    /// Throws InputError if a value is invalid.
+    /// Throws InputError if `edge_length`, `angle`, or a number of iterations or lattices is invalid.
     void validate() const;
 };
 
@@ -59,11 +64,12 @@ struct TessellationReport {
                                        ///< 0 without such tiles
     double covered_share = 0.0;        ///< share of the outline's area that tiles cover
     double outside_share = 0.0;        ///< area of the tiles outside the outline, over the outline's area
-    double refined_share = 0.0;  ///< share of the tiles that are smaller because the outline is narrow nearby
-    int tiles = 0;               ///< number of tiles
+    /// Share of the tiles with a reduced wanted side: near narrow places, small holes and mended defects.
+    double refined_share = 0.0;
+    int tiles = 0;  ///< number of tiles
     /// The number of points of the outline that were left out; see kNegligibleShare.
     int negligible_points = 0;
-    std::string start;  ///< source of the tiling: "remeshing", or "lattice at 15 deg"
+    std::string start;  ///< source of the tiling: "remeshing", "lattice at 15 deg" or "mesh"
 };
 
 /// The outcome of `tessellate`.
@@ -81,27 +87,29 @@ struct TessellationResult {
 /// the rim are pentagons or hexagons, and sides and areas are nearly equal. Where the outline is narrower
 /// than a tile, tiles are smaller (options.narrow), and sharp tips are cut off. The paper names another
 /// remesher and does not describe the closure at the rim. Here, sides between tiles end on the outline. A
-/// tile's side at the rim is the chord between two such ends, or meets a corner of the outline. As the last
-/// step, every tile is regularized.
+/// tile's side at the rim is the chord between two such ends, or meets a corner of the outline. Then every
+/// tile is regularized, and sides are made even.
 ///
 /// The tiling has the outline's topology, by an exact test. The tiles cover at least 98 % of the outline's
-/// area. No side is shorter than a quarter of the wanted side at its place, and no angle is below 25 degrees.
-/// README.md lists all guarantees.
+/// area. No side is shorter than a quarter of the mean side of its tiles, or of `edge_length` if that is
+/// less. No angle is below 25 degrees. docs/concepts/tiling.md lists all guarantees.
 ///
-/// Throws GeometryError with a place if no such tiling is found; the message states a smaller side with which
-/// a tiling was found. Throws GeometryError also if two stretches of the outline are nearer to each other
-/// than a ten-thousandth of `edge_length` (a needle, a slit). Throws InputError if more than 100,000 tiles
-/// would be needed, or if the outline lies so far from the origin that its coordinates are too coarse. Throws
-/// base::Stopped. Needles, slits, size and position are checked before any triangle is made. The result is
-/// deterministic.
+/// Throws GeometryError with a place if no such tiling is found; the message states a smaller side that works
+/// if one of at most five tried sides does. Throws GeometryError also if two stretches of the outline are
+/// nearer to each other than a ten-thousandth of `edge_length` (a needle, a slit). Throws InputError if an
+/// option is invalid, if more than 100,000 tiles would be needed, if holes make tiles so small that more than
+/// 20,000 would be needed, or if the outline lies so far from the origin that its coordinates are too coarse.
+/// Throws base::Stopped. Needles, slits, size and position are checked before any triangle is made. The
+/// result is deterministic.
 TessellationResult tessellate(const outlines::Outline& outline, const pattern::NodeLayout& layout,
                               const TessellationOptions& options);
 
 /// Tile several separate outlines as one tessellation. Tiles, vertices and interface nodes are numbered part
 /// by part. Parts share no node, so each part needs its own supports.
 ///
-/// The report covers all parts; its `start` is the start of the first part. Throws as `tessellate`, with the
-/// part's number if there are several.
+/// The report covers all parts. Its means and shares of tiles are weighted by the numbers of tiles; its
+/// `start` is that of the first part. Throws as `tessellate`; a GeometryError names the part if there are
+/// several. Throws InputError if there is no part.
 TessellationResult tessellate_parts(const std::vector<outlines::Outline>& parts,
                                     const pattern::NodeLayout& layout, const TessellationOptions& options);
 

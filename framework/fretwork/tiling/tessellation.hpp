@@ -32,9 +32,9 @@ struct Tile {
     int pattern = -1;  ///< index into Tessellation::patterns; -1: not painted
 };
 
-/// A flat surface of polygons, each painted with a pattern; neighbours share interface nodes. tessellate()
-/// numbers tiles from left to right by their centroids, and vertices and interface nodes in the order in
-/// which the tiles first use them.
+/// A flat surface of polygons, which are painted with patterns or not. Neighbours share interface nodes.
+/// tessellate() numbers tiles from left to right by their centroids, and vertices and interface nodes in the
+/// order in which the tiles first use them.
 struct Tessellation {
     std::string layout;  ///< name of the node layout that defines the interface nodes
     base::IndexVector<VertexIndex, geometry::Point2> vertices;            ///< metres
@@ -77,7 +77,8 @@ struct SharedSide {
 /// The sides that two tiles share, in the order of their second tiles.
 std::vector<SharedSide> shared_sides(const Tessellation& tessellation);
 
-/// The closed lines of the rim, each as a list of sides: the outer boundary and each hole.
+/// The closed lines of the rim, each as a list of sides: the outer boundary of each part, and each hole. The
+/// order of the lines follows their smallest vertices.
 std::vector<std::vector<RimSide>> rim_sides(const Tessellation& tessellation);
 /// The interface nodes along each closed line of the rim.
 std::vector<std::vector<InterfaceIndex>> rim_loops(const Tessellation& tessellation);
@@ -90,7 +91,7 @@ std::vector<std::vector<InterfaceIndex>> rim_loops(const Tessellation& tessellat
 /// - each pattern of a tile exists, is listed once, and is a pattern of the layout;
 /// - each vertex and each interface node belongs to a tile.
 ///
-/// Throws InputError or GeometryError that names the tile.
+/// Throws InputError or GeometryError that names the tile, vertex, interface node, pattern or layout.
 void validate(const Tessellation& tessellation, const pattern::NodeLayout& layout);
 
 }  // namespace fretwork::tiling

@@ -14,9 +14,9 @@ using TessellationNodeIndex = base::Index<struct TessellationNodeTag>;
 
 /// The patterns of all tiles as one graph in the plane. Full models and drawings are made from this graph.
 ///
-/// The first nodes are all interface nodes of the tessellation, with their own numbers, used by a pattern or
-/// not. The inner nodes follow, tile by tile, in the order of each tile's fan. Edges are listed tile by tile,
-/// in the order of each tile's fan.
+/// The first nodes are all interface nodes of the tessellation, also those without a bar. They keep their
+/// numbers. The inner nodes follow, tile by tile, in the order of each tile's fan. Edges are listed tile by
+/// tile, in the order of each tile's fan.
 struct TessellationFan {
     /// A bar of a tile.
     struct Edge {
@@ -35,7 +35,7 @@ struct TessellationFan {
 };
 
 /// Repeat every tile's pattern around its polygon. Throws InputError if the tessellation is for another
-/// layout, or a tile is not painted.
+/// layout, or if a tile is not painted or has a wrong number of interface nodes.
 TessellationFan assemble_fans(const pattern::NodeLayout& layout, const Tessellation& tessellation);
 
 }  // namespace fretwork::tiling

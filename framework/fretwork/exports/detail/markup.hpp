@@ -6,7 +6,7 @@
 
 namespace fretwork::exports::detail {
 
-/// A text as SVG and HTML take it, also between quotes.
+/// A text with the escapes of SVG and HTML, also for attributes in double quotes.
 inline std::string escaped(std::string_view text) {
     std::string result;
     for (const char c : text) {

@@ -20,14 +20,14 @@ struct PatternDrawingOptions {
 };
 
 /// A sheet with the layout and its candidate edges, and with patterns as fans with their ids, as in the
-/// paper's Fig. 3b and Fig. 2. With up to five columns of fans, text is legible (6 pt) when the sheet is
-/// scaled to a journal's column (84 mm), with up to twelve when it is scaled to a page (177 mm); the sheet
-/// states which (`data-print-width`). So do the sheets below.
+/// paper's Fig. 3b and Fig. 2. With up to five columns of cells, text is legible (6 pt) when the sheet is
+/// scaled to a journal's column (84 mm); with up to twelve, when it is scaled to a page (177 mm). The sheet
+/// states this width (`data-print-width`); larger sheets state none. The same holds for the sheets below.
 std::string pattern_sheet_svg(const pattern::NodeLayout& layout, std::span<const pattern::Pattern> patterns,
                               const PatternDrawingOptions& options = {});
 
-/// A sheet with rejected graphs as fans, as in the paper's Fig. 7: one row for each filter, the guilty beams
-/// in red, and the reason below each fan.
+/// A sheet with rejected graphs as fans, as in the paper's Fig. 7: one row for each run of rejections by the
+/// same filter, the guilty beams in red, and id and reason below each fan.
 std::string rejection_sheet_svg(const pattern::NodeLayout& layout,
                                 std::span<const pattern::Rejection> rejections,
                                 const PatternDrawingOptions& options = {});
@@ -45,9 +45,9 @@ std::string reduced_sheet_svg(const pattern::NodeLayout& layout, std::span<const
                               const reduction::Setting& setting,
                               std::span<const reduction::TileModel> models = reduction::tile_models());
 
-/// A sheet with the setting's scenarios on one tile, as in the paper's Fig. 10, three in a row with a key
-/// behind the last, in parallel projection at true scale. Each drawing shows the tile at rest with its
-/// supports and loads (symbols as in surface_svg()), the pattern's full model under the largest magnitude
+/// A sheet with the setting's scenarios on one tile, as in the paper's Fig. 10, in parallel projection at
+/// true scale. Rows have three drawings, and a key follows the last. Each drawing shows the tile at rest with
+/// its supports and loads (symbols as in surface_svg()), the pattern's full model under the largest magnitude
 /// (grey), and the reduced model, if there is one (blue). If the full model has no equilibrium at the largest
 /// magnitude, the last equilibrium before it is drawn, and the caption states the magnitude of this
 /// equilibrium.

@@ -60,7 +60,8 @@ struct BarScene {
 /// its interface nodes. Throws InputError if the result belongs to another surface.
 BarScene make_bar_scene(const Scene& scene);
 
-/// The name of the utilization field. A bar scene has this field if the strength is known.
+/// The name of the utilization field. A bar scene has this field if it has a result and the strength is
+/// known.
 inline constexpr const char* kUtilization = "utilization";
 
 /// The names of all fields that a bar scene with a result may have.

@@ -30,12 +30,12 @@ struct MeshOptions {
     base::Control control{};                                                  ///< progress and stop
 };
 
-/// Write each of `patterns` as an edge mesh in the polygon of the library's setting (`<id>.obj`). For a
-/// calibrated pattern, also write the geometry of the best calibration of the paper's reduced model
-/// (`<id>.paper6.obj`). A missing folder is created. Returns the number of files. Throws IoError.
+/// Write each of `patterns` as an edge mesh in the polygon of the library's setting (`<id>.obj` or `.ply`).
+/// Also write the geometry of the pattern's best calibration of each tile model with parameters, such as
+/// `<id>.paper6.obj`. A missing folder is created. Returns the number of files. Throws IoError and Stopped.
 std::size_t export_meshes(const library::Library& library, std::span<const pattern::NamedPattern> patterns,
                           const std::filesystem::path& folder, const MeshOptions& options = {});
-/// Add the files of export_meshes() to a batch. The caller commits it.
+/// Add the files of export_meshes() to a batch, which the caller commits. Returns their number.
 std::size_t add_meshes(const library::Library& library, std::span<const pattern::NamedPattern> patterns,
                        const MeshOptions& options, base::FolderBatch& batch);
 

@@ -31,9 +31,9 @@ std::string stiffness_array(const library::Library& library, std::span<const pat
 void add_stiffness(const library::Library& library, std::span<const pattern::NamedPattern> patterns,
                    const StiffnessOptions& options, base::FolderBatch& batch);
 
-/// Check that a batch would replace files of a folder only by equal bytes. An export may then be repeated,
-/// but does not replace the stiffness of another library, setting or choice of patterns, or any other file.
-/// Throws InputError that names the file, and Stopped.
+/// Check that each file of a batch is new in a folder, or has equal bytes there. An export may thus be
+/// repeated, and replaces neither the stiffness of another library, setting or choice of patterns nor any
+/// other file. Throws InputError that names the file, and Stopped.
 void require_same_stiffness(const std::filesystem::path& folder, const base::FolderBatch& batch,
                             const base::Control& control = {});
 

@@ -8,8 +8,8 @@
 namespace fretwork::exports {
 
 /// Lines in VTK's XML format for ParaView, in ASCII with all digits: rest positions, point data
-/// `displacement` and `rotation`, and cell data `tile` and `pattern`. ParaView's filter Warp By Vector shows
-/// the deformed state.
+/// `displacement`, `rotation` and LineSet::fields, and, if the tiles are known, cell data `tile`, `pattern`
+/// and LineSet::line_fields. ParaView's filter Warp By Vector shows the deformed state.
 std::string vtu_text(const LineSet& lines);
 
 /// Lines as Wavefront OBJ with line elements, at the displaced positions.

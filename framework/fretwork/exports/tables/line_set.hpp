@@ -27,16 +27,16 @@ struct LineField {
     std::vector<double> values;  ///< values, one for each line
 };
 
-/// Lines in space with fields at their nodes and on the lines. Every writer of 3D files takes a LineSet.
+/// Lines in space with fields at their nodes and on the lines, the input of the writers in line_files.hpp.
 struct LineSet {
     std::vector<Eigen::Vector3d> nodes;     ///< rest positions, metres
     std::vector<std::array<int, 2>> lines;  ///< the two nodes of each line
     std::vector<int> tiles;                 ///< tile of each line; empty: not known
     std::vector<int> patterns;              ///< index of the pattern of each line; empty: not known
-    std::optional<mechanics::NodeValues> displacements{};  ///< displacements, one row for each node
+    std::optional<mechanics::NodeValues> displacements{};  ///< displacement and rotation of each node
     std::vector<NodeField> fields{};                       ///< further fields at the nodes
     std::vector<LineField> line_fields{};                  ///< fields on the lines
-    std::vector<std::string> pattern_names{};              ///< id of the pattern with each index
+    std::vector<std::string> pattern_names{};              ///< ids of the patterns, by index
     /// Name of the joints of the setting; empty: not known.
     std::string joints{};
 };
@@ -53,9 +53,10 @@ void require_same_surface(const simulation::Surface& surface, const simulation::
 LineSet result_lines(const simulation::Surface& surface, const simulation::SurfaceResult& result);
 
 /// The beams of a surface with fields of a result, also in condensed tiles. The fields are the radius (of a
-/// round bar with the section's area), the section forces (each at the end where it is larger), the stress,
-/// the modes and, if `strength` (Pa) is given, the utilization. If a tile's model does not give the motions
-/// of beams, the tile has the line of result_lines(), without forces. Throws as result_lines().
+/// round bar with the section's area), the section forces (each at the end where it is larger), the stresses,
+/// the modes and, if `strength` (Pa) is given, the utilization. If any tile's model does not give the motions
+/// of beams, the lines are those of result_lines() with the radius alone. Null `result`: the beams at rest.
+/// Throws as result_lines().
 LineSet beam_lines(const simulation::Surface& surface, const simulation::SurfaceResult* result,
                    std::optional<double> strength = {},
                    std::span<const reduction::TileModel> models = reduction::tile_models());

@@ -8,10 +8,12 @@
 
 namespace fretwork::fabrication::detail {
 
-/// Counterclockwise contours become pieces, clockwise ones openings of the smallest piece around them.
+/// Pieces from contours, sorted from left to right. Counterclockwise contours become pieces; clockwise
+/// contours become openings of the smallest piece around them. Throws GeometryError if none of several pieces
+/// is around an opening.
 std::vector<Piece> assembled(std::span<const Contour> contours);
 
-/// The piece that has a point of material. Throws GeometryError if none has.
+/// The smallest piece whose outer contour is around a point. Throws GeometryError if there is none.
 Piece& piece_around(Shape& shape, const geometry::Point2& point);
 
 bool contains(const geometry::Polygon& polygon, const geometry::Point2& point);

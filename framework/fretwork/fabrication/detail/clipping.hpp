@@ -11,7 +11,8 @@
 namespace fretwork::fabrication::detail {
 
 /// The difference of `whole` and `parts`: outer boundaries counterclockwise, boundaries of removed insides
-/// clockwise. Walks may touch themselves. Exact up to the grid; areas below a square micrometre are left out.
+/// clockwise. `whole` and `parts` may touch themselves. The result is exact up to 20 nm, because corners so
+/// near to each other are merged. Areas below a square micrometre are left out.
 std::vector<geometry::Polygon> difference(const geometry::Polygon& whole,
                                           std::span<const geometry::Polygon> parts);
 
@@ -23,7 +24,7 @@ std::vector<geometry::Polygon> united(std::span<const geometry::Polygon> polygon
 std::vector<geometry::Polygon> merged(std::span<const geometry::Polygon> left,
                                       std::span<const geometry::Polygon> right);
 
-/// Polygons with openings less others.
+/// The difference of polygons with openings: `whole` without `parts`.
 std::vector<geometry::Polygon> without(std::span<const geometry::Polygon> whole,
                                        std::span<const geometry::Polygon> parts);
 

@@ -18,7 +18,7 @@ struct Connector {
     std::size_t socket_part = 0;
 };
 
-/// Lengths of a connector, m, from the width of the bars.
+/// Lengths of a connector, m, as multiples of the width of the bars.
 struct ConnectorSize {
     explicit ConnectorSize(double width)
         : plate(3.4 * width), knob(0.9 * width), neck(0.5 * width), reach(1.5 * width) {}
@@ -28,7 +28,8 @@ struct ConnectorSize {
     double reach;  ///< from the seam to the middle of the knob
 };
 
-/// The circles by which a connector changes a part: material is removed, then added, then removed again.
+/// The shapes by which connectors change a part: `beyond` is removed, `added` is added, and `sockets` are
+/// removed, in this order. `discs` are the circles in these shapes.
 struct ConnectorCut {
     std::vector<geometry::Polygon> beyond;
     std::vector<geometry::Polygon> added;
@@ -42,12 +43,13 @@ struct ConnectorMaking {
     double growth = 0.0;  ///< m, half of the kerf
 };
 
-/// Add one side of a connector.
+/// A side of a connector.
 enum class ConnectorSide { Knob, Socket };
+/// Add one side of a connector.
 void add_side(ConnectorCut& cut, const Connector& connector, ConnectorSide side,
               const ConnectorMaking& making);
 
-/// Where a side's name is engraved.
+/// The place at which a connector's number is engraved on a side.
 geometry::Point2 name_place(const Connector& connector, ConnectorSide side, const ConnectorSize& size);
 
 }  // namespace fretwork::fabrication::detail

@@ -16,21 +16,21 @@ struct PartRoom {
     base::Control control{};
 };
 
-/// For each tile the number of its part. Parts are neighbouring tiles in a cell of a grid, as few as there
-/// can be with equal cells; then tiles along the seams change parts until every connector has room. Each part
-/// with the reach around it is no larger than the bed without its margins, upright or turned by a quarter. If
-/// no such parts are found, connectors have too little room. Throws InputError that names a tile which does
-/// not fit, and Stopped if asked to stop.
+/// For each tile the number of its part. Parts are neighbouring tiles in a cell of a grid; then tiles along
+/// the seams change parts until every connector has room. Up to six grids are tried, the grid with the fewest
+/// cells first. Each part with the reach around it is no larger than the bed without its margins, upright or
+/// turned by a quarter. If no grid gives every connector room, the result is the first grid, and some
+/// connectors have too little room. Throws InputError that names a tile that does not fit, and Stopped.
 base::IndexVector<TileIndex, std::size_t> parts_of_tiles(const tiling::Tessellation& tessellation,
                                                          const Bed& bed, const PartRoom& room);
 
-/// Where parts are put: sheet, place of the lower left corner, and whether they are turned by a quarter.
+/// The place of a part: its sheet, the lower left corner of its box, and true if it is turned by a quarter.
 struct Nest {
     std::size_t sheet = 0;
     geometry::Point2 corner;
     bool turned = false;
 };
-/// Rows of boxes on sheets, the highest first. Every box fits the bed.
+/// Put boxes into rows on sheets, the highest box first. Pre: every box fits the bed.
 std::vector<Nest> nested(const std::vector<geometry::Box>& boxes, const Bed& bed);
 
 }  // namespace fretwork::fabrication::detail

@@ -22,14 +22,13 @@ struct Patch {
     geometry::Box box;
 };
 
-/// The angle between neighbouring corners on a circle, rad. Where a line cuts a chord, the arc ends on the
-/// line all the same (with_arcs()); openings that are smaller than a chord's sagitta, 1e-3 of the radius, are
-/// lost.
+/// The angle between neighbouring corners on a circle, rad. If a line cuts a chord, with_arcs() still lets
+/// the arc end on that line. Openings smaller than a chord's sagitta, 1.25e-3 of the radius, are lost.
 inline constexpr double kChordAngle = 0.1;
 
-/// The material of bars that are wider by `growth` (m): all places within half a width of a bar's line.
-/// Rectangles do for that wherever neighbouring bars of a node enclose no more than half a turn; elsewhere
-/// the circle around the node is added.
+/// The material of bars that are wider by `growth` (m): all places within half a width of a bar's line. Each
+/// bar gives a rectangle. If neighbouring bars of one width at a node enclose more than half a turn, the
+/// circle around the node is added.
 std::vector<Patch> bar_patches(const BarPlan& plan, double growth);
 
 Patch disc_patch(const Disc& disc);

@@ -12,11 +12,11 @@ namespace fretwork::fabrication::detail {
 using Walk = geometry::Polygon;
 
 struct Face {
-    Walk outer;                 ///< counterclockwise; empty: the region without end
+    Walk outer;                 ///< counterclockwise; empty: the unbounded region
     std::vector<Walk> islands;  ///< clockwise around connected bars that lie in the region
 };
 
-/// All regions; the last one is that without end.
+/// All regions; the last region is the unbounded one.
 std::vector<Face> planar_faces(const BarPlan& plan);
 
 }  // namespace fretwork::fabrication::detail

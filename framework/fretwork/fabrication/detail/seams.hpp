@@ -17,7 +17,7 @@ namespace fretwork::fabrication::detail {
 struct Crossing {
     std::array<std::size_t, 2> tiles{};  ///< the two tiles
     geometry::Point2 place;              ///< m
-    bool is_tight = false;               ///< the ends of its side are too near
+    bool is_tight = false;               ///< true if an end of its side is too near for a connector
     std::vector<std::size_t> close;      ///< crossings that are too near for both to be connectors
 };
 
@@ -33,9 +33,9 @@ struct SeamRules {
 };
 
 /// Move tiles along the seams from part to part until every connector has room. Parts stay connected and keep
-/// fitting the bed. Each tile has a number of its part. The search is simulated annealing of the number of
-/// connectors without room; its random numbers have one seed. Returns false if some connector has no room in
-/// the end; `parts` then is not changed. Throws Stopped if `control` asks to stop.
+/// fitting the bed. `parts` has the number of the part of each tile. The search is simulated annealing of the
+/// number of connectors without room and, with less weight, of all connectors; its seed is fixed. Returns
+/// false if some connector has no room in the end; `parts` is then not changed. Throws Stopped.
 bool make_room(const std::vector<Crossing>& crossings, const std::vector<geometry::Box>& boxes,
                const SeamRules& rules, std::vector<std::size_t>& parts);
 

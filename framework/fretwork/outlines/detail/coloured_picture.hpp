@@ -16,7 +16,8 @@ struct ColouredPicture {
     std::vector<std::string> colours;
 };
 
-/// The filled shapes of the text of an SVG, which `source` names in messages. Throws as read_outline_file.
+/// The filled shapes of the text of an SVG. `source` names the text in an InputError; a GeometryError is
+/// without it.
 ColouredPicture parse_svg_colours(std::string_view text, const std::string& source);
 
 }  // namespace fretwork::outlines::detail

@@ -34,8 +34,8 @@ std::vector<Loop> read_obj_loops(const std::filesystem::path& path);
 std::vector<Loop> read_ply_loops(const std::filesystem::path& path);
 std::vector<Loop> read_off_loops(const std::filesystem::path& path);
 
-/// The outline with the outermost loop as its boundary, and the loops inside as holes. Throws GeometryError
-/// that names the loops if two loops lie side by side, or if one lies in a hole.
+/// The outline with the loop of the largest area as its boundary, and all others as holes. Throws
+/// GeometryError that names the loops if they are not an outline, such as two loops side by side.
 Outline outline_of(std::vector<Loop> loops);
 
 }  // namespace fretwork::outlines::detail

@@ -20,14 +20,16 @@ struct JoinedLines {
 /// The distances, in metres, at which lines are joined.
 struct JoiningTolerance {
     double same;  ///< ends nearer than this are one point; an end nearer than this to a line lies on it;
-                  ///< lines nearer than this along their whole length are one line
-    double gap;   ///< loose ends up to this distance apart are joined, the nearest pair first
+                  ///< lines with the same ends, and about the same middle and length, are one
+    double gap;   ///< loose ends up to this distance apart are joined, the nearest pair first; a line is
+                  ///< joined to itself only if it is more than four times as long
 };
 
 /// Join the ends of open polylines of two points or more.
 JoinedLines join_lines(const std::vector<geometry::Polygon>& lines, const JoiningTolerance& tolerance);
 
-/// Closed curves without repeated curves.
+/// Closed curves without repeated curves. Curves are the same if their boxes and areas agree up to `same`
+/// (m).
 struct DistinctCurves {
     std::vector<geometry::Polygon> curves;
     int doubled = 0;

@@ -10,7 +10,8 @@
 namespace fretwork::outlines::detail {
 
 /// The parts of a map. Filled faces that share a side belong to the same part. A part that touches itself at
-/// a point is opened at that point, so that every part is an outline.
+/// a point is opened at that point, so that every part is an outline. Throws GeometryError if curves cross at
+/// places too near to each other.
 Region region_of_map(LineMap& lines, double tolerance);
 
 /// The points along a closed chain of halfedges.

@@ -45,8 +45,8 @@ struct CssSelector {
 /// All style sheets of a document.
 class CssRules {
   public:
-    /// Add the rules for all media and for screens of one style sheet. Unsupported selectors, such as
-    /// `:hover`, match nothing.
+    /// Add the rules of one style sheet that hold for all media or for screens. Rules with unsupported
+    /// selectors, such as `:hover`, are left out.
     void add(std::string_view text);
     /// The declarations that apply to an element, the strongest last. `!important` is not considered.
     [[nodiscard]] std::vector<const CssDeclaration*> of(pugi::xml_node node) const;

@@ -11,8 +11,9 @@ bool is_filled_at(const FilledShape& shape, geometry::Point2 point);
 /// True if a point lies in a clip of a picture and in all outer clips.
 bool is_shown_at(const Picture& picture, std::optional<std::size_t> clip, geometry::Point2 point);
 
-/// True if a whole line lies in a clip. Points within `margin` (m) of the clip's edge count as inside. False
-/// also for a line that crosses an edge between two shapes of a clip.
+/// True if a whole line lies in one shape of a clip, and likewise in all outer clips. Points within `margin`
+/// (m) of a shape's edge count as inside. A line that lies partly in one shape and partly in another counts
+/// as cut.
 bool is_shown_whole(const Picture& picture, std::optional<std::size_t> clip, const geometry::Polygon& line,
                     double margin);
 

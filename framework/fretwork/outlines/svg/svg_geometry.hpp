@@ -29,8 +29,8 @@ class SvgElement {
     /// A length that must not be below zero, in pixels; `missing` as for length_or().
     [[nodiscard]] double size_or(std::string_view name, Axis axis, const SvgMeasure& measure,
                                  double missing) const;
-    /// The four numbers of `viewBox`, if the element has one. Throws InputError unless its sizes are at least
-    /// zero.
+    /// The four numbers of `viewBox`, if the element has one. Throws InputError if there are not four
+    /// numbers, or if a size is below zero.
     [[nodiscard]] std::optional<std::array<double, 4>> view_box() const;
     /// The curves of a shape (path, polygon, polyline, rect, circle, ellipse, line); empty if its size is
     /// zero.

@@ -13,7 +13,7 @@
 namespace fretwork::outlines::detail {
 
 /// A reader of the areas of an SVG drawing that a browser would fill (SVG 2, chapters 5 to 14). If there are
-/// none, the result is the areas inside closed lines.
+/// none, run() gives the areas inside closed lines, and run_for_colours() throws GeometryError.
 class SvgReader {
   public:
     explicit SvgReader(const std::filesystem::path& path);
@@ -35,9 +35,9 @@ class SvgReader {
     enum class Purpose { Paint, Clip, Box };
 
     void read();
-    /// The region of a drawing that has only lines, as for laser cutters: it is used if the filled shapes
-    /// give no part. Closed lines are outlines, and a closed line inside another is a hole, as in DXF. Throws
-    /// GeometryError if no line is closed.
+    /// The region that the lines of a drawing enclose. It is used if the filled shapes give no part, as in
+    /// drawings for laser cutters. Lines are joined as in DXF, and a line inside another is a hole. Throws
+    /// GeometryError if the lines enclose nothing.
     Region stroked_region();
     [[nodiscard]] std::string nothing_filled() const;
     /// The list, in brackets, of the content that was left out.

@@ -12,7 +12,7 @@ namespace fretwork::tiling::detail {
 struct NarrowPlace {
     geometry::Point2 place;
     double width = 0.0;    ///< m
-    double cut_off = 0.0;  ///< m2, the smaller of the areas on both sides; infinite if they are one
+    double cut_off = 0.0;  ///< m2, the smaller area beside the cut; infinite if the shape stays connected
 };
 
 /// The limits that define a narrow place.
@@ -22,11 +22,11 @@ struct NarrowLimits {
     double least_area = 0.0;
 };
 
-/// The places where the outline is narrow: a band, a limb, a sharp tip, the land between two holes. The
-/// places are found on a triangulation of the densely sampled boundary, whose inner edges run across the
-/// shape. Such an edge is at a narrow place if the part that it cuts off is at least as large as the square
-/// of its length, or if that part is still connected in another way. The corner of a wide plate is not
-/// narrow, because the edge cuts off too little.
+/// The places where the outline is narrow, the narrowest first: a band, a limb, a sharp tip, the land between
+/// two holes. The boundary is sampled densely and triangulated; inner edges of the triangulation run across
+/// the shape. Such an edge is at a narrow place if the part that it cuts off is at least as large as the
+/// square of the width there, or if it cuts off no part. The corner of a wide plate is not narrow, because
+/// the edge cuts off too little.
 std::vector<NarrowPlace> narrow_places(const outlines::Outline& outline, const NarrowLimits& limits,
                                        const base::Control& control);
 
@@ -42,8 +42,9 @@ struct BluntLimits {
     double all = 0.0;
 };
 
-/// Cut off tips that are sharper than 31 degrees, and hairs: dead ends so long and narrow that no tile fits
-/// into their ends. The parts that are cut off stay uncovered.
+/// Cut off the ends of tips sharper than 31 degrees, and of hairs: dead ends so long and narrow that no tile
+/// fits into them. `limits` bound the removed areas. The parts that are cut off stay uncovered.
+/// @param narrow_width  m; points on the rim are a twentieth of this apart
 BluntOutline blunt(const outlines::Outline& outline, double narrow_width, const BluntLimits& limits,
                    const base::Control& control);
 

@@ -17,15 +17,15 @@ struct CleanOutline {
 };
 
 /// Leave out the points that are negligible beside the tiles' side `edge` (m); see kNegligibleShare. Throws
-/// GeometryError if a loop has fewer than three other points.
+/// GeometryError if points were left out and the loops are no longer an outline.
 CleanOutline without_negligible_points(const outlines::Outline& outline, double edge,
                                        const base::Control& control);
 
 /// Refuse an outline with two stretches nearer to each other than kNarrowest allows: a needle, a slit, a hole
 /// that almost touches the boundary, a hole that is almost a point. No tile fits there, and triangles between
 /// such stretches have no usable angles. Two stretches are different if the way between them along the
-/// outline is at least a tenth of `edge`. Throws GeometryError that names the place, the width and the
-/// smallest width allowed; Stopped.
+/// outline is at least a tenth of `edge`, or a quarter of their loop if that is less. Throws GeometryError
+/// that names the place, the width and the smallest width allowed; Stopped.
 void check_small_parts(const outlines::Outline& outline, double edge, const base::Control& control);
 
 }  // namespace fretwork::tiling::detail

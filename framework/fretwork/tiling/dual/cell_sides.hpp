@@ -37,8 +37,8 @@ void for_each_side(std::span<const CellSide> sides, const base::Control& control
     }
 }
 
-/// The union of two cells at a common side. It lists the vertices of `first` from the second end of the side
-/// to its first end, then the vertices of `other`.
+/// The union of two cells at a common side, which is in the direction of `first`. It lists the vertices of
+/// `first` from the second end of the side to its first end, then the remaining vertices of `other`.
 Cell union_of(Cell first, Cell other, const CellSide& side);
 
 /// The mean side length of the cells that share a side, m. Each cell counts equally. `same` lists the side

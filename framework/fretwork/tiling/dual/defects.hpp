@@ -24,8 +24,8 @@ struct Defect {
 
 /// The requirements on a tiling.
 struct QualityLimits {
-    /// Shortest side, as a share of the mean side of the tiles beside it, or of the wanted side if the wanted
-    /// side is shorter.
+    /// Shortest side, as a share of the mean side of the tiles beside it, or of the largest wanted side if
+    /// that is shorter.
     double side_share = 0.25;
     double smallest_side = 0.0;    ///< shortest side, m
     double smallest_angle = 0.44;  ///< smallest angle, rad; 25 degrees
@@ -43,7 +43,7 @@ struct Shape {
 /// at most two tiles to a side, and that sides connect all tiles. Exact tests also check that the rim of the
 /// tiles is one simple curve for the boundary and one for each hole, and that these curves do not cross. If
 /// all tests are passed, the tiles cover the inside of their rim exactly once and have the outline's
-/// topology.
+/// topology. Short sides, sharp angles and uncovered areas are tested in floating point.
 Shape compare_with_outline(const Dual& dual, const Rim& rim, const SizeField& field,
                            const QualityLimits& limits, const base::Control& control);
 

@@ -11,7 +11,8 @@ namespace fretwork::tiling::detail {
 /// The sides that belong to one cell only, as closed lines of vertices.
 struct DualRim {
     std::vector<std::vector<DualVertexIndex>> lines;
-    /// Vertices at which the rim touches itself, and ends of sides that belong to more than two cells.
+    /// Vertices at which the rim touches itself, one end of each side that more than two cells have or two
+    /// cells have in the same direction, and ends of lines that are not closed.
     std::vector<DualVertexIndex> knots;
 };
 

@@ -13,7 +13,7 @@ struct StraightSide {
 
 /// The place for a vertex that divides a side of a convex cell; by an exact test, the cell stays convex. If
 /// the wanted place lies to the left of the side, and so inside the cell, the result is the nearest point of
-/// the side. Otherwise it is the wanted place.
+/// the side, at least a tenth of the side from its ends. Otherwise it is the wanted place.
 geometry::Point2 convex_place(geometry::Point2 wanted, const StraightSide& side);
 
 /// The limits of the lengths of tiles' sides.

@@ -11,9 +11,9 @@
 namespace fretwork::tiling {
 
 /// The values of an expression at some points: "u", "sin(20*x)^2", "x > 0.1 ? 1 : 0". The variables are `x`
-/// and `y` (m), and `u` and `v`, which run from 0 to 1 across the box. The functions are the functions of
-/// muParser. Throws InputError that names the character at which the expression is invalid, or a point at
-/// which its value is not finite.
+/// and `y` (m), and `u` and `v`, which run from 0 to 1 across the box. The constant `pi` and the functions of
+/// muParser are known. Throws InputError that names the character at which the expression is invalid, or a
+/// point at which its value is not finite.
 std::vector<double> expression_values(const std::string& expression, const geometry::Box& box,
                                       const std::vector<geometry::Point2>& points);
 
@@ -21,7 +21,7 @@ std::vector<double> expression_values(const std::string& expression, const geome
 /// transparent counts as white. Throws InputError if the image cannot be read.
 std::vector<double> image_values(const std::filesystem::path& image, const geometry::Box& box,
                                  const std::vector<geometry::Point2>& points);
-/// The same of a PNG image in memory; `source` names it in messages.
+/// The same for a PNG image in memory; `source` names it in messages.
 std::vector<double> image_values(std::string_view png, const std::string& source, const geometry::Box& box,
                                  const std::vector<geometry::Point2>& points);
 

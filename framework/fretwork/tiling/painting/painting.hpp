@@ -48,11 +48,12 @@ Painting parse_painting(std::string_view text, const std::string& source, const 
 std::string painting_text(const Painting& painting, const pattern::NodeLayout& layout);
 /// Read a painting file. Throws as parse_painting.
 Painting read_painting(const std::filesystem::path& path, const pattern::NodeLayout& layout);
-/// Write a painting file atomically. Throws IoError and leaves the file as it was.
+/// Write a painting file atomically. Throws IoError if this fails; the file is then as it was.
 void write_painting(const Painting& painting, const pattern::NodeLayout& layout,
                     const std::filesystem::path& path);
 
-/// Paint every tile according to the painting. Throws InputError if the numbers of tiles differ.
+/// Paint every tile according to the painting. Throws InputError if the numbers of tiles differ, or if the
+/// painting has no pattern with an index that it uses.
 void paint(Tessellation& tessellation, const Painting& painting);
 
 /// A pattern with its weight in a random choice.
@@ -66,9 +67,9 @@ struct WeightedPattern {
 /// InputError if there are no patterns or a weight is not above zero.
 Painting random_painting(std::size_t tiles, std::span<const WeightedPattern> patterns, std::uint64_t seed);
 
-/// Paint the listed tiles, in order, with the patterns of the painting; all other tiles keep theirs. Patterns
-/// that no tile has any more are removed from Tessellation::patterns. Throws InputError if the numbers of
-/// tiles differ.
+/// Paint the listed tiles with the patterns of the painting: tile k of the list as entry k of its tiles. All
+/// other tiles keep their patterns. Patterns that no tile has any more are removed from
+/// Tessellation::patterns. Throws InputError if the numbers of tiles differ.
 void paint_tiles(Tessellation& tessellation, std::span<const TileIndex> tiles, const Painting& painting);
 
 }  // namespace fretwork::tiling

@@ -17,7 +17,7 @@ geometry::Box bounding_box(const Tessellation& tessellation);
 base::IndexVector<TileIndex, geometry::Point2> tile_centers(const Tessellation& tessellation);
 
 /// The tiles in a list of numbers and ranges ("3,7-11"), each tile once, ascending. Throws InputError that
-/// states the range of valid numbers.
+/// states the valid numbers, or names a range that runs backwards.
 std::vector<TileIndex> parse_tiles(std::string_view text, const Tessellation& tessellation);
 
 /// The tiles in a box, its edge included; empty if there are none.

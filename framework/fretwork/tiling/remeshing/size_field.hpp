@@ -21,16 +21,16 @@ class SizeField {
 
     /// The wanted side at a place, m.
     [[nodiscard]] double at(geometry::Point2 place) const;
-    /// Limit the side at a place to `side` (m). A limit that would change the side by less than a fifth is
-    /// dropped. Returns true if the limit is kept.
+    /// Limit the side at a place to `side` (m). The limit is dropped if the side there is at most 1.2 times
+    /// `side`. Returns true if the limit is kept.
     bool limit(geometry::Point2 place, double side);
 
     [[nodiscard]] double largest() const { return side_; }
-    /// The smallest limit, m.
+    /// The smallest wanted side: the smallest limit or, without limits, the uniform side, m.
     [[nodiscard]] double smallest() const { return smallest_; }
     [[nodiscard]] bool is_uniform() const { return cells_.empty(); }
 
-    /// A square in which some limit reduces the side.
+    /// A square in which some limit may reduce the side.
     struct Square {
         geometry::Point2 middle;
         double half_width;

@@ -36,9 +36,9 @@ inline int corner_at(const std::array<PointIndex, 3>& triangle, PointIndex point
     return triangle[0] == point ? 0 : triangle[1] == point ? 1 : 2;
 }
 
-/// Flip ears. An ear is a triangle of three rim points, which cuts off a corner of the outline. Flipping the
-/// edge between the ear and its neighbour gives the corner to the tiles behind the ear. An edge is flipped if
-/// its two triangles form a convex quadrilateral. Throws base::Stopped.
+/// Flip ears. An ear is a triangle with two sides on the rim; it cuts off a corner of the outline. Flipping
+/// its inner edge gives the corner to the tile behind the ear. The edge is flipped if the point behind it is
+/// a site, and if its two triangles form a convex quadrilateral. Throws base::Stopped.
 void flip_ears(Triangulation& triangulation, const SharedTask& task);
 
 /// An inner edge that joins two points of the rim.
@@ -46,8 +46,8 @@ struct Chord {
     PointIndex from;
     PointIndex to;
 };
-/// All chords of a triangulation. At a chord, the tiles on both sides of the chord share no side, or a
-/// stretch of the outline has no tile.
+/// All chords of a triangulation. The tiles beside a chord share no side, or there is no tile on one side of
+/// the chord.
 std::vector<Chord> chords_of(const Triangulation& triangulation);
 
 }  // namespace fretwork::tiling::detail

@@ -5,8 +5,8 @@
 
 namespace fretwork::exports::detail {
 
-/// The beams of a model of small displacements whose first nodes have moved, a row of `moved` for each. The
-/// other nodes bear no loads, and follow.
+/// The beams of a model, bent at small displacements. The first nodes have the motions in the rows of
+/// `moved`; all other nodes are in equilibrium without loads.
 LineSet bent_beams(mechanics::Frame beams, const mechanics::NodeValues& moved);
 
 }  // namespace fretwork::exports::detail

@@ -12,9 +12,9 @@ namespace fretwork::exports::detail {
 inline constexpr const char* kInk = "#333333";
 inline constexpr const char* kGrid = "#e3e6ea";
 
-/// With four significant digits.
+/// A number with four significant digits.
 std::string number(double value);
-/// The same with thin spaces between thousands, and without exponents of large numbers.
+/// The text of number(); from 10,000 on, without exponent and with thin spaces between thousands.
 std::string tick_text(double value);
 /// A pixel coordinate.
 std::string px(double value);
@@ -24,7 +24,7 @@ struct TextStyle {
     const char* anchor = "middle";
     std::string more{};  ///< further attributes
 };
-/// `content` is put in as it is: the caller escapes what XML reserves.
+/// A text element. The caller escapes the characters of `content` that XML reserves.
 std::string text(const geometry::Point2& place, const std::string& content, const TextStyle& style = {});
 std::string line(const geometry::Point2& from, const geometry::Point2& to, const char* colour);
 
@@ -37,14 +37,14 @@ struct LogAxis {
     double low = 1.0;
     double high = 10.0;
 
-    /// Where a value lies between low (0) and high (1).
+    /// The place of a value on the axis, from 0 (low) to 1 (high).
     [[nodiscard]] double share(double value) const;
     /// Round values from low to high: multiples of powers of ten, or on long axes the powers alone.
     [[nodiscard]] std::vector<double> ticks() const;
 };
 
-/// The axis that holds all values with some room at both ends. Throws InputError if there are none,
-/// NumericalError if one is not above zero.
+/// The axis that holds all values with some room at both ends. Throws InputError if there are no values, and
+/// NumericalError if a value is not above zero or not finite.
 LogAxis axis_of(std::string label, std::span<const double> values);
 
 }  // namespace fretwork::exports::detail

@@ -17,8 +17,9 @@ struct ConditionMarks {
     std::vector<LoadMark> loads;
 };
 
-/// The legend of a load case below a drawing: each kind of mark with what it means and the largest value, in
-/// as many lines as the drawing's width needs. What is not drawn is not in the legend.
+/// The legend of a load case below a drawing: each kind of mark that is drawn, with its meaning and the
+/// largest value of all loads, in as many lines as the drawing's width needs. If loads are not drawn, their
+/// share is stated.
 class ConditionLegend {
   public:
     /// @param conditions  null: there is no legend
@@ -28,7 +29,7 @@ class ConditionLegend {
     /// The height of all lines; 0 without conditions.
     [[nodiscard]] double height() const;
     /// Draw it in a layer of its own.
-    /// @param start  where the text of the first line begins
+    /// @param start  the start of the text of the first line
     void draw(SvgCanvas& canvas, const geometry::Point2& start) const;
 
   private:

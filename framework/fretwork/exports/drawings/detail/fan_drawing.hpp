@@ -6,13 +6,13 @@
 
 namespace fretwork::exports::detail {
 
-/// Where a fan is drawn, and on what.
+/// The place of a fan, and the colour below it.
 struct FanPlace {
     geometry::Point2 center;  ///< metres
     Colour face;              ///< of its polygon
 };
 
-/// The places of interface nodes.
+/// The colour of interface nodes.
 inline constexpr const char* kInterfaceColour = "#1b9e77";
 
 /// Draw the beams of a pattern's fan on a polygon.

@@ -18,13 +18,13 @@ inline constexpr const char* kTextColour = "#333333";
 
 /// The height of text in a drawing of some width that is printed as wide as a column, metres.
 double text_height(double drawing_width);
-/// About how wide a text of some height is.
+/// The approximate width of a text, in the unit of its height.
 double text_width(std::string_view text, double height);
-/// A text in lines that are at most `width` wide, broken behind blanks and before plus signs. What cannot be
-/// broken may be wider.
+/// A text in lines that are at most `width` wide, broken behind blanks and before plus signs. A word that is
+/// longer has a wider line of its own.
 std::vector<std::string> lines_within(std::string_view text, double height, double width);
-/// Write lines below each other in the middle of `place`, the first at `place`. The lines are `kLineStep`
-/// heights apart.
+/// Write lines below each other, centred at the x of `place`; the first is at `place`. The lines are
+/// `kLineStep` heights apart.
 void write_lines(SvgCanvas& canvas, const geometry::Point2& place, std::span<const std::string> lines,
                  double height);
 inline constexpr double kLineStep = 1.25;
@@ -37,8 +37,8 @@ std::string short_number(double value);
 /// height. Its left end is at `start`.
 void draw_scale_bar(SvgCanvas& canvas, const geometry::Point2& start, double height);
 
-/// A line of the given look, as a legend has it, on the line of text of this height that starts at `place`.
-/// Returns where the text begins.
+/// Draw a sample of a line style for a legend. The sample is the start of the line of text at `place`, whose
+/// letters have this height. Returns the start of the words behind the sample.
 geometry::Point2 draw_line_sample(SvgCanvas& canvas, const geometry::Point2& place, const Style& style,
                                   double height);
 

@@ -9,8 +9,8 @@
 
 namespace fretwork::exports::detail {
 
-/// The patterns that a surface uses: a small fan on its colour, and its id. Few have their ids beside them;
-/// many have letters, which a list of ids below explains.
+/// The legend of the patterns that a surface uses: for each, a small fan on its colour, and its id. Up to six
+/// fans have their ids beside them. More fans have letters, and a list below gives the id of each letter.
 class PatternLegend {
   public:
     /// @param width  of the legend, metres

@@ -17,14 +17,14 @@ constexpr double legible_height(double drawing_width, double print) {
     return 1.02 * kSmallestPrint * drawing_width / print;
 }
 
-/// How wide a sheet of equal cells is printed, and how high its text is at least. All lengths in metres.
+/// The printed width of a sheet of equal cells, and the smallest height of its text. All lengths in metres.
 struct SheetPrint {
-    double width = 0.0;  ///< in print; 0: a poster, for which no width is said
-    double text = 0.0;   ///< in the drawing
+    double width = 0.0;  ///< width in print; 0: a poster, which may have any width
+    double text = 0.0;   ///< height of text in the drawing
 };
 
-/// The print of a sheet with so many columns of cells that are `cell` wide: few fit into a column, more on a
-/// page; the text of posters is as high in its cells as that of the fullest page.
+/// The print of a sheet with `columns` columns of cells, each `cell` wide. Up to five columns are printed in
+/// a journal's column, and up to twelve on a page. A poster has the text height of a page of twelve columns.
 constexpr SheetPrint sheet_print(int columns, double cell) {
     constexpr int kMostInColumn = 5;
     constexpr int kMostOnPage = 12;

@@ -15,7 +15,7 @@ class Projection {
     [[nodiscard]] geometry::Point2 operator()(const Eigen::Vector3d& point) const;
     /// A point of the plane z = 0.
     [[nodiscard]] geometry::Point2 operator()(const geometry::Point2& point) const;
-    /// How near a point is to the viewer, metres from the plane through the origin; more is nearer.
+    /// The distance of a point from the plane through the origin, towards the viewer, m.
     [[nodiscard]] double nearness(const Eigen::Vector3d& point) const;
     [[nodiscard]] std::vector<geometry::Point2> all(std::span<const geometry::Point2> points) const;
     [[nodiscard]] std::vector<geometry::Point2> all(std::span<const Eigen::Vector3d> points) const;

@@ -11,19 +11,21 @@
 
 namespace fretwork::exports::detail {
 
-/// The width of a beam as seen from above: that of a square of the section's area.
+/// The width with which beams are drawn, m: the side of a square with the section's area.
 double beam_width(const simulation::Surface& surface);
 
-/// Colours of a surface: tiles by their patterns, or pale tiles and beams, before which marks stand out.
+/// Colours of a surface: tiles in the colours of their patterns, or pale tiles and beams on which marks stand
+/// out.
 enum class Tint { Patterns, Pale };
 void draw_tiles(SvgCanvas& canvas, const simulation::Surface& surface, const Projection& projection,
                 Tint tint);
-/// Numbers of tiles in their middles, of interface nodes beside them, from above.
+/// Draw, from above, the numbers of tiles in the tiles' middles, and the numbers of interface nodes beside
+/// the nodes.
 void draw_labels(SvgCanvas& canvas, const simulation::Surface& surface, const DrawnLabels& labels);
 void draw_beams(SvgCanvas& canvas, const simulation::Surface& surface, const Projection& projection,
                 Tint tint);
 
-/// A support as it is drawn, and as a legend calls it.
+/// The mark of a support, and its meaning in a legend.
 struct SupportMark {
     geometry::Point2 place;
     Colour colour;
@@ -41,7 +43,7 @@ std::vector<geometry::Point2> prescribed_marks(const simulation::Surface& surfac
 /// The force and the moment on each node: all loads on it added up, with its shares of the weight.
 std::vector<mechanics::NodalLoad> loads_of_nodes(const simulation::Conditions& conditions);
 
-/// A force or a moment as it is drawn: an arrow, or, where it would point at the viewer or away, a ring.
+/// The mark of a force or a moment: an arrow or, if the arrow would point to or from the viewer, a ring.
 struct LoadMark {
     enum class Kind { Force, Moment };
     enum class Shape { Arrow, TowardsViewer, AwayFromViewer };
@@ -51,9 +53,9 @@ struct LoadMark {
     geometry::Point2 to;    ///< head
     double size = 0.0;      ///< of the arrow in space, metres
 };
-/// Marks for the loads of all nodes, the largest force and the largest moment as large as `reach`. A force
-/// that comes from above or lies in the plane ends at its node; one that goes up starts there. A moment has
-/// its node in the middle.
+/// Marks for the loads of all nodes. The arrows of the largest force and of the largest moment have the
+/// length `reach` in space. A force that points clearly upwards starts at its node; any other force ends
+/// there. A moment has its node in the middle.
 std::vector<LoadMark> load_marks(const simulation::Surface& surface, const simulation::Conditions& conditions,
                                  const Projection& projection, double reach);
 

@@ -30,7 +30,7 @@ Segments segments_of(const std::vector<Ends>& lines, std::span<const geometry::P
     return segments;
 }
 
-/// How a shape is drawn. Widths in metres.
+/// The style of a shape. Widths are in metres.
 struct Style {
     Colour fill = "none";
     Colour stroke = "none";
@@ -41,8 +41,8 @@ struct Style {
 
 enum class Anchor { Start, Middle, End };
 
-/// An SVG drawing: coordinates are metres with y up, the picture is in millimetres at true scale (or `scale`
-/// times it).
+/// An SVG drawing. Coordinates are metres with y up; the picture is in millimetres, `scale` times as large as
+/// the subject.
 class SvgCanvas {
   public:
     SvgCanvas(const geometry::Box& box, double scale);
@@ -53,7 +53,7 @@ class SvgCanvas {
     /// front, so that they stay apart.
     void embed(const SvgCanvas& drawing, const geometry::Point2& top_left, double width,
                std::string_view name);
-    /// State in the document how wide the drawing is printed, metres: then its text is legible.
+    /// State in the document the width, m, at which the drawing is to be printed so that its text is legible.
     void print_as_wide_as(double width) { print_width_ = width; }
 
     void polygon(std::span<const geometry::Point2> points, const Style& style);
@@ -67,7 +67,7 @@ class SvgCanvas {
     void circle(const geometry::Point2& center, double radius, const Style& style);
     /// A circle that is shaded as a ball.
     void ball(const geometry::Point2& center, double radius, const Colour& colour);
-    /// An arrow from `from` to `to` with a head as long as `head`.
+    /// An arrow from `from` to `to`. Its head has the length `head`, or that of the arrow if that is shorter.
     void arrow(const geometry::Point2& from, const geometry::Point2& to, double head, const Style& style);
     /// One line of text of a given height; `text` may hold any characters.
     void text(const geometry::Point2& place, std::string_view text, double height,

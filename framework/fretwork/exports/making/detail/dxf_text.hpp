@@ -28,7 +28,7 @@ class DxfText {
 
     /// Assigns and returns a new handle.
     std::string handle();
-    /// The one that handle() gives next.
+    /// The handle that handle() assigns next.
     [[nodiscard]] std::string next_handle() const;
     /// Begin a record of a table. Returns its handle.
     std::string record(std::string_view type, std::string_view subclass, std::string_view name);

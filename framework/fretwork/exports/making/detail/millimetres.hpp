@@ -22,7 +22,7 @@ inline void append_millimetres(std::string& text, double metres) {
     append_rounded(text, 1e3 * metres);
 }
 
-/// The same by itself, without a unit.
+/// A length (m) in millimetres, rounded to a nanometre, as text without a unit.
 inline std::string millimetre_number(double metres) {
     std::string text;
     append_millimetres(text, metres);

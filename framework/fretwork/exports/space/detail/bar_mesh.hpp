@@ -23,17 +23,18 @@ struct Mesh {
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// How bars are painted: a colour for each of their ends.
+/// The colours of bars, two for each bar: one at each end.
 using EndColours = std::vector<Eigen::Vector3f>;
 
 /// The bars, bent as their ends turn and moved by `scale` times their displacements, with round joints.
 Mesh bar_mesh(const BarScene& scene, double scale, const EndColours& colours);
 
-/// The number of straight pieces that each bar is drawn with: one for every five degrees of its bend. 0: both
+/// The number of straight pieces of each bar: one for every five degrees of its bend, at most twelve. 0: both
 /// ends are at one place.
 std::vector<int> bar_pieces(const BarScene& scene, double scale);
 
-/// The same with given numbers of pieces, so that states of one scene have the same vertices and triangles.
+/// The first bar_mesh() with given numbers of pieces, so that states of one scene have equally many vertices
+/// and the same triangles.
 Mesh bar_mesh(const BarScene& scene, double scale, const EndColours& colours, std::span<const int> pieces);
 
 /// Add a ball.

@@ -11,7 +11,7 @@
 
 namespace fretwork::exports::detail {
 
-/// Sees points in perspective. Its own axes: x to the right, y up, z towards the viewer.
+/// A perspective camera. Its own axes are x to the right, y up, and z towards the viewer.
 class Camera {
   public:
     /// Moves the camera so that all points are in the picture, with some margin.
@@ -35,15 +35,14 @@ class Camera {
     double aspect_;
 };
 
-/// The side from which most of the tiles and of their displacements is seen.
+/// The direction, of 72 tried, from which tiles and displacements are seen best.
 ///
 /// @param faces  of the tiles: closed polygons of deformed places
 /// @param moves  displacements of points all over the surface
 ViewOptions best_view(std::span<const std::vector<Eigen::Vector3d>> faces,
                       std::span<const Eigen::Vector3d> moves);
 
-/// From where a scene is seen first: as it says, or else from the side on which tiles and displacements are
-/// seen best.
+/// The first direction of the viewer of a scene: Scene::view, or else the best_view().
 ViewOptions start_view(const BarScene& bars, const Scene& scene);
 
 }  // namespace fretwork::exports::detail

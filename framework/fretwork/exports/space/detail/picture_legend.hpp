@@ -16,14 +16,14 @@ struct Legend {
     const std::string& note;  ///< a line below
 };
 
-/// How high the strip is that a picture of this size keeps free at its bottom for a legend; 0 if it is too
-/// small for one.
+/// The height, in pixels, of the strip for a legend at the bottom of a picture of this size; 0 if the picture
+/// is narrower or lower than 300 pixels.
 int legend_height(PixelSize size);
 
-/// A picture (red, green, blue and opacity, a byte each) of this size, in whose strip is a legend: the
-/// field's title with its unit, the colours with values below them, the largest of the values beyond with
-/// their colour, and the note. Letters are of a grey that is read on white and on black, and the rest of the
-/// strip is transparent.
+/// A picture (red, green, blue and opacity, a byte each) of this size with a legend in its strip: the field's
+/// title with its unit, the colours with values below them, the largest value beyond the range with its
+/// colour, and the note. Letters have a grey that is legible on white and on black; the rest of the strip is
+/// transparent. Without a strip (legend_height() is 0), the result is `pixels`.
 /// @param pixels  of the picture above the strip
 std::vector<std::uint8_t> with_legend(std::vector<std::uint8_t> pixels, PixelSize size, const Legend& legend);
 

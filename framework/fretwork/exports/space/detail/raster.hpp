@@ -17,16 +17,16 @@ struct Sample {
     std::uint32_t pixel = 0;  ///< row by row from the upper left
 };
 
-/// The visible part of a mesh: `per_side` x `per_side` samples of each pixel, the nearest surface first.
-/// Normals look towards the eye.
+/// The visible part of a mesh: up to `per_side` x `per_side` samples of each pixel, each on the nearest
+/// surface. Normals look towards the eye.
 std::vector<Sample> visible_samples(const Mesh& mesh, const Camera& camera, PixelSize size, int per_side);
 
-/// How far the mesh reaches against light that comes from one direction: shadows are thrown by it.
+/// The shadow map of a mesh for light from one direction: the part of the mesh nearest to the light.
 class DepthMap {
   public:
     /// @param to_light  of length one
     DepthMap(const Mesh& mesh, const Eigen::Vector3f& to_light, int texels);
-    /// Whether light reaches a place that is outside of the mesh by at least texel_size().
+    /// True if light reaches a place. Pre: the place is at least texel_size() outside the mesh.
     [[nodiscard]] bool is_lit(const Eigen::Vector3f& place) const;
     [[nodiscard]] float texel_size() const { return 1.0F / texels_per_metre_; }
 
@@ -36,7 +36,7 @@ class DepthMap {
     PixelSize texels_;
     std::vector<float> depth_;  ///< the largest along to_light
     PixelSize blocks_;
-    std::vector<float> block_depth_;  ///< of blocks of texels: most places are lit by them alone
+    std::vector<float> block_depth_;  ///< largest of each block; decides for most lit places
 };
 
 }  // namespace fretwork::exports::detail
