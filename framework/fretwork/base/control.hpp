@@ -17,14 +17,14 @@ class Stopped : public Error {
     Stopped() : Error("stopped before it was done; nothing is half-written") {}
 };
 
-/// The means by which a caller follows a long computation and stops it. Every function that may take longer
-/// than a tenth of a second has a Control in its options.
+/// The means by which a caller follows a long computation and stops it. A function that may take longer than
+/// a tenth of a second takes a Control, in its options or as an argument.
 struct Control {
     std::stop_token stop{};        ///< checked at least every 50 ms; the default never asks to stop
     Progress* progress = nullptr;  ///< receives the number of steps done; null: no reports. Not owned.
-    /// A second way to stop, for callers without a second thread, and for tests. Every check of `stop` calls
-    /// this function on its own thread; if the function returns true, the computation stops. May be null. Not
-    /// owned.
+    /// A second way to stop, for callers without a second thread, and for tests. Most checks of `stop` also
+    /// call this function, on the thread that checks; if it returns true, the computation stops. May be null.
+    /// Not owned.
     const std::function<bool()>* question = nullptr;
 
     /// True if the caller has asked to stop. The call is cheap enough for every iteration of a solver.

@@ -80,7 +80,8 @@ class NumericalError : public Error {
     using Error::Error;
 };
 
-/// The operating system refused to read or write.
+/// The operating system refused an operation, such as writing a file. A text file that cannot be read
+/// is an InputError.
 class IoError : public Error {
   public:
     using Error::Error;
@@ -96,7 +97,8 @@ template <class SomeError>
     return SomeError(std::move(data));
 }
 
-/// Return the value of `work`. If `work` throws a SomeError, add an outer source to the error:
+/// Return the value of `work`. If `work` throws a SomeError or a class derived from it, throw a SomeError
+/// with its data and an outer source:
 ///
 ///     return located(file, "", [&] { return make_outline(points); });
 template <class SomeError = InputError, class Work>

@@ -18,8 +18,8 @@ namespace fretwork::base {
 /// A value in a JSON document, together with its place in the document.
 ///
 /// Reading is strict: an unknown key is an error, a key that appears twice is an error, and numbers are
-/// finite. Every error is an InputError that names the source, the JSON pointer, the value, and what would be
-/// valid.
+/// finite. Every error is an InputError that names the source and the place: the JSON pointer or, in
+/// malformed JSON, line and column.
 ///
 /// A JsonReader is cheap to copy and keeps the document alive. The JSON pointer is searched only when a
 /// message needs it.
@@ -34,8 +34,8 @@ class JsonReader {
     /// InputError. Only unreleased versions wrote N below `oldest`; the message then asks the user to make
     /// the file again.
     void expect_format(std::string_view kind, int newest = 1, int oldest = 1) const;
-    /// Check that the document's `"format"` is `needed` or a newer number of the same kind. Throws
-    /// InputError.
+    /// Check that the number in the document's `"format"` is at least the number in `needed`. Throws
+    /// InputError. Pre: expect_format() has checked the kind.
     /// @param lacking  what older numbers lack of the document, such as "no circle"
     void require_format(std::string_view needed, std::string_view lacking) const;
     /// Throw InputError unless the value is an object with no other keys than `keys`.
@@ -88,7 +88,7 @@ class JsonReader {
     [[nodiscard]] std::string pointer() const;
     /// Throw an InputError with the place of the value.
     [[noreturn]] void fail(const std::string& message) const;
-    /// Throw the error again with the place of the value added. The kind of the error stays.
+    /// Throw an InputError with the data of `error` and the place of the value. ErrorData::kind stays.
     [[noreturn]] void fail(const InputError& error) const;
     /// Return the value of `work`. If `work` throws a SomeError, throw an InputError with the place of the
     /// value.

@@ -25,11 +25,11 @@ void refuse_missing_unit(const std::string& name, const std::string& text, doubl
 /// radians. Throws InputError on anything else, NaN and infinity included.
 double parse_angle(std::string_view text);
 
-/// Parse a finite number. Throws InputError on anything else, trailing characters included.
+/// Parse a finite number, which spaces may follow. Throws InputError on anything else.
 double parse_number(std::string_view text);
 
-/// Read a text that is a number with at most one sign. Nothing if the text is not a number, or if the number
-/// is too large for the type.
+/// Read a text that is a number with at most one sign; a double may be infinite or NaN. Nothing if the text
+/// is not a number, or if the number is outside the range of the type.
 template <class Number>
 std::optional<Number> read_number(std::string_view text) {
     if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);

@@ -13,8 +13,8 @@ std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter, std::a
 /// A seed for the generator of another library in run number `run`.
 std::uint32_t derived_seed(std::uint64_t seed, std::uint64_t run);
 
-/// Counter-based random numbers: draw n of a stream depends on (seed, stream, n) alone, and not on the
-/// standard library.
+/// Counter-based random numbers: draw n of a stream depends on (seed, stream, n) alone. Only laplace() also
+/// depends on the C library, in the rounding of its logarithm.
 class RandomStream {
   public:
     /// Begin a stream. Streams of one seed are independent of each other.

@@ -5,7 +5,7 @@
 
 namespace fretwork::base {
 
-/// A clock that starts when it is made, and that nobody can set back.
+/// A stopwatch that starts when it is made. Changes of the system's time do not affect it.
 class Stopwatch {
   public:
     /// The time since the start, s.

@@ -25,14 +25,16 @@ std::string counted(std::size_t count, std::string_view noun);
 /// empty word.
 std::vector<std::string> split(std::string_view text, char separator);
 
-/// The lines of a text, without their ends: line feeds, with or without a carriage return before them.
+/// The lines of a text, without their ends: line feeds, with or without a carriage return before them. After
+/// a line feed at the end of the text comes one more, empty line.
 std::vector<std::string> split_lines(std::string_view text);
 
 /// A text as an entry of a CSV file, quoted if necessary (RFC 4180).
 std::string csv_field(std::string_view text);
 
-/// A text from a file, made safe for a terminal. Control characters (line breaks too), escape sequences,
-/// marks that change the direction of writing, and bytes that are not UTF-8 are shown as \x1b or \u{202e}.
+/// A text from a file, made safe for a terminal. Control characters (line breaks and ESC too), characters
+/// without width, marks that change the direction of writing, and bytes that are not UTF-8 are replaced by
+/// their codes, as in \x1b and \u{202e}.
 std::string printable(std::string_view text);
 
 /// A text cut to at most `most` characters (10 or more): a longer text gets "..." in its middle. Characters
@@ -40,7 +42,7 @@ std::string printable(std::string_view text);
 std::string shortened(std::string_view text, std::size_t most);
 
 /// The candidate nearest to `word` by edit distance, if one lies within a third of the word's length (at
-/// least one edit).
+/// least one edit). Nothing for a word of more than 200 bytes.
 std::optional<std::string> nearest_name(std::string_view word, std::span<const std::string> candidates);
 
 /// The message "unknown <kind> 'word'; did you mean 'x'?". If no candidate is near, the message lists all

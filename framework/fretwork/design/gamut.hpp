@@ -18,19 +18,20 @@ struct Curvatures {
 };
 
 /// Compute the principal curvatures of a surface at each tile. A quadric is fitted by least squares to the
-/// interface nodes of the tile and its neighbours. Curvatures are positive where the surface bends towards z.
-/// A tile has none if there are fewer than six nodes, or if the position of a node is unknown (NaN).
+/// interface nodes of the tile and its neighbours. Curvatures are positive where the surface bends towards
+/// the side that faces z at rest. A tile has none if there are fewer than six nodes, if they do not determine
+/// a quadric, or if the position of a node is unknown (NaN).
 /// @param places  positions of the interface nodes in space, m, one row for each node
 base::IndexVector<tiling::TileIndex, std::optional<Curvatures>> tile_curvatures(
     const tiling::Tessellation& tessellation, const Eigen::Matrix<double, Eigen::Dynamic, 3>& places);
 
 /// The curvatures that single patterns reach under the load, and the curvatures that the target needs.
 struct Gamut {
-    /// Curvatures of every tile in every uniform painting that was tried, under the given load case. Where
-    /// the free unknowns were fitted to a uniform painting, the curvatures with these unknowns are added.
+    /// Curvatures of every tile in every uniform painting with a stable equilibrium, under each load case. If
+    /// there are free unknowns, the curvatures after their fit are added.
     std::vector<Curvatures> reached;
-    /// Curvatures of the target at each tile where it sets the positions of all nodes of the tile and its
-    /// neighbours.
+    /// Curvatures of the target under each load case, at the tiles with goals for all nodes of the tile and
+    /// its neighbours. Free components of a goal are those of the painting.
     std::vector<Curvatures> wanted;
     /// Curvatures of the painting at the tiles of `wanted`, computed by the full model.
     std::vector<Curvatures> designed;

@@ -30,8 +30,8 @@ Point2 centroid(const Polygon& polygon);
 /// exact.
 bool is_convex(const Polygon& polygon);
 
-/// Remove each point that is nearer than `nearest` (m) to the point before it; the last point is also
-/// compared with the first. Files often repeat a point where curves meet or close.
+/// Remove each point that equals the last kept point or is nearer to it than `nearest` (m). Then remove such
+/// points at the end, compared with the first. Files often repeat a point where curves meet or close.
 void remove_repeated_points(Polygon& polygon, double nearest);
 
 /// The mean length of the sides.

@@ -23,8 +23,9 @@ Eigen::Quaterniond exponential(const Eigen::Vector3d& rotation_vector);
 /// The rotation vector of a rotation, with a length of at most pi.
 Eigen::Vector3d logarithm(const Eigen::Quaterniond& rotation);
 
-/// The rotation vector of a rotation that is nearest to `reference`. The vectors of a rotation differ by
-/// whole turns. Along a path of small steps, this vector has no jumps and counts the turns.
+/// The rotation vector of a rotation that is nearest to `reference`; logarithm() if `reference` is shorter
+/// than 1 rad. The vectors of a rotation differ by whole turns. Along a path of small steps, this vector has
+/// no jumps and counts the turns.
 Eigen::Vector3d logarithm_near(const Eigen::Quaterniond& rotation, const Eigen::Vector3d& reference);
 
 /// The matrix T that maps a small change dv of a rotation vector v to the infinitesimal rotation T dv about

@@ -30,7 +30,7 @@ struct Assembly {
 
 /// Options of assemble().
 struct AssemblyOptions {
-    /// True: put half of a beam's weight on each end, without the consistent moments.
+    /// True: put half of each element's weight on each of its two ends, without the consistent moments.
     bool lumped_gravity = false;
     std::vector<int> node_labels{};  ///< labels of the frame's nodes in messages; empty: their indices, from
                                      ///< 0

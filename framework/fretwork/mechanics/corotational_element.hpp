@@ -26,8 +26,8 @@ class CorotationalBody {
         /// not known, and natural frequencies are refused.
         std::function<Eigen::MatrixXd()> mass{};
     };
-    /// Make a body. Throws InputError if the size of the stiffness does not fit the number of nodes, or if
-    /// the stiffness resists a rigid motion.
+    /// Make a body. Throws InputError if there are not two nodes at different places, if the size of the
+    /// stiffness does not fit the number of nodes, or if the stiffness resists a rigid motion.
     explicit CorotationalBody(Parts parts);
 
     /// The rest positions of the nodes relative to their mean, m.

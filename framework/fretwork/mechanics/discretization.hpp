@@ -9,7 +9,8 @@
 
 namespace fretwork::mechanics {
 
-/// The frame with `times` as many elements in each beam. Throws InputError if `times` is below one.
+/// The frame with the number of elements of each beam multiplied by `times`. Throws InputError if `times` is
+/// below one.
 Frame refined(Frame frame, int times);
 
 /// An estimate of the difference between a solution and the limit of ever finer divisions. Each value is the
@@ -21,23 +22,23 @@ struct DiscretizationError {
     /// `rotation` over the largest rotation, which is taken as at least the largest displacement divided by
     /// the frame's extent.
     double share = 0.0;
-    /// False if one of the two solutions did not converge or does not exist, or if the two solutions are too
-    /// far apart to lie on one branch.
+    /// False if one of the two solutions did not converge, if the two solutions are too far apart to lie on
+    /// one branch, or if the divisions can be neither halved nor doubled (kMostDivisions).
     bool known = false;
     friend bool operator==(const DiscretizationError&, const DiscretizationError&) = default;
 };
 
-/// A solution's error over its difference from the solution with twice as many divisions: 1 / (1 - 2^-2), if
-/// the error falls with the square of the elements' length.
+/// The ratio of a solution's error to its difference from the solution with twice as many divisions:
+/// 1 / (1 - 2^-2), if the error falls with the square of the elements' length.
 inline constexpr double kErrorFromFiner = 4.0 / 3.0;
 
 /// Estimate the discretization error of each solution of a load path (Richardson extrapolation) by following
 /// the path again with other divisions. If the divisions of all beams are even, the second path has half as
 /// many divisions, and costs about half as much as the first. Otherwise the second path has twice as many
-/// divisions, and costs twice as much. The elements converge with order four if sections bend equally about
-/// both axes, and with order two otherwise. The estimate assumes order two, which is on the safe side. If one
-/// of the two paths has one element for each beam, errors of opposite sign can cancel, and the estimate can
-/// be several times too small.
+/// divisions, and costs twice as much. The elements converge with order four in a plane or if sections bend
+/// equally about both axes, and with order two otherwise or with shear. The estimate assumes order two. If
+/// one of the two paths has one element for each beam, errors of opposite sign can cancel, and the estimate
+/// can be several times too small.
 ///
 /// @param solutions  the solutions of follow_load_path for these load factors
 std::vector<DiscretizationError> estimate_discretization_error(const Frame& frame,

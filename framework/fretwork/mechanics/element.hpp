@@ -23,8 +23,8 @@ struct NodeState {
 /// an infinitesimal rotation w in space, R <- exp(w) R. To second order in w, the energy is E + force . w + w
 /// . tangent . w / 2. So the force is the gradient of the energy, and the tangent is symmetric. The plain
 /// derivative of the force along a spin differs from the tangent by - [m]/2 on the rotational diagonal block
-/// of each node, where m is the node's moment and [m] w = m x w. Summed over the elements, the moments m are
-/// the applied moments.
+/// of each node, where m is the node's moment and [m] w = m x w. In equilibrium, the moments m of all
+/// elements sum to the applied moments and reactions.
 struct ElementResponse {
     double energy = 0.0;      ///< energy, J
     Eigen::VectorXd force;    ///< forces and moments on the nodes, 6n, N and N m
@@ -80,8 +80,8 @@ class Element {
     [[nodiscard]] virtual Eigen::Index stress_count() const = 0;
 
     /// Write the response with given stresses, and the element's own stresses. As in evaluate(), the caller
-    /// owns the buffers. If the given stresses are the element's own stresses, the response equals that of
-    /// evaluate(). If stress_count() is zero, the response always does, and given_force is the force.
+    /// owns the buffers. If the given stresses are the element's own stresses, or if stress_count() is zero,
+    /// the response equals that of evaluate(), and given_force is the force.
     ///
     /// Newton's method can take far longer steps with stresses s + K B dx that are extrapolated from the last
     /// iteration, because membrane stiffness makes the stresses at the current displacements huge
@@ -92,9 +92,10 @@ class Element {
     /// Write the stresses K e of given strains. Both spans have stress_count() entries.
     virtual void stresses_of(std::span<const double> strains, std::span<double> stresses) const = 0;
 
-    /// The relative rotation of the element's ends, rad, if the element knows it only up to whole turns. On a
-    /// path, it must stay below pi. Zero for an element that is valid at any relative rotation, or for small
-    /// rotations only.
+    /// The rotation that the element knows only up to whole turns, rad: a beam's twist, or the largest
+    /// rotation of a node relative to corotating axes (infinite without such axes). On a path, its size must
+    /// stay below pi. Zero for an element that is valid at any relative rotation, or for small rotations
+    /// only.
     [[nodiscard]] virtual double relative_turn(std::span<const NodeState> states) const = 0;
 
     /// Write the geometric stiffness, 6n x 6n: the change of the stiffness at rest by the internal forces

@@ -43,10 +43,10 @@ class LinearSolver {
 
     /// Solve under the assembly's own loads. Several threads may solve at once.
     ///
-    /// The solution is refined as long as refinement reduces the residual, and the best iterate is returned.
-    /// The solution has converged if its residual is below 1e-9, or if its residual is below 1e-4 and the
-    /// rounding of the displacements explains it. Throws NumericalError if a displacement is too large for a
-    /// number; Stopped.
+    /// The solution is refined at most three times, until its residual is below 1e-9 or is no longer halved.
+    /// The best iterate is returned. The solution has converged if its residual is below 1e-9, or if its
+    /// residual is below 1e-4 and the rounding of the displacements explains it. Throws NumericalError if a
+    /// displacement is too large for a number; Stopped.
     [[nodiscard]] Solution solve(const base::Control& control = {}) const;
     /// Solve under other loads, one row for each node of the assembly. Throws as the function above.
     [[nodiscard]] Solution solve(const NodeValues& loads, const base::Control& control = {}) const;
@@ -60,13 +60,13 @@ class LinearSolver {
     /// Switch to another assembly, and recompute only the data that depend on the difference:
     /// - if loads or prescribed values differ: nothing;
     /// - if elements are replaced by others of the same nodes, listed in any order: a low-rank correction or
-    ///   new factors. The correction is chosen if it needs fewer multiplications, and if no place becomes 1e5
-    ///   times softer or stiffer. A solution with corrected factors takes up to four times as long
-    ///   (README.md, bench/edits_bench);
+    ///   new factors. The correction is chosen if it needs less than half the multiplications, and if no
+    ///   place becomes 1e5 times softer or stiffer. A solution with corrected factors takes up to four times
+    ///   as long (README.md, bench/edits_bench);
     /// - if supports differ: everything but the elimination order;
     /// - if anything else differs: everything.
     /// Elements are compared by address. The solver shares the elements and keeps no reference to the
-    /// assembly itself. Throws as the constructor, and leaves the solver as it was.
+    /// assembly itself. Throws as the constructor; the solver then stays as it was.
     FactorChange update(const Assembly& assembly, const base::Control& control = {});
 
   private:

@@ -14,8 +14,8 @@ namespace fretwork::mechanics {
 struct Mode {
     double value = 0.0;  ///< frequency in Hz for vibration, load factor for buckling
     /// The shape of the mode, one row for each reported node. The mode is scaled so that the largest
-    /// displacement of all nodes is 1. A mode without displacements is scaled so that its largest rotation is
-    /// 1.
+    /// component of the displacements of all nodes is 1. A mode without displacements is scaled so that the
+    /// largest component of its rotations is 1.
     NodeValues shape;
     NodeValues inner_shape{};  ///< rows of the assembly's other nodes, as in Solution::inner_displacements
 };
@@ -26,20 +26,21 @@ struct ModeOptions {
 };
 
 /// The modes of the lowest natural frequencies, ascending, with consistent masses. Prescribed components are
-/// held. The number of modes is at most the number of free components with mass. Throws InputError if no
-/// element has mass, NumericalError and Stopped as LinearSolver.
+/// held. The number of modes is at most the number of free components with mass. Throws InputError if `count`
+/// is below one, or if no element has mass or one has an unknown mass; NumericalError as LinearSolver, or if
+/// the search does not settle; Stopped.
 std::vector<Mode> vibration_modes(const Assembly& assembly, int count, const ModeOptions& options = {});
 
 /// The modes of linearized buckling, ascending in their load factor. If the loads are multiplied by this
 /// factor, the stiffness plus the geometric stiffness of the linear solution becomes singular. Only positive
 /// factors are returned, so there may be fewer modes than `count`; without loads, there are none. Moments are
 /// treated as semi-tangential moments, which have a potential: the load factors belong to the symmetric part
-/// of the stiffness. Throws as vibration_modes.
+/// of the stiffness. Throws as vibration_modes(), except that no mass is needed.
 std::vector<Mode> buckling_modes(const Assembly& assembly, int count, const ModeOptions& options = {});
 
-/// A message why fewer modes of vibration were found than wanted. Empty if all were found.
+/// A message that says why fewer modes of vibration were found than wanted. Empty if all were found.
 std::string missing_vibration_modes_text(std::ptrdiff_t found, int wanted);
-/// A message why fewer modes of buckling were found than wanted. Empty if all were found.
+/// A message that says why fewer modes of buckling were found than wanted. Empty if all were found.
 std::string missing_buckling_modes_text(std::ptrdiff_t found, int wanted);
 
 }  // namespace fretwork::mechanics

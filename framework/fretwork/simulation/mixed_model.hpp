@@ -14,8 +14,8 @@ namespace fretwork::simulation {
 
 /// The worst `share` of the tiles (rounded up), worst first. Tiles with a measure of zero are left out.
 std::vector<tiling::TileIndex> worst_tiles(std::span<const TileDeformation> tiles, double share);
-/// The worst tiles among the tiles without their own tile model, ascending. Tiles with their own tile model
-/// keep it.
+/// The worst tiles among the tiles without their own tile model, ascending. `share` is a share of all tiles
+/// of the surface, rounded up. Tiles with their own tile model keep it.
 std::vector<tiling::TileIndex> worst_tiles(const Surface& surface, std::span<const TileDeformation> tiles,
                                            double share);
 

@@ -28,8 +28,8 @@ reduction::Displacements displacements(const Surface& surface, const ModelChoice
 std::vector<double> tile_parameters(const Surface& surface, tiling::TileIndex tile,
                                     const reduction::TileModel& model);
 
-/// A warning, in one line, if tiles are more than 1.5 times as large as in their models' calibration, or less
-/// than two thirds as large. Otherwise "".
+/// A warning, in one line, if the mean side of the tiles with a calibrated model is more than 1.5 times the
+/// tile side of the setting, or less than two thirds of it. Otherwise "".
 std::string foreign_size_text(const Surface& surface, const ModelChoice& choice);
 
 }  // namespace fretwork::simulation

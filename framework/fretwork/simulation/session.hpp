@@ -72,7 +72,8 @@ class Session {
     void turn(std::span<const tiling::TileIndex> tiles, int vertices);
     /// Give tiles their own tile model; "" removes their own tile model. Invalid after the edit: these tiles.
     void set_tile_model(std::span<const tiling::TileIndex> tiles, const std::string& model);
-    /// Replace the model of the tiles without their own tile model. Invalid after the edit: all tiles.
+    /// Replace the model of the tiles without their own tile model. Invalid after the edit: all tiles. If a
+    /// mixed model replaces `corotational`, the corotational tiles and their equilibrium stay valid.
     void set_model(const std::string& model);
     /// Replace the setting (material, section, scenarios). Invalid after the edit: all tiles and, with
     /// gravity, the loads. The calibrations do not change; the caller has to replace them. Throws InputError
@@ -102,11 +103,12 @@ class Session {
     [[nodiscard]] const SurfaceResult* corotational_result() const;
 
     /// Solve for the equilibrium of the present surface. A linear solution uses the kept factors. A nonlinear
-    /// solution starts from the last equilibrium if the nodes are the same and the options ask for one load
-    /// step. In all other cases, and if the equilibrium may lie on another path, a nonlinear solution starts
-    /// from rest. The result has no subject; result_subject() makes one. Throws InputError if a tile cannot
-    /// be built after the edits, NumericalError if the structure has too few supports, and base::Stopped.
-    /// After an error, all edits are kept, and the next call continues.
+    /// solution starts from the last equilibrium if the options ask for the primary branch and one load step,
+    /// the nodes are the same, and the last equilibrium is stable. In all other cases, and if the equilibrium
+    /// may lie on another path, it starts from rest. The result has no subject; result_subject() makes one.
+    /// Throws InputError if a tile cannot be built after the edits, or if SimulationOptions::estimate_error
+    /// is set and a tile does not consist of beams; NumericalError if the structure has too few supports;
+    /// base::Stopped. After an error, all edits are kept, and the next call continues.
     ///
     /// @param check  whether to check the stability; Skipped is for a user who drags a load in small steps,
     /// and is ignored by linear solutions and by paths of several load steps
@@ -116,36 +118,38 @@ class Session {
                         mechanics::StabilityCheck check = mechanics::StabilityCheck::Made,
                         const mechanics::FirstIterate& first_iterate = {});
 
-    /// The linear displacements K^-1 g under nodal loads g, one column each, with the supports of the load
-    /// case and without prescribed displacements. If g is the gradient of a function, the result is the
-    /// adjoint of this function. Columns have 6n rows, node by node, for the n nodes of the result. Throws
-    /// InputError if the number of rows is wrong, and as solve().
+    /// The linear displacements K^-1 g under nodal loads g, one column each, in linear theory for every
+    /// model. Supported and prescribed components are held at zero. If g is the gradient of a function, the
+    /// result is the adjoint of this function. Columns have 6n rows, node by node, for the n nodes of the
+    /// result. Throws InputError if the number of rows is wrong, and as solve().
     Eigen::MatrixXd solve_adjoint(const Eigen::MatrixXd& rows, const base::Control& control = {});
 
     /// Linearize the surface at the nonlinear equilibrium of the last solve(); derivatives
-    /// (derivatives/sensitivity.hpp) need it. Pre: no edit since the last solve(). The linearization reuses
-    /// the solution's factors, and is valid until the next edit or solve(). Throws InputError if there is no
-    /// such equilibrium, or if the equilibrium was reached in several load steps; NumericalError if the
-    /// tangent is singular at the equilibrium; Stopped.
+    /// (derivatives/sensitivity.hpp) need it. The linearization reuses the solution's factors, and is valid
+    /// until the next edit or solve(). Throws InputError if there is no such equilibrium, if an edit came
+    /// after it, or if it was reached in several load steps; NumericalError if the tangent is singular at the
+    /// equilibrium; Stopped.
     [[nodiscard]] Linearization linearize(TileQuantities quantities = TileQuantities::Strains,
                                           const base::Control& control = {});
-    /// The derivatives of a function J of the displacements with respect to all inputs of the equilibrium of
-    /// the last solve(), linear or nonlinear. In a linear solution, the strains of a tile are its
-    /// displacements in its own axes. Throws as linearize(), and InputError if the number of rows of
+    /// The derivatives of a function J of the displacements at the equilibrium of the last solve(), linear or
+    /// nonlinear, with respect to loads, held values and tiles. In a linear solution, the strains of a tile
+    /// are its displacements in its own axes. Throws as linearize(), and InputError if the number of rows of
     /// `gradient` is wrong.
     /// @param gradient  the derivatives of J with respect to displacements and rotation vectors, one row for
     /// each node of the result
     [[nodiscard]] Sensitivity sensitivity(const mechanics::NodeValues& gradient,
                                           const base::Control& control = {});
     /// The gradient of the elastic energy with respect to displacements and rotation vectors (N, N m), one
-    /// row for each node of a solution since the session's last edit. It equals the internal forces.
+    /// row for each node of a solution since the session's last edit. Its first three columns equal the
+    /// internal forces; in a nonlinear solution, the other three differ from the internal moments, because
+    /// rotation vectors are not spins.
     [[nodiscard]] mechanics::NodeValues energy_gradient(const mechanics::Solution& solution) const;
 
     /// The deformation of each tile in a solution of this session; zero for tiles made of beams.
     [[nodiscard]] std::vector<TileDeformation> tile_deformations(const mechanics::Solution& solution) const;
 
     /// The motions of a tile's beams in a solution since the session's last edit; nothing if the tile's model
-    /// does not give them. Several threads may call this function at once.
+    /// does not give them. Several threads may call this function and motion_gradient() at once.
     [[nodiscard]] std::optional<reduction::BeamMotion> beam_motion(tiling::TileIndex tile,
                                                                    const mechanics::Solution& solution) const;
     /// The gradient of a function of beam_motion() with respect to the rows of the tile's interface nodes;
@@ -154,7 +158,8 @@ class Session {
         tiling::TileIndex tile, const mechanics::Solution& solution,
         const mechanics::NodeValues& by_beams) const;
 
-    /// The computed and the reused parts of the last solve() or solve_adjoint().
+    /// The computed and the reused parts of the last solve() or solve_adjoint(); of a mixed model, only of
+    /// the last solve().
     struct Report {
         std::size_t tiles_built = 0;  ///< number of tiles built; a shared tile counts once
         /// The effect on the factors.

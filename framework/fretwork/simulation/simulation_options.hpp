@@ -16,7 +16,8 @@ enum class Analysis {
     Linear       ///< linear for every model, with equilibrium in the flat state
 };
 
-/// Options of simulate() and of a session.
+/// Options of simulate() and of a session. A session ignores the options of modes, and all estimates but
+/// `estimate_error`.
 struct SimulationOptions {
     /// The name of the model of all tiles without their own tile model: a row of `models`, or `mixed:SHARE`
     /// (mixed_model.hpp).
@@ -26,17 +27,18 @@ struct SimulationOptions {
     Analysis analysis = Analysis::OfTheModel;
     /// True: fill Result::discretization_error; only for nonlinear models made of beams.
     bool estimate_error = false;
-    /// True: fill SurfaceResult::model_error; for reduced models (model_error.hpp).
+    /// True: fill SurfaceResult::model_error (model_error.hpp); not for the full model, unless the analysis
+    /// is linear.
     bool estimate_model_error = false;
-    /// True: fill SurfaceResult::model_doubt of nonlinear solutions. If the doubt of a solution of
-    /// corotational or mixed tiles exceeds a limit (model_doubt.hpp), also fill SurfaceResult::model_error.
+    /// True: fill SurfaceResult::model_doubt of converged nonlinear solutions of reduced tiles. If a solution
+    /// of corotational or mixed tiles is doubtful (model_doubt.hpp), also fill SurfaceResult::model_error.
+    /// simulate() ignores this option if `estimate_model_error` is set.
     bool estimate_where_doubtful = false;
     /// Number of equal steps of the load, each with a result; only for nonlinear analyses.
     int load_steps = 1;
     /// The equilibria to follow after a loss of stability. All branches except the primary need a nonlinear
-    /// model that is not mixed, and exclude estimates of errors.
+    /// model that is not mixed, and exclude `estimate_error` and `estimate_model_error`.
     mechanics::Branch branch = mechanics::Branch::Primary;
-    /// Modes are computed by simulate(), but not by a session.
     int vibration_modes = 0;  ///< number of natural frequencies of the surface at rest, with all of its beams
     /// Number of critical load factors by linearized buckling, with all of its beams.
     int buckling_modes = 0;
@@ -59,8 +61,8 @@ std::string mixed_model(double share);
 
 /// The choice of tile models by the options. For a mixed model, ModelChoice::name is kMixedTiles.
 ModelChoice model_choice(const SimulationOptions& options);
-/// The choice of the full model for every tile: the first reference in the catalogue. Throws InputError if
-/// the catalogue has no reference.
+/// The choice of the full model, the first reference in the catalogue, for all tiles without their own tile
+/// model. Throws InputError if the catalogue has no reference.
 ModelChoice reference_choice(const SimulationOptions& options);
 
 /// True if the analysis is OfTheModel and a tile model of the surface is for large displacements: equilibrium

@@ -27,7 +27,7 @@ struct LoadStage {
     std::vector<LoadCase::PrescribedDisplacement> prescribed{};
     /// Components that are held at their present values.
     std::vector<LoadCase::Support> keep{};
-    /// Prescribed or kept components that are released. Supports stay.
+    /// Prescribed or kept components that are released. Supports stay; a support that was moved is refused.
     std::vector<LoadCase::Support> free{};
 };
 
@@ -41,7 +41,8 @@ struct LoadStage {
 ///         { "name": "let go", "free": [{ "side": "right", "fixed": ["uz"] }] } ] }
 ///
 /// Nodes are selected as in load cases; by a circle only in the format "fretwork/stages/2". Throws InputError
-/// with source and place, also if two load stages have one name.
+/// with source and place, also if there is no load stage, if one changes nothing, or if two have the same
+/// name.
 std::vector<LoadStage> parse_stages(std::string_view text, const std::string& source);
 /// The text of a file of load stages.
 std::string stages_text(std::span<const LoadStage> stages);
@@ -54,7 +55,8 @@ std::vector<std::string> stage_names(const SurfaceResult& result);
 
 /// Load stages with their load cases.
 struct StagePlan {
-    /// Load case with the surface's supports; its loads act only if a load stage names it.
+    /// Load case with the surface's supports; its loads and prescribed displacements act only if a load stage
+    /// names it.
     base::Borrowed<LoadCase> supports;
     std::span<const LoadCase> cases;    ///< the load cases that load stages may name
     std::span<const LoadStage> stages;  ///< load stages in order
@@ -65,8 +67,9 @@ struct StagePlan {
 /// beyond limit loads; with other branches, it ends at a limit load. Result::load_steps has one solution for
 /// each begun load stage. The subject of the result contains the load stages and their load cases. The error
 /// of corotational tiles is estimated by the same load stages with all beams in the worst tiles. The doubt
-/// and the error in the result are the largest at the end of any load stage. Throws InputError if a model is
-/// not for large displacements, if there is no load stage, and as check_stages().
+/// and the error in the result are the largest at the end of any load stage. Throws InputError for linear and
+/// mixed models, several load steps and `estimate_error`; for `estimate_model_error` of a model that is not
+/// `corotational`; if there is no load stage; and as check_stages().
 SurfaceResult simulate_stages(const Surface& surface, const StagePlan& plan, const SimulationOptions& options,
                               const base::Control& control = {});
 

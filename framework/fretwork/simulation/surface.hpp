@@ -33,7 +33,7 @@ Surface make_surface(const Project& project, const library::Library* library);
 /// All beams of all tiles as one graph. Throws InputError that names an unpainted tile.
 tiling::TessellationFan surface_fan(const Surface& surface);
 
-/// The mass of each tile's beams under gravity, kg.
+/// The mass of each tile's beams, kg. Throws as surface_fan().
 base::IndexVector<tiling::TileIndex, double> tile_masses(const Surface& surface);
 
 }  // namespace fretwork::simulation

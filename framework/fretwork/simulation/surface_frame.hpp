@@ -10,14 +10,14 @@
 namespace fretwork::simulation {
 
 /// The surface under a load case as a frame, for checks by other solvers. The first nodes of the frame are
-/// the interface nodes. Throws InputError if the tiles of a tile model do not consist of beams (such as
-/// `condensed`), and Stopped.
+/// the interface nodes. Throws InputError if a tile does not consist of beams (such as `condensed`), and as
+/// tile_beams().
 mechanics::Frame surface_frame(const Surface& surface, const ModelChoice& choice,
                                const Conditions& conditions, const base::Control& control = {});
 
 /// The beams of the surface's tiles at rest, without supports and loads. The full model has the beams of the
 /// patterns; a model like `paper6` has a few of its own. The first nodes are the interface nodes. Nothing if
-/// the tiles do not consist of beams. Throws InputError that names a pattern without a calibration, and
+/// any tile does not consist of beams. Throws InputError that names a pattern without a calibration, and
 /// Stopped.
 std::optional<mechanics::Frame> tile_beams(const Surface& surface, const ModelChoice& choice,
                                            const base::Control& control = {});

@@ -11,9 +11,9 @@ namespace fretwork::base::detail {
 /// The values of a JSON text; members keep the order of the text.
 using JsonValue = nlohmann::ordered_json;
 
-/// Parse strictly, in time proportional to the text: a key that appears twice, a number beyond double
-/// precision, and nesting deeper than 100 are refused. Throws InputError that names the source, and the line
-/// and column or the JSON pointer.
+/// Parse strictly, in time proportional to the text: a key that appears twice, a number beyond the range of a
+/// double, and nesting deeper than 100 are refused. Throws InputError that names the source, and the line and
+/// column or the JSON pointer.
 JsonValue parse_json(std::string_view text, const std::string& source);
 
 /// The JSON pointer (RFC 6901) of a value that lies in a document; found by search, so only for messages.

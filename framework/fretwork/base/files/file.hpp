@@ -9,16 +9,17 @@
 
 namespace fretwork::base {
 
-/// Read a whole file. Throws InputError if it is missing, a folder, a device, unreadable, larger than the
-/// memory, or a pipe with more than 1 GiB.
+/// Read a whole file. Throws InputError if it is missing, a folder, a device other than a terminal,
+/// unreadable, larger than the memory, or a pipe with more than 1 GiB.
 std::string read_text_file(const std::filesystem::path& path);
 
 /// Follow a chain of symbolic links from `path` to its end. The file at the end need not exist yet.
 std::filesystem::path link_target(std::filesystem::path path);
 
 /// Replace the file at `path` by `content`, whole or not at all. A scratch file beside it is written, flushed
-/// to the disk and renamed. A symbolic link stays, and its target is replaced. Throws IoError (folder
-/// missing, no permission, disk full); `path` then stays as it was.
+/// to the disk and renamed. A symbolic link stays, and its target is replaced. A device or a pipe is written
+/// directly. Throws IoError (folder missing, no permission, disk full); a file at `path` then stays as it
+/// was.
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
 /// An atomic write of content in pieces. Content that is not committed leaves no trace. A device or a pipe
@@ -57,8 +58,8 @@ class FileBatch {
 };
 
 /// A batch of files for one folder, which is created if it is missing. The files appear in the folder when
-/// the batch is committed, with one flush to the disk. If a file cannot be written, the folder stays as it
-/// was.
+/// the batch is committed, with one flush to the disk. Before that, the folder stays as it was. Only a
+/// failure between two renamings can leave a part of the files in it.
 class FolderBatch {
   public:
     /// Create the scratch folder. Throws IoError.

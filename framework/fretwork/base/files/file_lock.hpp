@@ -15,10 +15,10 @@ namespace fretwork::base {
 /// write repeatedly, or to create the file, lock its folder.
 class FileLock {
   public:
-    /// Lock a file or a folder, and wait while another process holds the lock. Throws InputError if the path
-    /// does not exist, IoError if it cannot be locked.
+    /// Lock a file or a folder, and wait while another process or another FileLock holds the lock. Throws
+    /// InputError if the path cannot be opened, IoError if it cannot be locked.
     explicit FileLock(const std::filesystem::path& path);
-    /// Lock without waiting. Returns nothing if another process holds the lock.
+    /// Lock without waiting. Returns nothing if another holds the lock. Throws as the constructor.
     static std::optional<FileLock> try_lock(const std::filesystem::path& path);
 
     FileLock(FileLock&& other) noexcept;

@@ -14,14 +14,14 @@ namespace fretwork::base {
 /// The type in which writers build their documents: members keep the order in which they were added.
 using Json = nlohmann::ordered_json;
 
-/// A value, or what a function or a member gives of it; null if there is no value.
+/// The JSON of a value, or of the `part` of it that a function or a member gives; null if there is no value.
 template <class Value, class Part = std::identity>
 Json or_null(const std::optional<Value>& value, Part part = {}) {
     return value ? Json(std::invoke(part, *value)) : Json(nullptr);
 }
 
 /// A table as an array of rows. The numbers stay in one block of memory, because tables are most of a large
-/// document. Only json_text can read this value. Throws InputError unless the numbers fill whole rows.
+/// document. Only json_text() can write this value. Throws InputError unless the numbers fill whole rows.
 Json number_rows(std::span<const double> values, std::uint8_t columns);
 
 /// Format a document for people: an array of plain values takes one line, and objects and nested arrays take

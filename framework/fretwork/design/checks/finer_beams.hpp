@@ -18,7 +18,7 @@ struct FinerBeams {
 
 /// The largest von Mises stress (Pa) at the ends of all elements in the nonlinear equilibrium of a surface
 /// under a load case, with FinerBeams::elements for each beam. The difference from one element for each beam
-/// shows the discretization error. None if the equilibrium was not found. Throws Stopped.
+/// shows the discretization error. None if no stable equilibrium was found. Throws Stopped.
 std::optional<double> largest_stress(const simulation::Surface& surface,
                                      const simulation::LoadCase& load_case, const FinerBeams& options,
                                      const base::Control& control);

@@ -9,9 +9,10 @@
 
 namespace fretwork::design::detail {
 
-/// The full model's solution at a point of the search space, on the stable path from flat.
+/// The full model's solution at a point of the search space, on the path from flat or, if this loses
+/// stability, on the stable branch.
 struct FullCheck {
-    bool is_found = false;
+    bool is_found = false;  ///< true if all equilibria were found, stable or not (TargetError::is_stable)
     TargetError error;
     /// Displacements of each load case, interface nodes first.
     std::vector<mechanics::NodeValues> displacements{};
@@ -20,7 +21,8 @@ struct FullCheck {
     int solutions = 0;
 };
 
-/// The quantities of the beams that a check computes: none, the largest utilization, or also its error.
+/// The quantities of the beams that a check computes: none, the largest utilization, or also its error. The
+/// last two need a setting with a strength.
 enum class BeamDemand { None, Utilization, UtilizationAndError };
 
 /// Return the shape of the checked surface in each load case, with the wanted positions of the goals' nodes.

@@ -31,8 +31,9 @@ struct Observation {
 class CaseGoals {
   public:
     /// Collect the goals under a load case. Throws InputError that names an invalid goal ("/goals/3") and its
-    /// error: nodes or load cases that do not exist, displacements far beyond the surface's size, or goals
-    /// that contradict each other.
+    /// error: nodes that do not exist, invalid expressions and meshes, displacements of more than ten times
+    /// the surface's size, goals that contradict each other, or as Goal::validate().
+    /// @param default_case  the load case of goals that name none
     CaseGoals(const Target& target, const std::string& load_case, const std::string& default_case,
               const tiling::Tessellation& tessellation);
 
@@ -46,7 +47,7 @@ class CaseGoals {
     /// The largest wanted displacement, m.
     [[nodiscard]] double largest() const { return largest_; }
     [[nodiscard]] std::size_t node_count() const { return goals_.size(); }
-    /// True if nodes may slide along a surface.
+    /// True if nodes may slide along the mesh of a goal.
     [[nodiscard]] bool slides() const;
     /// A warning about each goal that contradicts the components held by `held`.
     [[nodiscard]] std::vector<DesignWarning> against(const simulation::Conditions& held) const;
@@ -60,7 +61,7 @@ class CaseGoals {
     [[nodiscard]] std::vector<Place> places(const mechanics::NodeValues& displacements) const;
     /// Three weighted sums over the observations, m^2: of squared wanted values (`wanted`), of squared
     /// present values (`there`), and of the products of both (`both`). For displacements multiplied by t, the
-    /// weighted sum of squared residuals is wanted - 2 t both + t^2 there.
+    /// weighted sum of squared residuals is wanted - 2 t both + t^2 there; with meshes, nearly so.
     struct Products {
         double wanted = 0.0;
         double both = 0.0;

@@ -11,7 +11,8 @@ namespace fretwork::design::detail {
 /// A surface of triangles in space that finds its point nearest to a given point.
 class SpaceMesh {
   public:
-    /// Read the surface from a mesh file. Throws InputError if the file is not a mesh.
+    /// Read the surface from a mesh file. Throws as outlines::read_space_mesh(), and InputError if all faces
+    /// have no area.
     explicit SpaceMesh(const std::filesystem::path& path);
     ~SpaceMesh();
     SpaceMesh(const SpaceMesh&) = delete;

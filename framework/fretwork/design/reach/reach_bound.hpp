@@ -13,12 +13,12 @@ namespace fretwork::design::detail {
 /// p. Summed over the tiles, K_A <= K <= K_B holds for every painting, and therefore K_B^-1 <= K^-1 <=
 /// K_A^-1. With D = K_A^-1 - K_B^-1, it follows that K^-1 = (K_A^-1 + K_B^-1) / 2 + D^1/2 X D^1/2 / 2 with
 /// |X| <= 1. So the displacements K^-1 F of all paintings lie in an ellipsoid, and so do the observations C
-/// K^-1 F. The bound is the distance of the wanted values from the ellipsoid of the observations, in the
-/// directions of the goals. A Lagrange multiplier gives this distance.
+/// K^-1 F. The bound is the distance of the wanted values from the ellipsoid of the observations, in at most
+/// 24 directions (Lanczos vectors of the ellipsoid's shape). A Lagrange multiplier gives this distance.
 ///
-/// None if the bound does not hold or is of no use: displacements are too large for linear theory; weight
-/// acts and changes with the painting; supports are moved; there are free unknowns besides the painting; or
-/// nodes may slide along a surface.
+/// None if the bound does not hold: a wanted displacement is above 2 % of the surface's size; weight acts,
+/// which changes with the painting; supports are moved; there are free unknowns besides the painting; nodes
+/// may slide along a mesh; or the supports do not hold the surface.
 std::optional<double> reach_bound(const Trials& trials, const std::vector<std::size_t>& palette,
                                   const base::Control& control);
 
@@ -26,13 +26,14 @@ std::optional<double> reach_bound(const Trials& trials, const std::vector<std::s
 struct Enclosure {
     Eigen::MatrixXd below;
     Eigen::MatrixXd above;
-    /// Enclose another matrix: the positive part of its difference is added to `above`, and the negative part
-    /// is subtracted from `below`, in the metric of the two matrices.
+    /// Enclose another matrix; the first one becomes both bounds. The positive part of its difference from
+    /// `above` is added to `above`, and the negative part of its difference from `below` is subtracted from
+    /// `below`, each in the metric of that bound.
     void include(const Eigen::MatrixXd& matrix);
 };
 
-/// The distance from a point to the ellipsoid { z: z . H^-1 z <= r^2 } with H positive semidefinite. The
-/// result is a little below the true distance.
+/// The distance from a point to the ellipsoid { z: z . H^-1 z <= r^2 } with the positive semidefinite `shape`
+/// H and the `radius` r. The result is a little below the true distance.
 double distance_to_ellipsoid(const Eigen::MatrixXd& shape, double radius, const Eigen::VectorXd& point);
 
 }  // namespace fretwork::design::detail

@@ -6,15 +6,16 @@
 namespace fretwork::design::detail {
 
 /// Compare the displacements of solved uniform paintings with the wanted displacements, and collect their
-/// curvatures. Fills wanted_of_softest, wanted_of_stiffest and gamut of the report.
+/// curvatures. Fills nothing_moves and Gamut::reached of the report and, unless nothing moves,
+/// wanted_of_softest and wanted_of_stiffest. Pre: `uniform` is not empty.
 void survey(const Trials& trials, const std::vector<Solved>& uniform, DesignReport& report);
 
 /// Add the curvatures of uniform paintings to Gamut::reached.
 void add_reached_curvatures(const Trials& trials, const std::vector<Solved>& uniform, Gamut& gamut);
 
 /// The largest displacement of the softest uniform painting under ten times its loads, as a share of the
-/// largest wanted displacement. None if its own loads suffice, if there are no loads, or if there is no
-/// equilibrium. Throws Stopped.
+/// largest wanted displacement. None if wanted_of_softest is at most kLoadTooSmall, if there are no loads or
+/// their factor is free, or if an equilibrium is not found. Throws Stopped.
 std::optional<double> reach_of_ten_loads(Trials& trials, const std::vector<Solved>& uniform,
                                          const DesignReport& report, const base::Control& control);
 

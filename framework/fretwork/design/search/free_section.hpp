@@ -13,8 +13,8 @@ inline constexpr double kLargestSectionChange = 3.0;
 /// Check that a section is a rectangle. Throws InputError that names the section.
 void require_rectangle(const mechanics::Section& section);
 
-/// The setting with rectangular bars of a given width in the plane and a given thickness, m; shear areas are
-/// computed from these.
+/// The setting with rectangular bars of a given width in the plane and a given thickness, m. Shear areas, if
+/// the setting has any, grow with the area.
 reduction::Setting with_section(reduction::Setting setting, double width, double thickness);
 
 /// The derivative of a load case's residuals along a change of the stiffness and mass of all tiles.

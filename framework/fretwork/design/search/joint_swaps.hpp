@@ -23,8 +23,9 @@ struct JointAnswer {
     double energy = 0.0;        ///< energy f . G f of the change, J
 };
 
-/// The effect of swaps in several tiles at once. The stresses f of all these tiles solve f = -dk (e + G f),
-/// where the flexibility G includes the coupling of tiles. The effect is exact on the linearized surface.
+/// Compute the effect of swaps. The stresses f of all these tiles solve f = -dk (e + G f), with the changes
+/// dk of the tiles' stiffness and their strains e, where the flexibility G includes the coupling of tiles.
+/// The effect is exact on the linearized surface.
 /// Pre: the model has CaseModel::flexibility.
 JointAnswer joint_answer(const CaseModel& model, std::span<const TileSwap> swaps);
 

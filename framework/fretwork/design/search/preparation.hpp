@@ -9,7 +9,7 @@
 
 namespace fretwork::design::detail {
 
-/// The number of patterns for the first painting, before the whole palette is condensed.
+/// The largest number of patterns for the first painting, before the rest of the palette is condensed.
 inline constexpr std::size_t kFirstPatterns = 24;
 
 /// The input of a search.
@@ -23,9 +23,11 @@ struct Preparation {
     std::vector<pattern::NamedPattern> whole{};  ///< palette for extend_palette(); empty: all are candidates
 };
 
-/// Prepare a search, and condense as many candidates as the time allows. Throws InputError that names an
-/// unsuitable value; Stopped.
-/// @param first  the largest number of candidates to condense now; they are drawn at random
+/// Prepare a search, and condense the candidates: as many patterns as 8,000 condensations (patterns times
+/// classes of congruent tiles) allow, but at least 24. Throws InputError that names an unsuitable value;
+/// Stopped.
+/// @param first  the largest number of patterns to condense now; if the palette has more, they are drawn at
+/// random. Mirror images and the patterns of kept tiles are added.
 Preparation prepare(const simulation::Project& project, const library::Library* library, const Target& target,
                     const DesignOptions& options, std::size_t first = static_cast<std::size_t>(-1));
 
@@ -34,8 +36,8 @@ struct PaletteChoice {
     std::vector<std::size_t> palette;
     Eigen::MatrixXd coordinates;
 };
-/// Condense further candidates of the whole palette, as many as the time allows. The indices of earlier
-/// candidates do not change. Throws Stopped.
+/// Condense further candidates of the whole palette, within the same limit as prepare(). The indices of
+/// earlier candidates do not change. Throws Stopped.
 PaletteChoice extend_palette(Trials& trials, const std::vector<pattern::NamedPattern>& whole,
                              const DesignOptions& options);
 

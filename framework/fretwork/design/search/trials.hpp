@@ -34,7 +34,8 @@ struct Point {
 /// The solution of a point.
 struct Trial {
     bool is_found = false;  ///< true if all equilibria were found and are stable
-    /// Weighted mean of the squared distances, as shares of the largest wanted displacement.
+    /// Mean of the weighted squared distances, as shares of the largest wanted displacement; 0 unless
+    /// `is_found`.
     double objective = 0.0;
     std::vector<mechanics::NodeValues> displacements{};  ///< rows of the interface nodes for each load case
 };
@@ -68,13 +69,14 @@ struct Lightest {
 /// Solves points, each from the last equilibrium, and predicts the effects of swaps at the last equilibrium.
 class Trials {
   public:
-    /// Begin with the painting of the given surface. Throws Stopped.
+    /// Begin with the painting of the given surface. Throws InputError if a tile has a pattern that is no
+    /// candidate; Stopped.
     explicit Trials(TrialParts parts, const base::Control& control = {});
 
     [[nodiscard]] const TrialParts& parts() const { return parts_; }
     [[nodiscard]] Eigen::VectorXd initial_unknowns() const;
     [[nodiscard]] Point uniform(std::size_t pattern) const;
-    /// The unknowns, moved into their bounds.
+    /// The unknowns, with width and thickness moved into their bounds (kLargestSectionChange).
     [[nodiscard]] Eigen::VectorXd bounded(Eigen::VectorXd unknowns) const;
     /// Set the displacements that are added to the wanted positions, for each load case; see
     /// CaseGoals::observe().
@@ -134,8 +136,8 @@ class Trials {
     /// The indices of a tile's possible candidates if groups have candidates of the palette.
     [[nodiscard]] std::set<std::size_t> possible(tiling::TileIndex tile,
                                                  const std::vector<std::size_t>& palette) const;
-    /// The smallest objective of a trial if the displacements of each load case may be multiplied by a factor
-    /// of their own, at least zero.
+    /// The smallest objective of a trial, without aims, if the displacements of each load case may be
+    /// multiplied by a factor of their own, at least zero.
     [[nodiscard]] double scaled_objective(const Trial& trial) const;
 
   private:
@@ -164,7 +166,7 @@ class Trials {
     using Choices = std::vector<std::pair<std::size_t, std::size_t>>;
     /// The mass of a group's tiles with a pattern, kg.
     [[nodiscard]] double group_mass(std::size_t group, std::size_t pattern) const;
-    /// The tiles that change by choices, from their present patterns.
+    /// The swaps in the tiles whose painted patterns differ from those of the choices.
     [[nodiscard]] std::vector<TileSwap> swaps_of(const Choices& choices) const;
     /// The effect on all load cases if groups get other patterns at once.
     [[nodiscard]] JointAnswer joint_response(const std::vector<CaseModel>& models,
@@ -180,7 +182,7 @@ class Trials {
     TileStrains strains_;
     reduction::Setting setting_;            ///< setting of the sessions
     reduction::Setting candidate_setting_;  ///< setting of the candidates
-    std::vector<std::size_t> kept_;         ///< candidate of each tile that belongs to no group
+    std::vector<std::size_t> kept_;  ///< candidate of each tile in the given painting, for tiles in no group
     std::vector<simulation::Session> sessions_;
     std::vector<std::size_t> painted_;  ///< candidate of each tile in the sessions
     std::vector<mechanics::NodeValues> unit_loads_;

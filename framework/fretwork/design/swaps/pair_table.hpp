@@ -13,7 +13,7 @@ namespace fretwork::design::detail {
 
 /// A swap table with the interactions between pairs of groups. It predicts the change of the residuals by
 /// several swaps as the sum of the changes by single swaps and the interactions of all pairs. For one or two
-/// swaps of the linearized surface, this prediction is exact.
+/// swaps (of whole groups) on the linearized surface, this prediction is exact.
 struct PairTable {
     SwapTable swaps;
     /// Interactions of the groups g < h, at pair_place(g, h): the change of the residuals by both swaps,
@@ -30,9 +30,10 @@ constexpr std::size_t pair_place(std::size_t g, std::size_t h) {
 /// The number of choices, columns^groups. If it exceeds `limit`, the result is `limit` + 1.
 std::size_t choice_count(std::size_t groups, std::size_t columns, std::size_t limit);
 
-/// Score all choices and return the `count` choices with the smallest predicted objectives, in ascending
-/// order, with the best steps of the continuous unknowns. The cost is 2 k operations for each of the
-/// choice_count() choices. Throws Stopped.
+/// Score all choices and return the `count` choices with the smallest predicted objectives for steps of any
+/// size, in ascending order. Their steps of the continuous unknowns are then clipped as in best_steps(), and
+/// Choice::objective is predicted for these. The cost is about 2 k operations for each of the choice_count()
+/// choices. Throws Stopped.
 std::vector<Choice> best_of_all(const PairTable& table, std::size_t count, const base::Control& control);
 
 }  // namespace fretwork::design::detail

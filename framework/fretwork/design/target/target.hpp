@@ -25,7 +25,8 @@ struct NodesGoal {
     friend bool operator==(const NodesGoal&, const NodesGoal&) = default;
 };
 
-/// Wanted displacements of selected nodes, as expressions of the nodes' coordinates x and y at rest (m).
+/// Wanted displacements of selected nodes, as expressions of the nodes' coordinates at rest: x and y (m), and
+/// u and v (0 to 1 across the surface).
 struct FormulaGoal {
     simulation::Selection where;  ///< the nodes
     /// Expressions or numbers, m; a component without one is free.

@@ -12,8 +12,9 @@ namespace fretwork::mechanics {
 /// Read the beams of a CalculiX or Abaqus input deck (.inp): *NODE; *ELEMENT of type B31, B31R, B33 (two
 /// nodes), B32 or B32R (the middle node becomes a node of the frame); *NSET and *ELSET, also with GENERATE;
 /// *MATERIAL with *ELASTIC and *DENSITY; *BEAM SECTION with RECT, CIRC or PIPE, *BEAM GENERAL SECTION with
-/// GENERAL; *BOUNDARY; *CLOAD; *DLOAD with GRAV. Keywords that only control a solver or its output are
-/// skipped. Any other keyword is an error. An unknown parameter of a keyword that is read is an error, too.
+/// GENERAL; *BOUNDARY; *CLOAD; *DLOAD with GRAV on all elements. Keywords that only control a solver or its
+/// output are skipped, and so are *PART, *ASSEMBLY, their ends and *SOLID SECTION. Any other keyword is an
+/// error. An unknown parameter of a keyword that is read is an error, too.
 ///
 /// The frame has the supports and loads at the end of the last step. The rules are from the CalculiX CrunchiX
 /// User's Manual (Dhondt; *CLOAD, *BOUNDARY, *DLOAD). By default (OP=MOD), values of earlier steps stay until
@@ -37,14 +38,14 @@ enum class DeckReader {
 };
 
 /// The text of a deck for a frame, for `reader` and parse_calculix. Nodes are labelled from 1. Numbers are
-/// rounded to the twenty characters of an entry, which hold at least 14 digits. Throws InputError that names
-/// a feature of the frame if decks cannot express it: releases, divisions, shear areas, a given shear
-/// modulus, and, for CalculiX, sections that are neither rectangles nor circles.
+/// rounded to the twenty characters of an entry, which hold at least 14 digits. Throws as validate(), and
+/// InputError that names a feature of the frame if decks cannot express it: releases, divisions, shear areas,
+/// a given shear modulus, and, for CalculiX, sections that are neither rectangles nor circles.
 std::string calculix_text(const Frame& frame, DeckReader reader = DeckReader::Abaqus);
 
 /// Read a deck file. Throws as parse_calculix.
 LabelledFrame read_calculix(const std::filesystem::path& path);
-/// Write a deck file atomically. Throws as calculix_text, or IoError.
+/// Write a deck file for DeckReader::Abaqus atomically. Throws as calculix_text(), or IoError.
 void write_calculix(const Frame& frame, const std::filesystem::path& path);
 
 }  // namespace fretwork::mechanics

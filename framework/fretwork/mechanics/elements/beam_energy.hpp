@@ -19,8 +19,8 @@ using BeamVector = Eigen::Matrix<double, kBeamDeformations, 1>;
 using BeamMatrix = Eigen::Matrix<double, kBeamDeformations, kBeamDeformations>;
 
 /// The elastic energy of a beam as a function of its deformations d: the sum of stiffness * strain^2 / 2 over
-/// six generalized strains. A strain is the deformation of the same name, changed by products of
-/// deformations:
+/// six generalized strains. A strain is the deformation of the same name (axial: the elongation e), changed
+/// by products of deformations:
 ///
 ///   axial  (e / L + ((bow2^2 + bow3^2) / 3 + q2 sway2^2 + q3 sway3^2) / 2) L    bending shortens the chord
 ///   bow2   (1 + twist^2 / 12 + g3^2 / 3) bow2 - g2 g3 bow3 / 3 + twist g3 / 2

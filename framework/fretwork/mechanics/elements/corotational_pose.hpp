@@ -34,7 +34,8 @@ class CorotationalPose {
     /// rest positions.
     [[nodiscard]] bool has_axes() const { return has_axes_; }
     [[nodiscard]] std::size_t count() const { return nodes_.size(); }
-    /// The rotation from the corotating axes to the structure's axes.
+    /// The rotation from the corotating axes to the structure's axes; the identity before
+    /// turn_into_structure().
     [[nodiscard]] const Eigen::Matrix3d& axes() const { return axes_; }
     /// The arm P_i of a node at rest, m.
     [[nodiscard]] const Eigen::Vector3d& rest_arm(std::size_t i) const { return nodes_[i].rest_arm; }

@@ -89,7 +89,8 @@ struct Beam {
     std::array<NodeIndex, 2> nodes;  ///< the ends of the beam
     Section section;                 ///< uniform along the beam
     Material material;               ///< uniform along the beam
-    /// Local axis 3 at rest; none: global z, or global y for a beam along z.
+    /// A vector that, less its part along the beam, is the direction of local axis 3 at rest; none: global z,
+    /// or global y for a beam along z.
     std::optional<Eigen::Vector3d> normal{};
     int divisions = 1;                ///< number of elements
     std::vector<Release> releases{};  ///< hinges at the ends
@@ -102,7 +103,7 @@ struct Support {
     DofSet fixed;    ///< components that stay zero
 };
 
-/// A component of a node's displacement that has a given value. The component is also supported.
+/// A component of a node's displacement that has a given value. It counts as held, and needs no Support.
 struct PrescribedDisplacement {
     NodeIndex node;      ///< the node
     Dof dof;             ///< the component
@@ -133,10 +134,10 @@ struct LabelledFrame {
     std::string source{};                      ///< name of the file, for messages
 };
 
-/// Check that a frame is valid: indices are in range, numbers finite, sections positive, and beams longer
-/// than zero; each node has a beam or is surely held; each connected part of the structure has a support; and
-/// each beam has a density if gravity acts. Throws InputError or GeometryError that names the node or beam
-/// ("/beams/3").
+/// Check that a frame is valid: indices are in range, numbers within base::Limits, and beams longer than
+/// zero; each node has a beam, or all its components are held; each connected part is held against every
+/// rigid motion, hinges ignored; no component is prescribed twice; and each beam has a density if gravity
+/// acts. Throws InputError or GeometryError that names the place ("/beams/3").
 void validate(const Frame& frame);
 
 }  // namespace fretwork::mechanics

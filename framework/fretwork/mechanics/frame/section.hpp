@@ -46,13 +46,13 @@ struct Section {
     double J = 0.0;                       ///< torsion constant, m^4
     std::optional<double> shear_area2{};  ///< shear area along axis 2, m^2; none: shear-rigid
     std::optional<double> shear_area3{};  ///< shear area along axis 3, m^2; none: shear-rigid
-    /// The shape of the section. None: the rectangle with the same area and second moments. Files store the
-    /// shape unless it is a rectangle.
+    /// The shape of the section. None: the rectangle with the same radii of gyration. Files store the shape
+    /// unless it is a rectangle or contradicts the numbers above.
     std::optional<SectionShape> shape{};
     friend bool operator==(const Section&, const Section&) = default;
 };
 
-/// The shape of a section; for a section without a shape, the rectangle with its area and second moments.
+/// The shape of a section; for a section without a shape, the rectangle with its radii of gyration.
 SectionShape shape_of(const Section& section);
 /// The name of a shape: "rectangle", "circle", "tube" or "I".
 const char* shape_name(const SectionShape& shape);
@@ -61,7 +61,7 @@ const char* shape_name(const SectionShape& shape);
 double section_width(const Section& section);   ///< along local axis 2
 double section_height(const Section& section);  ///< along local axis 3
 
-/// The size of the rectangle with a section's area and second moments, m.
+/// The size of the rectangle with a section's radii of gyration, m.
 double rectangle_width(const Section& section);   ///< along local axis 2
 double rectangle_height(const Section& section);  ///< along local axis 3
 

@@ -18,11 +18,12 @@ inline constexpr const char* kNewerResultFormat = "fretwork/result/5";
 /// Append all members except the format and the program.
 void append_result(const Result& result, base::Json& json);
 
-/// Check that the document is a result in a known format, and has only the keys of a structure and
+/// Check that the document is a result in a known format, and has only the keys of a structure's result and
 /// `more_keys`. Throws InputError.
 void check_result_format(const base::JsonReader& document, std::span<const std::string_view> more_keys = {});
 
-/// Read the members that append_result() writes. Throws InputError that names source and place.
+/// Read the program, and the members that append_result() writes. Throws InputError that names source and
+/// place.
 Result read_result(const base::JsonReader& document);
 
 /// Read a number. Throws InputError if it is negative.

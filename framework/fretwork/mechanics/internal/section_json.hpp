@@ -11,9 +11,10 @@ namespace fretwork::mechanics {
 /// Read a section, given by its type and lengths or by its numbers. Throws InputError with source and JSON
 /// pointer.
 Section read_section(const base::JsonReader& json);
-/// The inverse of read_section. A rectangle is written by its numbers, and any other shape by its type.
+/// The inverse of read_section(). A section is written by its type and lengths, or by its numbers if it is a
+/// rectangle or its numbers are not those of its shape.
 base::Json section_json(const Section& section);
-/// True if files of the first formats cannot contain this section, an I shape.
+/// True for an I shape, which files of the first formats cannot contain.
 bool is_of_newer_format(const Section& section);
 
 }  // namespace fretwork::mechanics

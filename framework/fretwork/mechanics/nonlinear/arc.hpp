@@ -20,7 +20,8 @@ struct Arc {
     double crossing = std::numeric_limits<double>::infinity();
     double beyond = 0.0;    ///< length of the step that first crossed the change
     double shortest = 0.0;  ///< length of the shortest step that is tried
-    /// A lower bound on load_scale(): 0 for paths from rest, 1 if the load factor is no multiple of a load.
+    /// A lower bound on load_scale(): 0 for a path from rest, 1 for a path from another equilibrium, whose
+    /// load factor is the share of a change of the load.
     double least_load_scale = 0.0;
 
     [[nodiscard]] const PathState* last() const { return previous ? &*previous : nullptr; }

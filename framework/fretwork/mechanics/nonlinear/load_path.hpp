@@ -31,11 +31,11 @@ struct PathEnd {
 /// options must outlive it.
 class LoadPath {
   public:
-    /// Begin at rest, or at an equilibrium under other loads. From there, the load factor grows from 0 to 1,
-    /// at the loads and prescribed values of the assembly. A beginning that is no equilibrium is corrected.
-    /// With Branch::Stable and Branch::Snapping, the path leaves an unstable beginning: downhill in energy
-    /// without the released forces, or along the lowest mode if there are none. Throws NumericalError that
-    /// names a node if the structure can move without strain at rest.
+    /// Begin at rest, or at an equilibrium under other loads. The load factor is 0 there, and 1 at the loads
+    /// and prescribed values of the assembly. A beginning that is no equilibrium is corrected. With
+    /// Branch::Stable and Branch::Snapping, the path leaves an unstable beginning: downhill in energy without
+    /// the released forces, or along the lowest mode if there are none. A path from rest throws
+    /// NumericalError that names a node if the structure can move without strain.
     LoadPath(const Assembly& assembly, const EquilibriumOptions& options,
              const std::optional<PathStart>& start = std::nullopt);
     LoadPath(const LoadPath&) = delete;

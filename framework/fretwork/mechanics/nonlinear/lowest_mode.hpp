@@ -14,8 +14,8 @@ struct LowestMode {
                             ///< characteristic lengths)
 };
 
-/// A shift of the tangent as large as its rounding error. If this shift makes the tangent positive definite,
-/// the equilibrium is stable or neutral.
+/// A shift of the tangent by a few hundred times its rounding error. If this shift makes the tangent positive
+/// definite, the equilibrium is stable or neutral.
 double rounding_shift(const NonlinearSystem& system);
 
 /// The lowest mode of the tangent of the last evaluation, by inverse iteration with the tangent shifted until

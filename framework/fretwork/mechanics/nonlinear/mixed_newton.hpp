@@ -41,11 +41,12 @@ class MixedNewton {
     /// Iterate, and move the configuration. The first step is `step`, a solution with the factors of this
     /// object. On Converged, the factors belong to the configuration. With Goal::Equilibrium, they may belong
     /// to a configuration a small move away; such a move changes no sign of a pivot unless the tangent is
-    /// nearly singular.
+    /// nearly singular. If stability is not classified, they may be those before the call.
     Termination solve(double load_factor, Goal goal, const Eigen::VectorXd& step,
                       Configuration& configuration);
 
-    /// Move the unknowns by a step, and the prescribed components by the share `prescribed` of their values.
+    /// Move the unknowns by a step. Extrapolate the stresses along the step and the share `prescribed` of the
+    /// change of the prescribed components, which Unknowns::prescribe() has to move.
     void move(const Eigen::VectorXd& step, double prescribed, Configuration& configuration);
 
     /// The first step of a departure from an equilibrium.

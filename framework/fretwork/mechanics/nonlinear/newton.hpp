@@ -24,8 +24,8 @@ class Newton {
     /// the equilibrium.
     Termination solve(double load_factor, Configuration& configuration);
 
-    /// Bring a configuration to equilibrium under this load factor. Factorize the tangent there, or a
-    /// negligible part of `way` from there. On success, the last evaluation at the equilibrium may be of
+    /// Bring a configuration to equilibrium under this load factor. Factorize the tangent there, or at a
+    /// configuration that is only a negligible part of `way` away. On success, the last evaluation may be of
     /// forces alone. Returns the outcome of the factorization; nothing if no equilibrium was found, or if the
     /// tangent is singular.
     /// @param way  the step from the last equilibrium to the given configuration

@@ -15,8 +15,8 @@ namespace fretwork::mechanics::nonlinear {
 /// The equations of nonlinear equilibrium, internal = load factor * loads, and their derivative.
 ///
 /// If unknowns are components of rotation vectors, moments and tangent are transformed to these unknowns. The
-/// tangent is a symmetric matrix, plus small skew blocks at freely turning nodes with applied moments of
-/// fixed direction.
+/// tangent is a symmetric matrix, plus small skew blocks at nodes with applied moments of fixed direction and
+/// at least two free rotations.
 class NonlinearSystem {
   public:
     /// @param threads  number of threads that evaluate the elements of a large structure; 0: one for each
@@ -72,8 +72,9 @@ class NonlinearSystem {
     [[nodiscard]] bool has_skew_part() const { return !skew_.empty(); }
     /// The product of the tangent's skew part and x.
     [[nodiscard]] Eigen::VectorXd skew_product(const Eigen::VectorXd& x) const;
-    /// False if applied moments act: their direction stays fixed in space, so they have no potential. Moments
-    /// of gravity do not count, because they come from forces, which have a potential.
+    /// False if applied moments make the tangent unsymmetric: their direction stays fixed in space, so they
+    /// have no potential. Moments of gravity do not count, because they come from forces, which have a
+    /// potential.
     [[nodiscard]] bool is_conservative() const { return skew_.empty() || !unknowns_.assembly().has_moments; }
     /// The kind of stability test by the tangent's pivots.
     [[nodiscard]] StabilityTest stability_test() const {
@@ -90,7 +91,7 @@ class NonlinearSystem {
     /// The true forces and moments of the supports.
     [[nodiscard]] NodeValues reactions() const;
     /// The reactions, or zero if supports move the structure as a rigid body: all forces are then rounding,
-    /// which would be the loads of a path that begins by releasing a support.
+    /// and must not become loads of a path that releases a support.
     [[nodiscard]] NodeValues held_forces() const;
 
   private:

@@ -8,9 +8,9 @@
 
 namespace fretwork::mechanics::nonlinear {
 
-/// The state of all elements in a mixed iteration: the given stresses, and, from the last evaluation, the
-/// elements' own stresses and the slopes of their strains. The elements cannot keep this state, because they
-/// are shared and immutable.
+/// The state of all elements in a mixed iteration: the given stresses, the elements' own stresses in the last
+/// evaluation, and the slopes of their strains in the last evaluation of the tangent. The elements cannot
+/// keep this state, because they are shared and immutable.
 class StressWorkspace {
   public:
     explicit StressWorkspace(const Assembly& assembly);
@@ -24,8 +24,8 @@ class StressWorkspace {
     /// Set the given stresses of an element to s + K B dx, where s are its own stresses, B its slopes, and dx
     /// small motions of its nodes (6n).
     void extrapolate(std::size_t element, const Eigen::VectorXd& motion);
-    /// Add the lag B^T (s - given) to an element's forces (6n), where s and B are its own stresses and slopes
-    /// of the last evaluation.
+    /// Add the lag B^T (s - given) to an element's forces (6n), where s are its own stresses, and B its
+    /// slopes in the last evaluation of the tangent.
     void add_lag(std::size_t element, Eigen::VectorXd& force) const;
 
     /// The given stresses of all elements. A caller may keep a copy and restore it by give().

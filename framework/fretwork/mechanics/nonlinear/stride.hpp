@@ -25,7 +25,7 @@ double bound_relative_turn(const NonlinearSystem& system, const PathPoint& from,
                            const Configuration& to);
 
 /// True if a step is longer than the rates at its two ends predict: it may have jumped to another path.
-/// @param made   the step's change of each unknown
+/// @param made   the absolute change of each unknown in the step
 /// @param rates  for each unknown, the larger absolute rate of the two ends, times the step of the load
 /// factor
 bool is_jump(const Unknowns& unknowns, const Eigen::VectorXd& made, const Eigen::VectorXd& rates);
@@ -36,10 +36,11 @@ bool is_jump(const Unknowns& unknowns, const Eigen::VectorXd& made, const Eigen:
 bool is_softened(const Unknowns& unknowns, const Eigen::VectorXd& first_rate,
                  const Eigen::VectorXd& last_rate);
 
-/// Follow a load path in few long increments of mixed iterations; each may turn nodes by up to a radian. Only
-/// the ends of the increments are known. The result is Converged if all ends seem to lie on one path: they
-/// have the same number of negative pivots, and no move is much larger than the rates at its two ends
-/// predict. Otherwise `point` does not change, and the caller has to follow the path in smaller steps.
+/// Follow a load path in few long increments of mixed iterations; each may turn nodes by up to 2.5 rad, and
+/// by 0.4 rad in its first step. Only the ends of the increments are known. The result is Converged if all
+/// ends seem to lie on one path: they have the same number of negative pivots, rates do not grow much, and no
+/// move is much larger than the rates at its two ends predict. Otherwise `point` does not change, and the
+/// caller has to follow the path in smaller steps.
 Termination stride(NonlinearSystem& system, Newton& newton, MixedNewton& mixed, PathPoint& point,
                    double target);
 

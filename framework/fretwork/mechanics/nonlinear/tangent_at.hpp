@@ -33,8 +33,9 @@ class EquilibriumTangent::Impl {
     /// Transform rates v of the rotation vectors of vector nodes to spins, w = T v.
     void vectors_to_spins(Eigen::MatrixXd& rows) const;
     /// For all nodes except vector nodes, transform gradients with respect to rotation vectors to gradients
-    /// along spins. For the same nodes, spins_to_vectors() transforms spins to rates of rotation vectors.
+    /// along spins.
     void gradients_to_spins(Eigen::MatrixXd& rows) const;
+    /// For all nodes, transform spins to rates of rotation vectors.
     void spins_to_vectors(Eigen::MatrixXd& rows) const;
 
     [[nodiscard]] Eigen::MatrixXd motions_of_held(const Eigen::MatrixXd& values,

@@ -37,16 +37,17 @@ struct EquilibriumOptions {
 std::vector<double> even_load_factors(int steps);
 
 /// Follow the load path from rest through the given load factors (ascending, > 0; 1 = the full load):
-/// Newton's method with a consistent tangent and a predictor from the path so far. If critical loads need not
-/// be located and the next load factor is far, a mixed Newton method reaches it in few long increments. If
-/// the path might branch before the next load factor, it is followed by its arc length [Riks1979] instead, in
-/// steps so short that the tangents at both ends predict the move between them. Returns one solution for each
-/// load factor. If a load factor is not reached, its solution and all later ones have not converged; they
-/// hold the last equilibrium found and its load factor.
+/// Newton's method with a consistent tangent and a predictor from the path so far. With Branch::Primary, if
+/// critical loads need not be located and the next load factor is far or the first, a mixed Newton method
+/// reaches it in few long increments. If the path might branch before the next load factor, it is followed by
+/// its arc length [Riks1979] instead, in steps so short that the tangents at both ends predict the move
+/// between them. Returns one solution for each load factor. If a load factor is not reached, its solution and
+/// all later ones have not converged; they hold the last equilibrium found and its load factor.
 ///
 /// Termination::LimitLoad: the load falls along the path beyond the last equilibrium; the last entry of
-/// Solution::stability_losses is this limit load. Termination::Diverged: not even the shortest step continues
-/// the path. Termination::IterationsSpent: the load was not reached in 3,000 steps along the path.
+/// Solution::stability_losses is this limit load, unless a snap from it failed. Termination::Diverged: not
+/// even the shortest step continues the path. Termination::IterationsSpent: the load was not reached in 3,000
+/// steps along the path.
 ///
 /// With Branch::Stable, a structure in an unstable equilibrium is pushed along its lowest mode and descends
 /// in energy to a stable equilibrium, from which the path continues. Solution::stability_losses lists each
@@ -63,9 +64,9 @@ std::vector<double> even_load_factors(int steps);
 /// pi. Finer divisions reduce relative rotations.
 ///
 /// Rotation vectors are continuous along the path and may grow beyond half a turn. The moment of a reaction
-/// is the true moment in space, even if only some rotation components are held. Throws InputError if the
-/// factors are not ascending, NumericalError that names a node if the structure can move without strain at
-/// rest, and Stopped.
+/// is the true moment in space, even if only some rotation components are held. Throws InputError if an
+/// option is invalid or the factors are not ascending, NumericalError that names a node if the structure can
+/// move without strain at rest, and Stopped.
 std::vector<Solution> follow_load_path(const Assembly& assembly, std::span<const double> load_factors,
                                        const EquilibriumOptions& options = {});
 

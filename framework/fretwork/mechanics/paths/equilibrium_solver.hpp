@@ -20,7 +20,7 @@ enum class StartingPoint {
 enum class StabilityCheck {
     Made,  ///< the stability is checked
     /// The stability is not checked, and Solution::stability is None, such as while a user drags a load. If
-    /// the next check finds an unstable equilibrium, it is computed again from rest.
+    /// the next check finds an unstable equilibrium, that solution is computed from rest.
     Skipped
 };
 
@@ -40,8 +40,9 @@ using FirstIterate = std::function<void(const Solution&)>;
 /// branch.
 class EquilibriumSolver {
   public:
-    /// Make a solver. Every solution starts from rest if the options ask for Branch::Stable or for located
-    /// critical loads: both need the whole path. Throws InputError as EquilibriumOptions::validate.
+    /// Make a solver. Every solution starts from rest if the options ask for another branch than
+    /// Branch::Primary, or for located critical loads: both need the whole path. Throws InputError as
+    /// EquilibriumOptions::validate().
     explicit EquilibriumSolver(const EquilibriumOptions& options = {});
     EquilibriumSolver(EquilibriumSolver&&) noexcept;
     EquilibriumSolver& operator=(EquilibriumSolver&&) noexcept;
@@ -49,10 +50,10 @@ class EquilibriumSolver {
 
     /// The equilibrium of an assembly under its full load. The work depends on the difference from the last
     /// assembly (elements are compared by address):
-    /// - if loads or prescribed values differ: iterations with the last factors, and new factors once or
-    ///   twice;
-    /// - if elements are replaced by others of the same nodes: new factors at the last equilibrium, then the
-    ///   same work;
+    /// - if loads or prescribed displacements differ: iterations with the last factors, and new factors once
+    ///   or twice;
+    /// - if prescribed rotations differ, or elements are replaced by others of the same nodes: new factors at
+    ///   the last equilibrium, then the same work;
     /// - if supports differ: a new order and new factors at the last equilibrium; a start from rest if new
     ///   supports hold components far from their values;
     /// - if nodes differ, or if the last solution had not converged or was not stable: everything, from rest.

@@ -26,7 +26,8 @@ namespace fretwork::mechanics {
 /// T is not symmetric if moments of fixed direction act. Held components do not move.
 ///
 /// EquilibriumSolver creates an EquilibriumTangent at its last equilibrium and lends it the factors. It is
-/// valid until the next call of that solver. Only one thread at a time may use it.
+/// valid until the next solve() of that solver. Only one thread at a time may use it. Functions that solve
+/// with T throw NumericalError if T is nearly singular.
 class EquilibriumTangent {
   public:
     class Impl;

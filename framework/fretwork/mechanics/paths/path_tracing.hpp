@@ -12,10 +12,11 @@ struct PathTracingOptions {
     double first_load_step = 0.05;     ///< share of the load in the first step; sets the arc length of the
                                        ///< first step
     double largest_load_factor = 1.0;  ///< the path ends beyond this absolute value of the load factor
-    double largest_arc = 0.5;   ///< largest arc length of one step, in rad and element lengths (root of the
-                                ///< sum of squares)
-    int steps = 200;            ///< number of steps after which the path ends
-    int largest_cut_back = 10;  ///< largest number of times that a step is halved
+    double largest_arc = 0.5;  ///< largest arc length of one step, in rad and element lengths (root of the
+                               ///< sum of squares)
+    int steps = 200;           ///< number of steps after which the path ends
+    /// A step that fails is halved as long as it is longer than the first step over 2^largest_cut_back.
+    int largest_cut_back = 10;
     /// Options of the equilibria; only relative_residual, threads and control are used.
     EquilibriumOptions equilibrium{};
     /// Throws InputError if a value is invalid.

@@ -10,7 +10,8 @@ namespace fretwork::mechanics {
 /// How the fictitious masses of rotations depend on the elements' length l.
 enum class RotationalMass {
     Natural,  ///< proportional to the rotational stiffness, E I / l and G J / l: the fair baseline
-    /// Proportional to E I / l^3 and G J / l^3 with l in metres, as in public implementations of [Sakai2020].
+    /// Larger than Natural by the factor 1 / l^2 if the mean length l of the elements, in metres, is below
+    /// one: about E I / l^3 and G J / l^3, as in public implementations of [Sakai2020].
     Published
 };
 
@@ -31,8 +32,8 @@ struct RelaxationOptions {
 /// follow_load_path(), so both functions find the same equilibria; relaxation costs some hundred times as
 /// much. The equilibrium is stable, unless an exact symmetry keeps the structure at an unstable equilibrium
 /// (a perfect column). Fictitious masses bound the stiffness of each equation from above, so that unit time
-/// steps are stable. With RotationalMass::Published, the masses of rotations are larger by the factor 1 /
-/// l^2, where l is the mean length of an element, below one metre.
+/// steps are stable. RotationalMass::Published makes the masses of rotations larger, so time steps stay
+/// stable.
 ///
 /// Prescribed displacements act in one jump from the start. No prescribed rotation may turn a node, or one
 /// end of an element relative to the other, by more than pi, because it would be taken for a rotation in the

@@ -9,7 +9,7 @@ namespace fretwork::mechanics {
 
 /// The supports and loads of a structure at the end of a load stage.
 struct StageTarget {
-    std::vector<Support> supports;  ///< components that keep their values
+    std::vector<Support> supports;  ///< components that are zero at the end of the load stage
     /// Components with given values at the end of the load stage.
     std::vector<PrescribedDisplacement> prescribed;
     NodeValues loads;  ///< loads, one row for each node of the assembly
@@ -29,16 +29,18 @@ struct StageTarget {
 /// is the node that moves farthest.
 class StagedPath {
   public:
-    /// Begin a path at rest. The supports, prescribed values and loads of the assembly are ignored, and so is
-    /// EquilibriumOptions::locate_critical_loads. Throws InputError as EquilibriumOptions::validate.
+    /// Begin a path at rest. The supports (also those of hinges), prescribed values and loads of the assembly
+    /// are ignored, and so is EquilibriumOptions::locate_critical_loads. Throws InputError as
+    /// EquilibriumOptions::validate().
     explicit StagedPath(Assembly assembly, const EquilibriumOptions& options = {});
     StagedPath(StagedPath&&) noexcept;
     StagedPath& operator=(StagedPath&&) noexcept;
     ~StagedPath();
 
     /// Follow one load stage. Solution::load_factor is the share of the load stage that was reached. If the
-    /// solution has not converged, the next call continues from its last equilibrium. Throws NumericalError
-    /// if the structure can move without strain at rest in spite of its supports; Stopped.
+    /// solution has not converged, the next call continues from its last equilibrium. The first load stage
+    /// throws NumericalError if the structure can move without strain in spite of its supports. Throws
+    /// Stopped.
     Solution advance(const StageTarget& target);
 
   private:

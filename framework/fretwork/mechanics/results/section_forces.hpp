@@ -30,8 +30,8 @@ class BeamSection {
     /// The section forces at both ends.
     using Ends = std::array<SectionForces, 2>;
 
-    /// Prepare a beam. The beam's divisions and hinges are ignored. Throws GeometryError if the beam's length
-    /// is zero.
+    /// Prepare a beam. The beam's nodes, divisions and hinges are ignored. Throws GeometryError if the beam's
+    /// length is zero, or if its normal runs along it.
     BeamSection(const Beam& beam, const std::array<Eigen::Vector3d, 2>& ends);
 
     /// The section forces for small displacements ux uy uz rx ry rz of each end.

@@ -25,11 +25,11 @@ struct SectionStress {
 /// Corners are sharp. Points lie 1/8 of half a side apart on rectangles, 1/32 of a turn on circles and tubes.
 class SectionPoints {
   public:
-    /// Find the points of a section. A section without a shape counts as the rectangle with its area and
-    /// second moments.
+    /// Find the points of a section. A section without a shape counts as the rectangle with its radii of
+    /// gyration.
     explicit SectionPoints(const Section& section);
 
-    /// The largest stresses over the points. The cost is linear in the number of points, some 70.
+    /// The largest stresses over the points. The cost is linear in the number of points, at most 65.
     [[nodiscard]] SectionStress largest(const SectionForces& forces) const;
 
     /// The sum over the points of (von Mises stress / reference)^exponent.

@@ -24,8 +24,8 @@ std::string_view termination_name(Termination termination);
 enum class StabilityTest {
     None,     ///< no test was requested, or none applies (a linear solution)
     Tangent,  ///< the signs of the pivots of the symmetric tangent, a necessary and sufficient test
-    /// The signs of the pivots of the tangent's symmetric part, where moments of fixed direction act on
-    /// freely turning nodes; the test is only sufficient.
+    /// The signs of the pivots of the tangent's symmetric part, where moments of fixed direction act on nodes
+    /// with at least two free rotations; the test is only sufficient.
     SymmetricPart,
 };
 /// The word for a test in files.
@@ -59,10 +59,13 @@ struct Solution {
     NodeValues displacements;  ///< one row for each reported node; rotations as rotation vectors
     /// Rows of the assembly's other nodes, which lie inside divided beams or belong to hinges.
     NodeValues inner_displacements{};
-    NodeValues reactions;   ///< forces and moments of the supports; zero in free components
+    /// Forces and moments of the supports; zero in free components. After a nonlinear solution, a node with
+    /// any held rotation has all three moments.
+    NodeValues reactions;
     double energy = 0.0;    ///< elastic energy, J
     double residual = 0.0;  ///< norm of the unbalanced forces over the norm of loads and reactions
-    int iterations = 0;     ///< number of linear solves since the last solution of the path
+    /// Number of linear solves since the last solution of the path; of relax(): its number of iterations.
+    int iterations = 0;
     /// Losses of stability since the last solution of the path.
     std::vector<StabilityLoss> stability_losses{};
 };

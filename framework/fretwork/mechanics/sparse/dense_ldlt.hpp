@@ -39,7 +39,8 @@ void add_to_panel(const Remainder& remainder, const Front& front);
 /// Add all other columns of a remainder to the next front's rest, after the elimination of that front.
 void add_to_rest(const Remainder& remainder, const Front& front);
 
-/// A pivot below this share of its diagonal entry counts as zero, because it is only rounding.
+/// A pivot whose absolute value is below this share of its diagonal entry counts as zero: it is only
+/// rounding.
 constexpr double kZeroPivot = 64.0 * std::numeric_limits<double>::epsilon();
 
 constexpr double kWeakPivot = 1e4;
@@ -54,8 +55,8 @@ struct Pivots {
     bool weak = false;  ///< true if a pivot was less than kWeakPivot times the size that counts as zero
 };
 
-/// The rule for zero pivots: a pivot is zero if it is not above `share` times the column's entry in
-/// `diagonal`.
+/// The rule for zero pivots: a pivot is zero if its absolute value is not above `share` times that of the
+/// column's entry in `diagonal`.
 struct ZeroPivot {
     std::span<const double> diagonal;
     double share = 0.0;
@@ -75,10 +76,10 @@ struct Concurrency {
 Pivots eliminate(const Front& front, const ZeroPivot& zero, std::vector<double>& scratch,
                  const Concurrency& concurrency = {});
 
-/// Compute x = L^-1 x for the panel's own columns, and below += L x for the rows below these columns.
+/// Compute x = L^-1 x for the panel's own columns, and below += B x, where B has the rows of L below them.
 void substitute_forward(const Front& front, double* x, double* below);
-/// Compute x = D^-1 x, then x = L^-T (x - L^T below), where `below` is the solution at the rows below the
-/// panel's own columns.
+/// Compute x = D^-1 x, then x = L^-T (x - B^T below), where B has the rows of L below the panel's own
+/// columns, and `below` is the solution at these rows.
 void substitute_back(const Front& front, double* x, const double* below);
 
 }  // namespace fretwork::mechanics::sparse

@@ -11,8 +11,8 @@ namespace fretwork::mechanics::sparse {
 /// halve the set of cliques repeatedly; the nodes shared by two halves come after both. In a surface of n
 /// cliques, a line meets about sqrt(n) cliques. Two halves can be eliminated at the same time.
 ///
-/// @param takes_part  for each node, true if it appears in the order. Pre: the graph has the places of its
-/// nodes. Throws Stopped.
+/// Pre: the graph has the places of its nodes. Throws Stopped.
+/// @param takes_part  for each node, true if it appears in the order
 std::vector<int> dissection_order(const NodeGraph& graph, const std::vector<bool>& takes_part,
                                   const base::Control& control = {});
 

@@ -11,8 +11,8 @@ struct LargeArrayDeleter {
 };
 using LargeArray = std::unique_ptr<double[], LargeArrayDeleter>;
 
-/// Allocate uninitialized numbers. For millions of numbers, pages of 2 MB instead of 4 kB are requested, to
-/// avoid page faults and misses of the address cache.
+/// Allocate uninitialized numbers. For 2 MiB and more, pages of 2 MiB instead of 4 KiB are requested, to
+/// avoid page faults and misses of the address cache. Throws std::bad_alloc.
 LargeArray make_large_array(std::size_t size);
 
 }  // namespace fretwork::mechanics::sparse

@@ -64,7 +64,7 @@ class SystemLayout {
     std::vector<int> column_start_;
     std::vector<int> row_;
     std::vector<std::size_t> pair_start_;  ///< start of each clique's pairs of nodes in `pair_offset_`
-    /// Number of rows above a pair's coupling block in its columns; -1: no block.
+    /// Number of rows between the diagonal block and a pair's coupling block in its columns; -1: no block.
     std::vector<int> pair_offset_;
 };
 

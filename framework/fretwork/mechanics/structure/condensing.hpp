@@ -12,7 +12,7 @@ namespace fretwork::mechanics::structure {
 struct CondensingTask {
     const Assembly& assembly;
     std::vector<int> slot;      ///< index of each node among the kept nodes; -1: eliminated
-    std::vector<DofSet> inner;  ///< eliminated dofs of each node, without dofs held by a hinge
+    std::vector<DofSet> inner;  ///< eliminated dofs of each node, without dofs that hinges do not release
     int kept_nodes = 0;
 };
 

@@ -8,7 +8,7 @@
 
 namespace fretwork::mechanics::structure {
 
-/// The supports of every node of an assembly, with their values.
+/// The held components of every node of an assembly (supported or prescribed), and their values.
 struct Constraints {
     std::vector<DofSet> held;
     NodeValues values;  ///< prescribed values; zero for other components
@@ -19,7 +19,8 @@ Constraints constraints_of(const Assembly& assembly);
 /// The reported node that is nearest to a node of the assembly.
 NodeIndex nearest_reported(const Assembly& assembly, NodeIndex node);
 
-/// The name of a node in messages: "node 3", or "the inside of a beam at node 3" for a node inside a beam.
+/// The name of a node in messages: "node 3", or "the inside or hinge of a beam at node 3" for a node inside a
+/// beam or of a hinge.
 std::string node_text(const Assembly& assembly, NodeIndex node);
 
 /// A typical length of the elements, m, which makes moments comparable to forces, and rotations to

@@ -16,8 +16,8 @@ static_assert(sparse::kBlockSize == kDofsPerNode);
 /// The graph of an assembly's nodes. The cliques of the graph are the elements, in their order.
 sparse::NodeGraph coupling_graph(const Assembly& assembly);
 
-/// An element's stiffness (6n x 6n) with its nodes in the order `wanted`. The lower triangle of blocks is
-/// copied from the upper triangle, which a layout reads, so sums have the same bits in any order.
+/// An element's stiffness (6n x 6n) with its nodes in the order `wanted`. Every block comes from the upper
+/// triangle of `stiffness`, which a layout reads, so sums have the same bits in any order of the nodes.
 Eigen::MatrixXd reordered(const Eigen::MatrixXd& stiffness, std::span<const NodeIndex> nodes,
                           std::span<const int> wanted);
 

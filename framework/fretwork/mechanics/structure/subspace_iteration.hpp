@@ -36,8 +36,8 @@ class SubspaceIteration {
 
     /// The `count` largest positive eigenvalues, largest first. Eigenvalues below 1e-8 of the largest
     /// absolute value are left out, so there may be fewer than `count`. No eigenvalue is missed, because
-    /// Sylvester's law of inertia counts them: the number of negative pivots of K - A / lambda is the number
-    /// of eigenvalues mu > 1 / lambda.
+    /// Sylvester's law of inertia counts them: the number of negative pivots of K - lambda A is the number of
+    /// eigenvalues mu > 1 / lambda.
     Pairs largest_positive(int count);
 
   private:

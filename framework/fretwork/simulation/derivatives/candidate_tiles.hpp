@@ -21,8 +21,8 @@ class CandidateTiles {
         int threads = 0;
         base::Control control{};  ///< progress and stop
     };
-    /// Condense every pattern in every class of congruent tiles. Throws InputError if a pattern does not
-    /// connect a tile; Stopped.
+    /// Condense every pattern in every class of congruent tiles. Throws InputError if an interface node of a
+    /// tile has no beam; Stopped.
     CandidateTiles(const Surface& surface, std::vector<pattern::NamedPattern> patterns,
                    const Options& options);
     /// Condense every pattern in every class of congruent tiles.

@@ -17,7 +17,8 @@ struct TileLinearization {
     std::vector<tiling::InterfaceIndex> nodes;  ///< interface nodes of the tile
     Eigen::VectorXd strains;                    ///< strains e (m, rad); empty for tile models without strains
     Eigen::MatrixXd slopes;                     ///< slopes B = de/dx along motions of the nodes, 6n x 6n
-    /// Flexibility G, the symmetric part of B T^-1 B^T; only with TileQuantities::StrainsAndFlexibilities.
+    /// Flexibility G, the symmetric part of B T^-1 B^T, with the tangent T (Linearization::tangent); only
+    /// with TileQuantities::StrainsAndFlexibilities.
     Eigen::MatrixXd flexibility;
     double mass = 0.0;  ///< mass, kg; zero if gravity does not act
     /// Forces B^T K e on the nodes, in the surface's axes (N, N m).

@@ -13,7 +13,8 @@ struct TileSensitivity {
     Eigen::VectorXd strains;  ///< strains e
     /// Adjoint strains a = B l, with dJ = -a . dK e; empty, like `strains`, for tile models without strains.
     Eigen::VectorXd adjoint_strains;
-    /// Derivative of J with respect to a factor on the tile's stiffness, at 1; NaN for tiles made of beams.
+    /// Derivative of J with respect to a factor on the tile's stiffness, at 1; NaN for tile models without
+    /// strains.
     double stiffness = 0.0;
     /// Derivative of J with respect to the tile's mass, through the load by its weight, 1/kg.
     double mass = 0.0;
@@ -24,7 +25,8 @@ struct TileSensitivity {
 /// The derivatives of a function J of a surface's displacements at an equilibrium, with respect to loads,
 /// held values and tiles. The adjoint method gives all derivatives with one back-substitution.
 struct Sensitivity {
-    /// Derivatives of J with respect to forces and true moments on each node: the adjoint motions l.
+    /// Derivatives of J with respect to forces and moments on each node: the adjoint motions l. Moments are
+    /// about the surface's axes.
     mechanics::NodeValues loads;
     /// The derivatives of J with respect to the values of held components (prescribed or zero), one row for
     /// each node; zero for free components.
@@ -44,17 +46,19 @@ Sensitivity sensitivity(const Linearization& linearization, const mechanics::Nod
                         const base::Control& control = {});
 
 /// The sensitivity of J + weight U, where U is the elastic energy. Adds the derivatives of U with respect to
-/// stiffnesses at fixed nodes. The gradient behind `by` must include weight times Session::energy_gradient().
+/// stiffnesses at fixed nodes.
+/// @param by  the sensitivity for the gradient of J plus weight times Session::energy_gradient()
 /// @param energy  the elastic energy U of the surface, J
 Sensitivity with_energy(Sensitivity by, double weight, double energy);
 
 /// The change of J, to first order, if one tile has another pattern: one row for each tile, one column for
-/// each pattern. The tile's weight is included. NaN for tiles that are neither corotational nor condensed.
+/// each pattern. The tile's weight is included. NaN for tiles without TileSensitivity::strains: those made
+/// of beams, and condensed tiles in a nonlinear solution.
 Eigen::MatrixXd pattern_derivatives(const Sensitivity& sensitivity, const CandidateTiles& candidates);
 
 /// The derivative of J along a curve of settings, at 0 of its parameter. Sections, joints, material and
 /// density act on the tiles' stiffness and weight. The derivatives of these two are central differences of
-/// fourth order; J itself is not differenced.
+/// fourth order; J itself is not differenced. NaN if a tile has no TileSensitivity::strains.
 /// @param setting  the curve, evaluated from -2 `step` to 2 `step`
 /// @param step  the step of the curve's parameter for the differences
 double derivative_along(const Sensitivity& sensitivity, const Surface& surface,

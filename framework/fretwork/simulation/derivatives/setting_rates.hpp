@@ -17,8 +17,8 @@ struct TileRate {
     double mass = 0.0;  ///< derivative of the mass, kg per unit of the curve's parameter
 };
 
-/// The derivatives of every painted tile, at 0 of the curve's parameter, by central differences of fourth
-/// order. Congruent tiles with the same pattern share a TileRate.
+/// The derivatives of every tile, at 0 of the curve's parameter, by central differences of fourth order.
+/// Congruent tiles with the same pattern share a TileRate. Pre: all tiles are painted.
 /// @param setting  the curve of sections, joints, material or density, evaluated from -2 `step` to 2 `step`
 /// @param step  the step of the curve's parameter for the differences
 base::IndexVector<tiling::TileIndex, std::shared_ptr<const TileRate>> rates_along(

@@ -10,10 +10,10 @@
 
 namespace fretwork::simulation::detail {
 
-/// The polygon from which a tile is built, as the sessions' tiles are.
+/// The polygon from which a session builds a tile.
 struct TilePolygon {
-    geometry::Polygon polygon;  ///< in the tile's own axes if it can be shared
-    std::string key;            ///< equal for congruent tiles; of one that is not shared its number
+    geometry::Polygon polygon;  ///< in the tile's own axes if the tile can be shared, otherwise the surface's
+    std::string key;            ///< equal for congruent tiles; the tile's number if it is not shared
 };
 TilePolygon tile_polygon_of(const Surface& surface, tiling::TileIndex tile, double grid);
 
@@ -23,7 +23,7 @@ struct CondensedPattern {
     double mass = 0.0;
     std::vector<Eigen::Vector3d> interface_nodes{};  ///< in the axes of the polygon, m
 };
-/// Throws InputError if the pattern does not connect the tile.
+/// Throws InputError if an interface node has no beam.
 CondensedPattern condensed_pattern(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                    const geometry::Polygon& polygon, const reduction::Setting& setting);
 

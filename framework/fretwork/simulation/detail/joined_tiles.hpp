@@ -9,7 +9,7 @@
 
 namespace fretwork::simulation::detail {
 
-/// Where a tile's own nodes, beams and elements begin among those of all tiles.
+/// The indices of a tile's first inner node, beam and element among those of all tiles.
 struct TileStart {
     std::size_t inner_node = 0;
     std::size_t beam = 0;
@@ -20,32 +20,33 @@ struct TileStart {
 /// nodes of the tiles, tile by tile.
 struct JoinedTiles {
     reduction::StructureParts parts;
-    std::vector<TileStart> starts;  ///< of each tile, and behind the last
+    std::vector<TileStart> starts;  ///< start of each tile; one further entry has the ends of the last tile
 };
 
 /// The nodes of a result of the assembly of joined tiles.
 std::vector<mechanics::Result::Node> result_nodes(const Surface& surface,
                                                   const mechanics::Assembly& assembly);
 
-/// The first of a tile's elements in the assembly of joined tiles, where those of beams come before.
+/// The index of a tile's first element in the assembly of joined tiles. The elements of beams come first.
 std::size_t first_element(const mechanics::Assembly& assembly, std::span<const TileStart> starts,
                           tiling::TileIndex tile);
 
-/// The inner nodes of a tile: from one node of the surface to before another.
+/// The range of a tile's inner nodes among all nodes of the surface.
 struct InnerNodes {
     std::size_t first = 0;
-    std::size_t end = 0;
+    std::size_t end = 0;  ///< index after the last
 };
-/// Of the rows of all nodes, those of a tile: of its interface nodes, then of its inner ones.
+/// The rows of a tile's nodes, taken from the rows of all nodes: its interface nodes, then its inner nodes.
 mechanics::NodeValues rows_of_tile(const mechanics::NodeValues& rows,
                                    std::span<const tiling::InterfaceIndex> interface_nodes,
                                    const InnerNodes& inner = {});
 
-/// Throws Stopped.
+/// Join tiles to one structure. Throws Stopped.
 JoinedTiles join_tiles(const Surface& surface, std::span<const BuiltTile> tiles,
                        const base::Control& control);
 
-/// The row of a node among those of its tile: interface nodes, then inner nodes.
+/// Finds the row of a node among the rows of its tile: interface nodes, then inner nodes. Pre: the tile has
+/// the node.
 class TileRows {
   public:
     struct Surface {
@@ -69,8 +70,8 @@ class TileRows {
     Surface surface_;
 };
 
-/// The elements of a tile that is built again, if it has the same nodes as before and as many elements, none
-/// of them beams: then they can take the place of the old ones.
+/// The elements of a rebuilt tile, for the places of the old ones. None if the old or the new tile has inner
+/// nodes or beams, or if the number of elements differs.
 std::optional<mechanics::Elements> replacement(std::span<const TileStart> starts, const Surface& surface,
                                                tiling::TileIndex tile, const BuiltTile& built);
 

@@ -13,8 +13,9 @@ struct LineBearer {
     double length = 0.0;
 };
 
-/// Which nodes bear a line load (Amount::PerLength) at a place. Throws InputError if that is neither a side
-/// nor two points, if both points lie nearest to one place of the rim, or on different closed lines of it.
+/// The nodes that bear a line load (Amount::PerLength), with their lengths of the rim. Throws InputError if
+/// the selection is neither a side nor two points, or if both points are nearest to the same place of the rim
+/// or to different closed lines of it.
 std::vector<LineBearer> line_bearers(const Selection& where, const tiling::Tessellation& tessellation);
 
 }  // namespace fretwork::simulation::detail

@@ -25,8 +25,8 @@ double congruence_grid(const tiling::Tessellation& tessellation);
 
 OwnAxes own_axes(const geometry::Polygon& polygon, double grid);
 
-/// The polygon from which a tile is built and shared, in its own axes; nothing where the rounding leaves it
-/// not convex (one with a straight corner, say): such a tile is built in the surface's axes, and not shared.
+/// The axes and the rounded polygon of a tile that can be shared. None if the rounded polygon is not convex,
+/// as a straight corner may become: such a tile is built in the surface's axes and not shared.
 std::optional<OwnAxes> shared_axes(const geometry::Polygon& polygon, double grid);
 
 }  // namespace fretwork::simulation::detail

@@ -17,16 +17,17 @@ std::vector<pattern::NamedPattern> checked_palette(const std::string& entry,
 
 /// The patterns of a palette: those that it lists, its file's, or the library's calibrated ones.
 std::vector<pattern::NamedPattern> palette_of(const PaletteChoice& palette, const PaintingGround& ground);
-/// The patterns that are chosen from, with their weights.
+/// The patterns of the palette with their weights. Throws InputError if the numbers of both differ.
 std::vector<tiling::WeightedPattern> weighted_palette(const PaintAtRandom& choice,
                                                       const PaintingGround& ground);
-/// The same with their values: of the property, else evenly from 0 to 1.
+/// The patterns of the palette with their values: the property or, without one, the middles of equal parts of
+/// 0 to 1. With dithering, these values reach from 0 to 1.
 std::vector<tiling::GradedPattern> graded_palette(const PaintByField& choice, const PaintingGround& ground);
 /// Colours as "#rrggbb", each with a pattern.
 std::vector<std::pair<std::string, pattern::NamedPattern>> coloured_palette(const PaintByColours& choice,
                                                                             const PaintingGround& ground);
 
-/// The property's values that the field's 0 and 1 stand for.
+/// The values for the field values 0 and 1: of the property or, without one, 0 and 1.
 std::pair<double, double> wanted_range(const PaintByField& choice,
                                        const std::vector<tiling::GradedPattern>& palette);
 

@@ -16,8 +16,8 @@
 
 namespace fretwork::simulation {
 
-/// The data of Session: the surface, what was computed of it, and which of that is out of date. Its model is
-/// a row of the tile models.
+/// The data of Session: the surface, the parts computed from it, and the parts that edits have made invalid.
+/// Its model is a row of the tile models, never mixed.
 class Session::Impl {
   public:
     Impl(Surface surface, LoadCase load_case, SimulationOptions options, CalibrationSource calibrations)
@@ -103,16 +103,18 @@ class Session::Impl {
 
     detail::TileBuilder builder_;
     std::vector<detail::BuiltTile> tiles_;       ///< empty: all are to be built
-    std::set<tiling::TileIndex> changed_tiles_;  ///< of those that were built
-    std::vector<detail::TileStart> starts_;      ///< of each built tile, and behind the last
+    std::set<tiling::TileIndex> changed_tiles_;  ///< built tiles that are to be built again
+    std::vector<detail::TileStart> starts_;      ///< as JoinedTiles::starts
     mechanics::Assembly assembly_;
-    std::size_t tile_supports_ = 0;  ///< of the assembly: those inside of tiles come first
+    std::size_t tile_supports_ = 0;  ///< number of the assembly's first supports, which are inside of tiles
     std::optional<mechanics::LinearSolver> solver_;
     std::optional<mechanics::EquilibriumSolver> equilibrium_solver_;
     Report report_;
-    bool is_at_equilibrium_ = false;              ///< one of the surface as it is now, found in one step
-    mechanics::NodeValues linear_displacements_;  ///< of all nodes of the assembly, at a linear one
-    reduction::Displacements solved_in_ = reduction::Displacements::Small;  ///< the last solution
+    /// True if the last solution, in one load step, has converged, and no edit came after it.
+    bool is_at_equilibrium_ = false;
+    mechanics::NodeValues linear_displacements_;  ///< last linear solution, for all nodes of the assembly
+    /// Size of the displacements that the theory of the last solution allows.
+    reduction::Displacements solved_in_ = reduction::Displacements::Small;
 };
 
 }  // namespace fretwork::simulation

@@ -11,7 +11,7 @@ namespace fretwork::simulation {
 /// gets the same edits.
 class Session::Mixture {
   public:
-    /// @param plain  has all tiles corotational
+    /// @param plain  the same surface with corotational tiles; tiles with their own tile model have it
     Mixture(const Impl& plain, const SimulationOptions& options);
 
     [[nodiscard]] const SimulationOptions& options() const { return options_; }
@@ -20,8 +20,8 @@ class Session::Mixture {
     [[nodiscard]] const SurfaceResult& corotational() const { return corotational_; }
     [[nodiscard]] const Report& last_report() const { return report_; }
 
-    /// Its `seconds` are those of both solutions. The solution with corotational tiles if it has not
-    /// converged, or if no tile is put in full.
+    /// Solve with corotational tiles, then with the worst tiles in full. Returns the second solution, with
+    /// the seconds of both; or the first solution if it has not converged, or if no tile is put in full.
     SurfaceResult solve(Impl& plain, const base::Control& control, mechanics::StabilityCheck check);
 
   private:

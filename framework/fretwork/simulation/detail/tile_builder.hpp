@@ -21,21 +21,22 @@ struct BuiltTile {
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< m
 };
 
-/// How a builder works, besides what it builds.
+/// Options of building tiles.
 struct BuildOptions {
-    int threads = 0;  ///< 0: all there are. They change no bit of a tile.
+    /// Number of threads; 0: one for each processor. Tiles are bitwise the same for every number of threads.
+    int threads = 0;
     base::Control control{};
 };
 
-/// Builds tiles, and keeps those that congruent tiles share.
+/// Builds tiles, and keeps the tiles of models with Sharing::Congruent, so that congruent tiles share them.
 ///
 /// Congruent tiles are recognized by their polygons in their own axes: the origin in the centroid, x along
 /// the first side, coordinates rounded to a grid of about a billionth of the mean tile side. A shared tile is
 /// built from the rounded polygon, so it does not depend on which tile came first. A polygon that is not
 /// convex after the rounding (one with a straight corner, say) is built as it is, and not shared.
 ///
-/// Tiles that nobody uses any more are kept for edits that are taken back, until kMostUnused have come in:
-/// then all that are unused are dropped.
+/// Unused tiles are kept, because an edit may be undone. Once more than kMostUnused tiles have been added
+/// since the last cleaning, the next build() drops all unused tiles.
 class TileBuilder {
   public:
     struct TilesToBuild {
@@ -51,10 +52,10 @@ class TileBuilder {
 
     /// A condensed hexagon takes 10 kB; with two interface nodes a side, 41 kB.
     static constexpr std::size_t kMostUnused = 1000;
-    /// How many tiles are kept, used or not.
+    /// The number of kept tiles, used or not.
     [[nodiscard]] std::size_t kept_count() const { return shared_.size(); }
 
-    /// How many tiles have been built so far; shared ones count once.
+    /// The number of tiles built so far; a shared tile counts once.
     [[nodiscard]] std::size_t built_count() const { return built_count_; }
     /// Forget what is shared: the setting or the calibrations of the surface have changed.
     void forget() { shared_.clear(); }
@@ -67,7 +68,7 @@ class TileBuilder {
 
     std::map<std::pair<std::string, std::size_t>, pattern::Fan> fans_;  ///< by pattern and number of sides
     std::unordered_map<std::string, std::shared_ptr<const reduction::TileStructure>> shared_;
-    std::size_t looked_at_size_ = kMostUnused;  ///< of what is shared: when more, the unused are dropped
+    std::size_t looked_at_size_ = kMostUnused;  ///< if shared_ is larger, unused tiles are dropped
     std::size_t built_count_ = 0;
 };
 

@@ -10,8 +10,8 @@
 
 namespace fretwork::simulation::detail {
 
-/// How far each tile is deformed in a solution of the assembly of joined tiles, whose elements begin where
-/// `starts` says; zero for tiles made of beams.
+/// The deformation of each tile in a solution of the assembly of joined tiles; zero for tiles made of beams.
+/// @param starts  JoinedTiles::starts
 std::vector<TileDeformation> tile_deformations(const mechanics::Assembly& assembly,
                                                std::span<const TileStart> starts,
                                                const mechanics::Solution& solution);

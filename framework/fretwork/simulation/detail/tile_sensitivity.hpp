@@ -11,7 +11,7 @@ void require_gradient(const mechanics::NodeValues& gradient, Eigen::Index nodes)
 /// The adjoint motions of a tile, a row for each of its interface nodes.
 struct TileAdjoint {
     mechanics::NodeValues motions;
-    Eigen::VectorXd strains;  ///< those of the motions, as TileLinearization has its own
+    Eigen::VectorXd strains;  ///< adjoint strains B l; empty if TileLinearization::strains is empty
 };
 
 /// How J depends on one tile.

@@ -9,7 +9,7 @@
 
 namespace fretwork::simulation::detail {
 
-/// Add to a solution what the options want besides: modes, and how far a linear solution can be trusted.
+/// Add the modes and, for a linear solution, the linear range that the options ask for.
 void add_wanted(const Surface& surface, const LoadCase& load_case, const SimulationOptions& options,
                 const base::Control& control, SurfaceResult& result);
 

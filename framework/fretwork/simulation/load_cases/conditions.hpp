@@ -21,8 +21,9 @@ struct Conditions {
     std::size_t weights = 0;                  ///< number of entries of `loads` that are shares of the weight
 };
 
-/// Apply a load case to the nodes of a surface. Throws InputError if an entry of the load case selects no
-/// node, or if gravity acts on beams without density.
+/// Apply a load case to the nodes of a surface. Throws InputError if an entry selects no node, if two entries
+/// prescribe different values of one component, if the load case combines others (combined() merges them), or
+/// if gravity acts on beams without density or on unpainted tiles.
 Conditions resolve(const LoadCase& load_case, const Surface& surface);
 /// Apply a load case to the nodes of a surface. `tile_masses` has the masses of all tiles, kg, and may be
 /// empty if needs_masses() is false.
@@ -38,7 +39,7 @@ mechanics::NodeValues load_rows(const Conditions& conditions, std::size_t nodes)
 void apply(const Conditions& conditions, mechanics::Assembly& assembly);
 
 /// The nodes that the entries of a load case select, and the loads on these nodes. Each list is in the order
-/// of the entries in a file.
+/// in which load_case_text() writes the entries.
 struct EntryMarks {
     /// The nodes of a load, and each node's share of the load's vectors.
     struct Load {

@@ -30,8 +30,9 @@ struct LoadCase {
     /// A load on selected nodes.
     struct Load {
         Selection where;                                   ///< the nodes
-        Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< N
-        Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< moment of fixed direction in space, N m
+        Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< N; N/m with PerLength
+        Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< moment of fixed direction in space, N m; not
+                                                           ///< used with PerLength
         Amount amount = Amount::Each;                      ///< meaning of force and moment
         friend bool operator==(const Load&, const Load&) = default;
     };
@@ -58,7 +59,7 @@ struct LoadCase {
     /// Another load case of the same project, with a factor (combination.hpp).
     struct Share {
         std::string load_case;  ///< name of the load case
-        double factor = 1.0;    ///< factor on all loads of the load case
+        double factor = 1.0;    ///< factor on all loads, gravity and prescribed displacements
         friend bool operator==(const Share&, const Share&) = default;
     };
     std::string name;                                ///< name in commands

@@ -9,8 +9,8 @@
 
 namespace fretwork::simulation {
 
-/// Describe the entries of a load case, one line each, with the number of nodes and the effect: "support
-/// left: 9 nodes ux uy uz". Throws InputError as check_selections.
+/// Describe the entries of a load case, one line each, with the number of nodes and the effect, such as
+/// "support    left: 9 nodes  holds ux uy uz". Throws InputError as check_selections().
 std::vector<std::string> entry_texts(const LoadCase& load_case, const tiling::Tessellation& tessellation);
 
 /// Warnings, one line each, about values that look like errors of units: points away from the surface,

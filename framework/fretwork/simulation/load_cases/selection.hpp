@@ -9,7 +9,7 @@
 
 namespace fretwork::simulation {
 
-/// A side of the bounding box.
+/// A side of the bounding box of the interface nodes.
 enum class Side {
     Left,    ///< side with the smallest x
     Right,   ///< side with the largest x
@@ -27,7 +27,7 @@ struct NodesInBox {
     std::array<double, 4> box{};  ///< xmin, ymin, xmax, ymax, m
     friend bool operator==(const NodesInBox&, const NodesInBox&) = default;
 };
-/// All interface nodes in a circle, whose line belongs to the circle.
+/// All interface nodes in a circle, its line included.
 struct NodesInCircle {
     geometry::Point2 center;  ///< m
     double radius = 0.0;      ///< above zero, m
@@ -38,16 +38,17 @@ struct NodesNearest {
     std::vector<geometry::Point2> points;  ///< m
     friend bool operator==(const NodesNearest&, const NodesNearest&) = default;
 };
-/// The interface nodes on the rim within one mean tile side of a side of the bounding box.
+/// The interface nodes on the rim whose distance from a side of the bounding box is at most one mean tile
+/// side.
 struct NodesAtSide {
-    Side side = Side::Left;  ///< side of the bounding box
+    Side side = Side::Left;  ///< side of the bounding box of the interface nodes
     friend bool operator==(const NodesAtSide&, const NodesAtSide&) = default;
 };
 /// A selection of interface nodes for a support or a load.
 using Selection = std::variant<NodesById, NodesInBox, NodesInCircle, NodesNearest, NodesAtSide>;
 
-/// The interface nodes of a selection, ascending, each once. Throws InputError if no node is selected, if an
-/// id is out of range, or if a radius is not above zero.
+/// The interface nodes of a selection, ascending, each once. Throws InputError if no node lies in a box or a
+/// circle, if an id is out of range, or if a radius is not above zero. No ids or points select no node.
 std::vector<tiling::InterfaceIndex> select_nodes(const Selection& selection,
                                                  const tiling::Tessellation& tessellation);
 

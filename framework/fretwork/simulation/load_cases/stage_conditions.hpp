@@ -51,14 +51,15 @@ class StageConditions {
     std::map<std::string, double> factors_;     ///< of the load cases that act
 };
 
-/// The load case with a name in a load stage, merged with the load cases that it combines. Throws InputError
-/// if it does not exist.
+/// The load case that a load stage names, merged with the load cases that it combines. Throws InputError if
+/// it does not exist, and as combined().
 LoadCase stage_load_case(const StagePlan& plan, const std::string& name);
 
 /// Check load stages before they are simulated. Throws InputError, with both positions if two load stages
 /// have one name, and with the load stage and the entry in these cases: an entry selects no node; a load case
 /// does not exist or is named twice in one load stage; one load stage gives two values to a component, or
-/// names it in two of `free`, `keep` and `prescribed`; an entry of `free` releases nothing.
+/// names it in two of `free`, `keep` and `prescribed`; an entry of `free` releases nothing, or a support that
+/// was moved.
 void check_stages(const Surface& surface, const StagePlan& plan);
 
 }  // namespace fretwork::simulation

@@ -21,7 +21,8 @@ enum class TilesFrom {
 
 /// Options of make_project().
 struct NewProjectOptions {
-    /// The name of the outline's file at the start of messages about the outline; may be empty.
+    /// The name of the outline's file, for the start of messages; may be empty. With TilesFrom::Mesh, the
+    /// path of the mesh file, which is read.
     std::string outline_name{};
     /// Wanted mean side of the tiles, m; none: the setting's tile side.
     std::optional<double> edge_length{};
@@ -49,9 +50,10 @@ struct NewProject {
     double edge_length = 0.0;           ///< wanted side, m; for a mesh, the mean side of its faces
 };
 
-/// Tile an outline with tiling_options(), and paint it. `library` may be null; the project takes the
-/// library's setting, but no link to the library. Throws as tiling::tessellate(), with the outline's name,
-/// and as paint(). Throws InputError if the library has another layout or setting.
+/// Tile an outline with tiling_options(), or take the tiles of a mesh, and paint them. `library` may be null;
+/// the project takes the library's setting, but no link to the library. Throws as tiling::tessellate(), with
+/// the outline's name, as tiling::read_mesh_tessellation(), and as paint(). Throws InputError if the library
+/// has another layout or setting.
 NewProject make_project(const outlines::Outline& outline, const NewProjectOptions& options,
                         const library::Library* library);
 /// Tile several separate outlines, part by part, as one tessellation, and paint it.

@@ -94,8 +94,8 @@ struct PaintByColours {
 using PaintingChoice =
     std::variant<std::monostate, PaintOnePattern, PaintFromFile, PaintAtRandom, PaintByField, PaintByColours>;
 
-/// A choice that gives patterns by place or by chance, and the tiles that it has painted. A project keeps it,
-/// so that the tiles are painted by it again when they are others (painting_recipe.hpp). It needs no file:
+/// A choice that gives patterns by place or by chance, and the tiles that it has painted. A project keeps it
+/// to paint the tiles that replace these, such as after a retiling (painting_recipe.hpp). It needs no file:
 /// palettes list ids, and images and drawings come with their content.
 struct PaintingRecipe {
     PaintingChoice choice;                 ///< by a field, by colours, or at random
@@ -103,15 +103,17 @@ struct PaintingRecipe {
     friend bool operator==(const PaintingRecipe&, const PaintingRecipe&) = default;
 };
 
-/// The layout, setting and library that pattern ids refer to. `library` may be null.
+/// The layout of pattern ids, and the setting and the library behind their properties.
 struct PaintingGround {
     base::Borrowed<pattern::NodeLayout> layout;  ///< node layout of the patterns
     base::Borrowed<reduction::Setting> setting;  ///< setting for properties that the library lacks
-    const library::Library* library = nullptr;   ///< library that has properties; may be null
+    /// Library with properties, and with the patterns of a palette that names none; may be null.
+    const library::Library* library = nullptr;
 };
 
-/// Paint all tiles by a choice. Returns the painted tiles. Throws InputError that names a file, or an invalid
-/// entry of the choice: "patterns", "palette", "property", "range" or "library".
+/// Paint all tiles by a choice. Returns the painted tiles: all, but with colours only those on a colour of
+/// the palette. Throws InputError that names a file, or an invalid entry of the choice: "patterns",
+/// "palette", "property" or "library".
 std::vector<tiling::TileIndex> paint(tiling::Tessellation& tessellation, const PaintingChoice& choice,
                                      const PaintingGround& ground);
 /// Paint some tiles by a choice; other tiles keep their patterns. Random paintings and fields paint the tiles

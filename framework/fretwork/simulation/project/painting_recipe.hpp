@@ -34,10 +34,11 @@ std::vector<tiling::TileIndex> paint(Project& project, const PaintingChoice& cho
 std::vector<tiling::TileIndex> paint(Project& project, std::span<const tiling::TileIndex> tiles,
                                      const PaintingChoice& choice, const library::Library* library);
 
-/// Take tiles out of their recipes, because they were painted in another way. A recipe without tiles goes.
+/// Take tiles out of their recipes, because they were painted in another way. Recipes that lose all tiles are
+/// removed.
 void end_recipes(Project& project, std::span<const tiling::TileIndex> tiles);
 
-/// Paint the tiles of every recipe again, such as on other tiles or in another setting. `library` may be
+/// Paint the tiles of every recipe again, such as after a retiling or with another setting. `library` may be
 /// null: then properties of patterns are computed. Throws InputError that names the recipe by its number.
 void apply_recipes(Project& project, const library::Library* library);
 

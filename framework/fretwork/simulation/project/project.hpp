@@ -22,9 +22,9 @@ struct Project {
     std::vector<outlines::Outline> further_outlines{};
     tiling::Tessellation tessellation;  ///< tiles with their painting
     std::vector<LoadCase> load_cases;   ///< load cases with distinct names
-    /// The setting of the library when the project was made, or a chosen one. A project with a setting gives
-    /// the same results without its library. Older files have none: the present setting of the library is
-    /// used or, without a library, the paper's setting.
+    /// The setting of the library when the project was made, or a chosen one. With it, results of tile models
+    /// without calibrated parameters do not depend on the library (needs_library()). Older files have none:
+    /// the present setting of the library is used or, without a library, the paper's setting.
     std::optional<reduction::Setting> setting{};
     /// A tile model for some tiles.
     struct TileModelChoice {
@@ -32,17 +32,18 @@ struct Project {
         std::vector<tiling::TileIndex> tiles;  ///< tiles with this tile model
     };
     std::vector<TileModelChoice> tile_models{};  ///< tile models of tiles that have their own
-    /// Recipes of tiles that were painted by place or by chance; a tile has one at most. Other tiles were
-    /// painted by hand. The patterns of all tiles are in the tessellation.
+    /// Recipes of tiles that were painted by place or by chance; a tile has one at most. Tiles painted in
+    /// another way have none, such as by hand, from a painting file, or by a design. The patterns of all
+    /// tiles are in the tessellation.
     std::vector<PaintingRecipe> recipes{};
     /// Path of the library relative to the project file; empty: no library.
     std::string library_path;
     std::string library_hash;  ///< content hash of the library when the project was made
 };
 
-/// The load case with this name, merged with the load cases that it combines. "" is the name of the only load
-/// case of a project. Throws InputError if no load case has this name, or if the name is "" and the project
-/// has none or several. Throws as combined().
+/// The load case with this name, merged with the load cases that it combines. If the name is "", the only
+/// load case of the project is taken. Throws InputError if no load case has this name, or if the name is ""
+/// and the project has none or several. Throws as combined().
 LoadCase find_load_case(const Project& project, const std::string& name);
 
 /// The name of each tile's own tile model, "" for tiles without one. The vector is empty if no tile has

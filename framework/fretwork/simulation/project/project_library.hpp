@@ -11,9 +11,9 @@
 
 namespace fretwork::simulation {
 
-/// The folder from which the path of a project's library leads: the folder of the project file. A project
-/// that comes or goes through a pipe (a named pipe, /dev/stdin) has no folder; the paths in it lead from the
-/// current folder. Empty: the current folder.
+/// The folder to which the path of a project's library is relative: the folder of the project file. A project
+/// that is read from or written to a pipe (a named pipe, /dev/stdin) has no folder; its paths are relative to
+/// the current folder. Empty: the current folder.
 std::filesystem::path folder_of_project(const std::string& project_file);
 
 /// The path by which a project in `project_file` names a library.
@@ -28,14 +28,15 @@ void move_library_path(Project& project, const std::string& from_file, const std
 
 /// Open the library of a simulation: the library at the path `wanted` or, if `wanted` is empty, the project's
 /// own library. The path of the project's library is relative to the project file. None if there is no path.
-/// Throws InputError if the project's own library has changed since the project was made.
+/// Throws as library::Library::open(). Throws InputError if the project's own library is missing or has
+/// changed since the project was made.
 std::optional<library::Library> open_project_library(const std::string& project_file, const Project& project,
                                                      const std::string& wanted);
 
-/// The setting of a project: its own setting or, if it has none, the library's setting or, without a library,
-/// the paper's setting. `library` may be null. The settings of project and library may differ in the strength
-/// of the material (the project's is used), and in the shape of the section, with equal areas and moments.
-/// Throws InputError if they differ in any other value.
+/// The setting of a project. With a library: the library's setting, with the project's strength of the
+/// material if it has one. Without a library (null): the project's own setting or, if it has none, the
+/// paper's. The settings of project and library may differ in the strength, and in the shape of the section,
+/// with equal areas and moments. Throws InputError if they differ in any other value.
 reduction::Setting setting_of(const Project& project, const library::Library* library);
 
 /// True if a project with this choice of models needs its library: a tile's model has calibrated parameters,
@@ -46,8 +47,8 @@ bool needs_library(const Project& project, const ModelChoice& choice);
 /// names the file and the place.
 Project read_checked_project(const std::string& file);
 
-/// Check that every tile has the calibration for its tile model. Throws InputError that names the file and
-/// the place of the tile's model in it.
+/// Check that every tile is painted, and has a plausible calibration for its tile model. Throws InputError
+/// that names the file and, for a tile with its own tile model, the place of this model in the file.
 void check_calibrations(const std::string& file, const Project& project, const Surface& surface,
                         const ModelChoice& choice);
 

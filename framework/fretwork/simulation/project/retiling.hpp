@@ -21,7 +21,8 @@ struct RetilingOptions {
     /// The node layout of the new tiles. None: the layout of the project.
     std::optional<pattern::NodeLayout> layout{};
     /// The way in which retile() paints the new tiles. Without one, patterns are carried over by place, and
-    /// the recipes of the painting are applied again.
+    /// the recipes of the project are applied again; with colours, this is done first, because tiles beside
+    /// the drawing keep their patterns.
     PaintingChoice painting{};
     base::Control control{};  ///< progress and stop
 };
@@ -54,12 +55,11 @@ struct CarriedOver {
     DroppedEntries dropped;  ///< entries of load cases that were left out
 };
 
-/// Put new tiles into a project. By place: each tile takes the pattern, the tile model
-/// and the recipe of the old tile whose centroid is nearest, and a load on tiles goes to the new tiles that
-/// come from these tiles. Supports and loads by side, box, nearest points and along the rim are kept as they
-/// are. With another layout all tiles are left without a pattern and a recipe, because its patterns are
-/// others, and the link to the library goes. A fan has the same bars if its tile is turned by a vertex, so
-/// new tiles are not turned.
+/// Put new tiles into a project. Each new tile takes the pattern, the tile model and the recipe of the old
+/// tile with the nearest centroid. A load on old tiles goes to the new tiles that come from them. Entries
+/// that select nodes by side, box, circle, nearest points or along the rim are kept as they are. With another
+/// layout, new tiles have neither pattern nor recipe, and the link to the library is removed. The first
+/// vertices of the new tiles are kept, because a turn by a vertex does not change the bars of a fan.
 ///
 /// Throws InputError, with the load case and the entry, if an entry selects no node of the new tiles.
 CarriedOver carry_over(const Project& project, const NewTiles& tiles);
@@ -73,9 +73,10 @@ struct RetiledProject {
     base::IndexVector<tiling::TileIndex, tiling::TileIndex> from;
 };
 
-/// Cover the outline of a project with other tiles: new_tiles(), carry_over(), and apply_recipes() or, if
-/// options.painting says how, paint(). A painting finds patterns and their properties in `library`, which may
-/// be null. Throws as these four, and InputError if the library has another layout than the new tiles.
+/// Cover the outline of a project with other tiles by new_tiles() and carry_over(). Then paint them by
+/// `options.painting` or, without one, by apply_recipes(); with colours, by both. A painting finds patterns
+/// and their properties in `library`, which may be null. Throws as these functions, and InputError if the
+/// library has another layout than the new tiles.
 RetiledProject retile(const Project& project, const RetilingOptions& options,
                       const library::Library* library);
 

@@ -25,7 +25,8 @@ struct CloseBars {
 std::vector<CloseBars> close_bars(const Surface& surface, double clearance,
                                   const base::Control& control = {});
 
-/// One line with the number of close pairs and their places; empty if there are no close pairs.
+/// One line with the number of close pairs, the smallest gap or largest overlap, and at most eight of the
+/// tiles; empty if there are no close pairs.
 std::string close_bars_text(const std::vector<CloseBars>& close);
 
 }  // namespace fretwork::simulation

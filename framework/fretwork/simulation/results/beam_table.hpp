@@ -66,10 +66,11 @@ std::vector<BeamRow> most_stressed(const BeamTable& table, std::size_t count);
 /// The formula of the utilizations, in one line.
 std::string utilization_formula(const BeamTable& table);
 
-/// The table as CSV with LF, in SI: beam, tile, pattern, nodes, places, and section forces and stresses at
-/// both ends.
+/// The table as CSV with LF, in SI: beam, tile, pattern, nodes, places (x and y), length, section forces and
+/// stresses at both ends, the largest stresses, and the utilization (empty without strength).
 std::string beam_table_csv(const BeamTable& table, const Surface& surface);
-/// The table as JSON: `{"joints", "strength", "utilization_formula", "unknown_beams", "beams": [..]}`.
+/// The table as JSON: `{"format", "joints", "strength", "utilization_formula", "unknown_beams",
+/// "beams": [..]}`.
 std::string beam_table_json(const BeamTable& table, const Surface& surface);
 
 }  // namespace fretwork::simulation

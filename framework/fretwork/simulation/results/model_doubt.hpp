@@ -9,15 +9,16 @@
 
 namespace fretwork::simulation {
 
-/// The limit of ModelDoubt::tile_rotation, rad. The error of a result is estimated if one of three limits is
-/// exceeded: kDoubtfulRotation, kDoubtfulChange or kDoubtfulIterations. In experiments/error_warnings, this
-/// is so for every result with an error of 5 % at its worst node.
+/// The limit of ModelDoubt::tile_rotation, rad. A result is doubtful, and its error is estimated, if one of
+/// three limits is exceeded (kDoubtfulRotation, kDoubtfulChange or kDoubtfulIterations), or if stability was
+/// lost on the way. In experiments/error_warnings, this is so for every result with an error of 5 % at its
+/// worst node.
 inline constexpr double kDoubtfulRotation = 0.09;
 /// The limit of ModelDoubt::change, the distance between a corotational solution and a mixed solution, as a
 /// share of the largest displacement.
 inline constexpr double kDoubtfulChange = 0.03;
-/// The limit of the number of linear solves from rest, or of a load stage. A path with more linear solves may
-/// have passed states where small differences decide between equilibria.
+/// The limit of Solution::iterations, the number of linear solves of a solution, load step or load stage. A
+/// path with more linear solves may have passed states where small differences decide between equilibria.
 inline constexpr int kDoubtfulIterations = 40;
 /// The limit of warned_error() for estimates with all beams of all tiles.
 inline constexpr double kWarnedError = 0.05;
@@ -30,7 +31,8 @@ ModelDoubt model_doubt(const Session& session, const SurfaceResult& result);
 /// The indicators of a solution with these deformations of its tiles.
 ModelDoubt model_doubt(std::span<const TileDeformation> tiles);
 
-/// True if an indicator of a result is above its limit: the error then has to be estimated.
+/// True if an indicator of a result is above its limit, or if stability was lost on the way: the error then
+/// has to be estimated. False if the result has no model_doubt.
 bool is_doubtful(const SurfaceResult& result);
 
 /// The limit of the estimated error at the worst node, as a share of the largest displacement, for a warning:

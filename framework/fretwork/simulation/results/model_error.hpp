@@ -25,7 +25,8 @@ inline constexpr double kEstimatingShareOfMixed = 0.6;
 inline constexpr double kFarRotation = 0.3;
 
 /// The share of tiles with all of their beams in the better solution for a solution of `model`:
-/// kEstimatingShare; for a mixed model, its own share plus kEstimatingShareOfMixed; above kFarRotation, 1.
+/// kEstimatingShare; for a mixed model, its own share plus kEstimatingShareOfMixed, at most 1; above
+/// kFarRotation, 1.
 double better_share(const std::string& model, const ModelDoubt& doubt = {});
 
 /// A solution of corotational tiles in which the worst tiles have all of their beams.
@@ -33,21 +34,24 @@ struct BetterSolution {
     SurfaceResult result;                       ///< the solution
     std::vector<tiling::TileIndex> full_tiles;  ///< tiles with all of their beams, ascending
 };
-/// Solve a session of corotational or mixed tiles again, with a share better_share() of the tiles with all of
-/// their beams. `own` is the session's last solution. The session keeps these tiles with all of their beams;
-/// all other tiles are corotational. If the corotational solution has not converged, it is returned.
+/// Solve a session of corotational or mixed tiles again, with all beams in the worst tiles; their share is
+/// better_share(). `own` is the session's last solution. The session keeps these tiles with all of their
+/// beams, and its model is then `corotational`. If the corotational solution has not converged, it is
+/// returned, and the session does not change.
 BetterSolution better_solution(Session& session, const SurfaceResult& own, const ModelDoubt& doubt,
                                const base::Control& control = {});
 
-/// True if the estimate of a solution's error begins with that solution, because its tiles are corotational
-/// or mixed.
+/// True if the estimate of a solution's error begins with that solution: a nonlinear solution of the model
+/// `corotational` or of a mixed model.
 bool begins_with_own_solution(const Surface& surface, const SimulationOptions& options);
 /// The options of the session that estimates the error: `options` if begins_with_own_solution(), otherwise
 /// options of corotational tiles.
 SimulationOptions estimating_options(const Surface& surface, SimulationOptions options);
-/// Estimate the error of a result, and of its largest stress, from the better solution after `turned`, the
-/// last solution of a session with estimating_options(). None if a solution has not converged. Pre: the
-/// result belongs to the surface and has a subject.
+/// Estimate the error of a result, and of its largest stress, from a better solution of a session with
+/// estimating_options(). None if a solution has not converged. Pre: the result belongs to the surface and has
+/// a subject.
+/// @param turned  the last solution of the session
+/// @param doubt  the indicators of `turned`, for better_share()
 std::optional<ModelError> estimate_model_error(Session& session, const SurfaceResult& turned,
                                                const ModelDoubt& doubt, const Surface& surface,
                                                const SurfaceResult& result,
@@ -59,16 +63,17 @@ std::optional<ModelError> model_error(const SurfaceResult& result, const Surface
 /// The share of a surface's tiles in a list.
 double share_of(std::span<const tiling::TileIndex> tiles, const Surface& surface);
 /// Estimate the errors of solutions at the ends of load stages as in model_error(). The result has the
-/// largest errors, as shares of the largest displacement and norm at the end of any load stage. None unless
-/// all solutions have converged. Pre: both results have the same number of load stages.
+/// largest errors, as shares of the largest displacement and norm at the end of any load stage. None if a
+/// solution has not converged, or if the results differ in the number of load stages.
 std::optional<ModelError> staged_model_error(const SurfaceResult& result, const SurfaceResult& better);
 
 /// Estimate the relative error of the largest von Mises stress of a table from a refined solution that began
-/// with the full tiles of the better solution. None if a stress is not known.
+/// with the full tiles of the better solution. None if the refinement is not settled, or if the table has
+/// unknown beams.
 std::optional<double> stress_error(const BeamTable& table, const RefinedStress& refined);
 /// Estimate the error of the largest von Mises stress at the ends of load stages, from one table for each
 /// load stage. The result is the largest error, as a share of the largest stress at the end of any load
-/// stage.
+/// stage; none if a table has unknown beams or no beams.
 std::optional<double> staged_stress_error(std::span<const BeamTable> tables,
                                           std::span<const BeamTable> refined);
 

@@ -15,8 +15,9 @@ namespace fretwork::simulation {
 
 /// The subject of a result of a surface under a load case.
 ///
-/// The tessellation's hash covers its polygons and nodes, but not each tile's first vertex. The painting's
-/// hash covers each tile's pattern and first vertex.
+/// The tessellation's hash covers its polygons, its interface nodes and the node layout, but not each tile's
+/// first vertex. The painting's hash covers each tile's pattern and first vertex. The setting's hash covers
+/// all values but the strength and the section's shape.
 ResultSubject result_subject(const Surface& surface, const LoadCase& load_case,
                              const SimulationOptions& options);
 
@@ -26,21 +27,22 @@ std::vector<int> tile_numbers(std::span<const tiling::TileIndex> tiles);
 /// The model of the tiles without their own tile model, in the form of `simulate --model`.
 std::string main_model(const ResultSubject& subject);
 
-/// Check a subject from a file: all models are in the catalogue, the subject is a reference only if all
-/// models are references, and the load case is valid. Throws InputError that names `source` and the place.
+/// Check a subject from a file: all models are in the catalogue; the subject is a reference if all models are
+/// references, and is none if no model is; only a mixed model has full tiles; load cases and load stages are
+/// valid. Throws InputError that names `source` and the place.
 void check_subject(const ResultSubject& subject, const std::string& source,
                    std::span<const reduction::TileModel> models = reduction::tile_models());
 
-/// The differences between two subjects ("the painting, the setting"); empty if there are none. Models and
-/// descriptions of load cases are not compared.
+/// The differences between two subjects ("the painting, the setting"), load case and load stages included;
+/// empty if there are none. Models and descriptions of load cases are not compared.
 std::string subject_difference(const ResultSubject& left, const ResultSubject& right);
 
 /// The common data of the subjects of all results of a surface. Compute it only once, because hashes take
 /// time.
 struct SurfaceIdentity {
-    std::string tessellation_hash;  ///< hash of vertices, tiles and interface nodes
-    std::string painting_hash;      ///< hash of the tiles' patterns
-    std::string setting_hash;       ///< hash of material, section and joints
+    std::string tessellation_hash;  ///< hash of layout, vertices, tiles and interface nodes
+    std::string painting_hash;      ///< hash of the tiles' patterns and first vertices
+    std::string setting_hash;       ///< hash of the setting without strength and shape
     std::size_t tiles = 0;          ///< number of tiles
 };
 /// The identity of a surface.

@@ -8,18 +8,19 @@
 
 namespace fretwork::simulation {
 
-/// A solution in which all tiles around the largest stress have all of their beams.
+/// The outcome of a refinement: a solution in which, if is_settled, all tiles around the largest stress have
+/// all of their beams.
 struct RefinedStress {
-    SurfaceResult result;                         ///< solution with the full tiles
-    BeamTable table{};                            ///< forces and stresses of the beams in this solution
+    SurfaceResult result;  ///< last solution, with the full tiles
+    BeamTable table{};     ///< forces and stresses of the beams in the last solution that has converged
     std::vector<tiling::TileIndex> full_tiles{};  ///< tiles with all of their beams, ascending
-    int solutions = 0;                            ///< number of solutions of the refinement
+    int solutions = 0;                            ///< number of solutions, the first one included
     /// True if all tiles around the most stressed beam have all of their beams. False if an equilibrium was
     /// not found before.
     bool is_settled = false;
 };
 
-/// The tile of a beam and all tiles that share an interface node with it, ascending.
+/// The tile of a beam and all painted tiles that share an interface node with this tile, ascending.
 std::vector<tiling::TileIndex> tiles_around(const Surface& surface, const BeamRow& beam);
 
 /// Solve a session of reduced tiles repeatedly, because stresses peak at few places, and reduced tiles smooth
@@ -36,7 +37,8 @@ RefinedStress refine_stress(Session& session, SurfaceResult first, std::vector<t
 
 /// Refine the stress of a nonlinear result of corotational or mixed tiles from a file. The first solution
 /// starts from rest along the primary path, and has the same tiles with all of their beams as the result.
-/// Throws InputError if the result has another model, is linear, or is a result of load stages.
+/// Throws InputError if the result has another model, is linear, or is a result of load stages. Pre: the
+/// result has a subject.
 RefinedStress refine_stress(const Surface& surface, const SurfaceResult& result,
                             const base::Control& control = {});
 

@@ -20,12 +20,12 @@ struct SurfaceBeams {
     std::vector<std::array<mechanics::NodeIndex, 2>> ends;  ///< the two ends of each beam
     std::vector<tiling::TileIndex> tiles;                   ///< tile of each beam
     std::vector<double> joint_reaches;                      ///< reduction::joint_reaches of each beam
-    /// The first inner node and the first beam of each tile; one further entry holds the numbers of both.
+    /// The beginning of a tile's inner nodes and beams.
     struct Start {
         std::size_t inner_node = 0;  ///< index of the tile's first inner node
         std::size_t beam = 0;        ///< index of the tile's first beam
     };
-    std::vector<Start> starts;  ///< first inner node and first beam of each tile
+    std::vector<Start> starts;  ///< start of each tile; one further entry has the numbers of nodes and beams
 };
 
 /// Collect the beams of a surface. The nodes are the nodes of the full model, in the same order. Unpainted
@@ -57,10 +57,11 @@ inline constexpr Eigen::Index kVonMisesField = 7;
 /// @param sections  the result of beam_sections(); empty: forces are not computed
 BeamState beam_state(const Session& session, const mechanics::Solution& solution, const SurfaceBeams& beams,
                      std::span<const mechanics::BeamSection> sections);
-/// The state of the beams in a result from a file. The tiles are built with the tile models in the result's
-/// subject, which must be rows of `models`. A result without a subject counts as one of the full model if it
-/// has a row for each node of the beams. Throws InputError if the result does not belong to the surface with
-/// these tile models.
+/// The state of the beams in a result from a file. The tiles are built with the main model and the full tiles
+/// of the result's subject, and with the surface's own tile models; all must be rows of `models`. A result
+/// without a subject counts as one of the full model if it has a row for each node of the beams; otherwise,
+/// values are NaN but at the interface nodes. Throws InputError if the numbers of nodes show that the result
+/// does not belong to the surface with these tile models.
 BeamState beam_state(const Surface& surface, const SurfaceResult& result, const SurfaceBeams& beams,
                      std::span<const mechanics::BeamSection> sections,
                      std::span<const reduction::TileModel> models = reduction::tile_models());

@@ -22,10 +22,11 @@ inline constexpr double kLinearRange = 0.05;
 /// The estimate in words.
 std::string linear_range_text(const mechanics::LinearRange& range);
 
-/// True if a linear result is out of its range: by the estimated error of its displacements, or by this error
-/// together with the fit error of its tiles.
+/// True if a linear result is out of its range: if linear_range is exceeded, or if its error and the fit
+/// error of the tiles together exceed kLinearRange. False if the result has no linear_range.
 bool is_out_of_range(const SurfaceResult& result);
-/// The reason why a linear result is out of its range, in words, with SurfaceResult::fit_error.
+/// The reason why a linear result is out of its range, in words, with SurfaceResult::fit_error if there is
+/// one. Pre: the result has a linear_range.
 std::string linear_doubt_text(const SurfaceResult& result);
 
 /// Fill SurfaceResult::linear_range of a linear result, and SurfaceResult::fit_error if tiles have fitted

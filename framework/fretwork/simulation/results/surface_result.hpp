@@ -13,18 +13,18 @@
 
 namespace fretwork::simulation {
 
-/// The subject of a result: its surface, load case and model. Two results belong together if their hashes are
-/// equal.
+/// The subject of a result: its surface, load case and model. Two results are of the same surface if their
+/// hashes are equal.
 struct ResultSubject {
-    /// Names of the tile models.
+    /// Names of the tile models, such as "condensed; full (3 tiles)"; see main_model().
     std::string model;
     /// True if every tile has all of its beams: other results are compared with this one.
     bool is_reference = false;
     std::string load_case;                      ///< name of the load case
     std::string load_case_text;                 ///< text of the load case's file
-    std::string tessellation_hash;              ///< SHA-256 of vertices, tiles and interface nodes
-    std::string painting_hash;                  ///< SHA-256 of the tiles' patterns
-    std::string setting_hash;                   ///< SHA-256 of material, section and joints
+    std::string tessellation_hash;              ///< SHA-256 of layout, vertices, tiles and interface nodes
+    std::string painting_hash;                  ///< SHA-256 of the tiles' patterns and first vertices
+    std::string setting_hash;                   ///< SHA-256 of the setting without strength and shape
     std::optional<reduction::Joints> joints{};  ///< joints of the setting; none in older files
     std::vector<int> full_tiles{};              ///< tiles with all of their beams in a mixed model, ascending
     std::string stages_text{};                  ///< text of the file of load stages; empty: no load stages
@@ -40,7 +40,8 @@ struct ModelError {
     double largest = 0.0;      ///< largest error, as a share of the largest displacement
     double relative_l2 = 0.0;  ///< estimated |full - reduced| / |full| over all translations
     /// The relative error of the largest von Mises stress over all beams, which is also the relative error of
-    /// the largest utilization. None if the model does not give the motions of all beams.
+    /// the largest utilization. None if the model does not give the motions of all beams, or if the refined
+    /// stress is not settled.
     std::optional<double> largest_stress{};
     /// The share of the tiles with all of their beams in the better solution. 1: the numbers above are the
     /// error itself; below 1, they may be too small. 0 if a file does not state it.
@@ -69,7 +70,7 @@ struct SurfaceResult : mechanics::Result {
     /// between a translation in the solution and in a solution with condensed tiles, as a share of the
     /// largest displacement.
     std::optional<double> fit_error{};
-    /// For nonlinear results of reduced tiles, if the options ask for it.
+    /// For nonlinear results of reduced tiles, if SimulationOptions::estimate_where_doubtful asks for it.
     std::optional<ModelDoubt> model_doubt{};
     /// For reduced models, if the options ask for it and it is known.
     std::optional<ModelError> model_error{};

@@ -17,7 +17,7 @@ enum class StepOperation {
     New
 };
 
-/// Values of one kind of a deck through its steps.
+/// The values of one kind (supports, forces or gravity) through the steps of a deck.
 template <class Key, class Value>
 class StepValues {
   public:

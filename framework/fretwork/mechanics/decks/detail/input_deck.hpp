@@ -28,8 +28,8 @@ struct Card {
     [[nodiscard]] bool has(const std::string& parameter) const { return parameters.contains(parameter); }
 };
 
-/// The cards of a CalculiX or Abaqus input deck, with readers of their words. All errors are InputErrors with
-/// source and line.
+/// The cards of a CalculiX or Abaqus input deck, with functions that read their words. All errors are
+/// InputErrors with source and line.
 class InputDeck {
   public:
     /// @param source  name of the text in messages
