@@ -22,7 +22,7 @@ TEST(Trials, KnowThePointOfTheirLastSolution) {
     const Trial trial = trials.solve(point, {});
     EXPECT_TRUE(trials.is_at(point));
     EXPECT_FALSE(trials.is_at(other));
-    EXPECT_DOUBLE_EQ(trials.misfit(trial.displacements), trial.objective);
+    EXPECT_DOUBLE_EQ(trials.objective_of(trial.displacements), trial.objective);
     (void)trials.solve(other, {});
     EXPECT_FALSE(trials.is_at(point));
 }

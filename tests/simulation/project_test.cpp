@@ -88,6 +88,23 @@ TEST(ProjectFile, KeepsItsSettingAndTheModelsOfItsTiles) {
     EXPECT_EQ(make_surface(read, nullptr).tile_models[5], "full");
 }
 
+/// Rectangles and circles with equal radii of gyration bear different stresses. Settings of one library may
+/// differ in the shape and in the strength.
+TEST(ProjectLibrary, LeavesAProjectItsShapeAndItsStrength) {
+    const TemporaryFolder folder;
+    reduction::Setting setting = reduction::paper_setting();
+    setting.section = mechanics::circle_section(2e-3);
+    const auto library = library::Library::create(folder.path() / "lib.db", pattern::paper_layout(), setting);
+    Project project;
+    project.setting = setting;
+    project.setting->section.shape.reset();
+    EXPECT_EQ(setting_of(project, &library).section.shape, setting.section.shape);
+    project.setting->section.shape = mechanics::TubeShape{3e-3, 1e-3};
+    project.setting->strength = 5e7;
+    EXPECT_EQ(setting_of(project, &library).section.shape, project.setting->section.shape);
+    EXPECT_EQ(setting_of(project, &library).strength, project.setting->strength);
+}
+
 /// A project that a program of the first format made, with a library.
 TEST(NewProject, HasStiffJointsUnlessAnotherSettingIsAskedFor) {
     const auto outline = outlines::make_outline({{0, 0}, {0.2, 0}, {0.2, 0.1}, {0, 0.1}}, {});

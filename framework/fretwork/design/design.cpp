@@ -117,7 +117,7 @@ class Designer {
     /// A painting that is better than the best start is where the search goes on.
     void put_in_front(std::optional<Solved> painted, std::vector<Solved>& starts) const {
         if (!painted) return;
-        painted->trial.objective = trials_.misfit(painted->trial.displacements);
+        painted->trial.objective = trials_.objective_of(painted->trial.displacements);
         if (painted->trial.objective < starts.front().trial.objective)
             starts.insert(starts.begin(), std::move(*painted));
     }
@@ -200,7 +200,7 @@ class Designer {
     void check_uniform(const std::vector<Solved>& starts) {
         for (std::size_t i = 0; i < std::min(starts.size(), kUniformChecks); ++i) {
             FullCheck found = check(starts[i].point);
-            if (!found.is_found) continue;
+            if (!found.has_converged) continue;
             take_uniform(starts[i].point, found);
             best_ = starts[i].point;
             checked_ = {starts[i].point, std::move(found)};
@@ -225,7 +225,7 @@ class Designer {
             starts, [this](const Solved& start) { return checked_ && start.point == checked_->point; });
         if (known == starts.end()) return;
         trials_.set_aims(defect(known->trial, checked_->check));
-        for (Solved& start : starts) start.trial.objective = trials_.misfit(start.trial.displacements);
+        for (Solved& start : starts) start.trial.objective = trials_.objective_of(start.trial.displacements);
         std::ranges::stable_sort(starts, {}, [](const Solved& start) { return start.trial.objective; });
         search_.forget_best();
     }
@@ -246,7 +246,7 @@ class Designer {
     }
 
     [[nodiscard]] bool is_allowed(const Point& point, const FullCheck& check) const {
-        if (!check.is_found || !check.error.is_stable) return false;
+        if (!check.has_converged || !check.error.is_stable) return false;
         if (options_.max_mass > 0.0 && trials_.mass_of(point) > options_.max_mass) return false;
         if (close_bars_of(point) > 0) return false;
         return keeps_utilization(options_, check.largest_utilization, check.utilization_error);
@@ -256,10 +256,10 @@ class Designer {
     void check_and_keep_best(const Solved& solved) {
         if (!is_correcting_) best_ = solved.point;  // if the check is stopped; else the checked one stays
         FullCheck found = check(solved.point);
-        if (found.is_found) take_uniform(solved.point, found);
+        if (found.has_converged) take_uniform(solved.point, found);
         Checked own{solved.point, std::move(found)};
         own.is_allowed = is_allowed(own.point, own.check);
-        if (own.check.is_found && is_better(own)) {
+        if (own.check.has_converged && is_better(own)) {
             report_.model_error = model_error(solved, own.check);
             checked_ = std::move(own);
         }
@@ -287,7 +287,7 @@ class Designer {
             Solved solved{checked_->point, trials_.solve(checked_->point, options_.control)};
             if (!solved.trial.is_found) return;
             trials_.set_aims(defect(solved.trial, checked_->check));
-            solved.trial.objective = trials_.misfit(solved.trial.displacements);
+            solved.trial.objective = trials_.objective_of(solved.trial.displacements);
             search_.forget_best();
             const Solved found =
                 has_gained ? search_.improve(std::move(solved), reserve())

@@ -23,7 +23,7 @@ double largest_utilization(const simulation::Session& session, const mechanics::
 FullCheck check_in_full(const Trials& trials, const Point& point, BeamDemand beams,
                         const base::Control& control) {
     FullCheck check;
-    check.is_found = true;
+    check.has_converged = true;
     const simulation::Surface surface = trials.surface_at(point);
     if (beams != BeamDemand::None) check.largest_utilization = 0.0;
     std::optional<double> finer;
@@ -42,12 +42,12 @@ FullCheck check_in_full(const Trials& trials, const Point& point, BeamDemand bea
             result = session->solve(control.silent());
             ++check.solutions;
         }
-        check.is_found = check.is_found && result.solution.converged();
+        check.has_converged = check.has_converged && result.solution.converged();
         check.error.is_stable = check.error.is_stable && result.solution.stable;
-        if (beams != BeamDemand::None && check.is_found)
+        if (beams != BeamDemand::None && check.has_converged)
             check.largest_utilization =
                 std::max(*check.largest_utilization, largest_utilization(*session, result.solution));
-        if (finer && check.is_found) {
+        if (finer && check.has_converged) {
             const auto stress = largest_stress(
                 surface, session->load_case(),
                 {.elements = 2, .branch = options.branch, .threads = options.threads}, control.silent());
@@ -57,7 +57,7 @@ FullCheck check_in_full(const Trials& trials, const Point& point, BeamDemand bea
         }
         check.displacements.push_back(std::move(result.solution.displacements));
     }
-    if (!check.is_found) return check;
+    if (!check.has_converged) return check;
     if (finer)
         check.utilization_error = mechanics::kErrorFromFiner * std::abs(*finer - *check.largest_utilization);
     const Trials::Distances distances = trials.distances(check.displacements);

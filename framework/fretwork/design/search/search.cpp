@@ -222,7 +222,8 @@ Solved Search::descend(Solved start, double reserve, const Demand& demand) {
     double radius = kFirstRadius;
     int failures = 0;
     // The aims may have moved since it was solved. Tables are of the last equilibrium.
-    if (trials_.is_at(current.point)) current.trial.objective = trials_.misfit(current.trial.displacements);
+    if (trials_.is_at(current.point))
+        current.trial.objective = trials_.objective_of(current.trial.displacements);
     for (int round = 0; may_go_on(reserve); ++round) {
         if (current.trial.objective <= kReachedObjective) {
             end_ = DesignEnd::NoSwapImproves;

@@ -102,7 +102,7 @@ class Trials {
     [[nodiscard]] bool has_few_pairs(std::size_t columns) const;
     /// The objective of displacements, as in Trial::objective, with the aims of set_aims(). It is the square
     /// of DesignProgress::misfit.
-    [[nodiscard]] double misfit(const std::vector<mechanics::NodeValues>& displacements) const {
+    [[nodiscard]] double objective_of(const std::vector<mechanics::NodeValues>& displacements) const {
         return objective(displacements, aims_);
     }
     [[nodiscard]] int solutions() const { return solutions_; }

@@ -105,9 +105,9 @@ std::size_t Search::predicted_best(const std::vector<Solved>& found, const std::
         if (is_tried[p]) continue;
         const Eigen::VectorXd weights =
             prediction_weights(known, coordinates.col(static_cast<Eigen::Index>(p)));
-        const double misfit = trials_.misfit(superposed(found, weights));
-        if (misfit < least) {
-            least = misfit;
+        const double objective = trials_.objective_of(superposed(found, weights));
+        if (objective < least) {
+            least = objective;
             best = p;
         }
     }

@@ -79,7 +79,9 @@ reduction::Setting setting_of(const Project& project, const library::Library* li
     if (library == nullptr) return project.setting.value_or(reduction::paper_setting());
     if (project.setting) library->check_setting(*project.setting);
     reduction::Setting setting = library->setting();
-    if (project.setting && project.setting->strength) setting.strength = project.setting->strength;
+    if (!project.setting) return setting;
+    if (project.setting->strength) setting.strength = project.setting->strength;
+    if (project.setting->section.shape) setting.section.shape = project.setting->section.shape;
     return setting;
 }
 
