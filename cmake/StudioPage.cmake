@@ -56,11 +56,16 @@ function(fretwork_add_page_tests source work)
              "FRETWORK_PAGE=${PROJECT_BINARY_DIR}/apps/share/fretwork/studio.html" "FRETWORK_REPOSITORY=${PROJECT_SOURCE_DIR}"
              "FRETWORK_PICTURES=${work}/pictures" "CHROMIUM=${FRETWORK_CHROMIUM}"
              "${FRETWORK_NODE}" "${work}/tests/browser/run.mjs" "${name}.test.mjs")
-    set_tests_properties(studio_page.${name} PROPERTIES FIXTURES_REQUIRED studio_page SKIP_RETURN_CODE 77 TIMEOUT 900
-                         RUN_SERIAL ON)
+    set_tests_properties(studio_page.${name} PROPERTIES FIXTURES_REQUIRED studio_page SKIP_RETURN_CODE 77 TIMEOUT 900)
+    # Some print times, or record what a page draws in a time: they run alone. Of all others one runs at a time.
+    if(name MATCHES "^(first_minute|studio|pictures)$")
+      set_tests_properties(studio_page.${name} PROPERTIES RUN_SERIAL ON)
+    else()
+      set_tests_properties(studio_page.${name} PROPERTIES RESOURCE_LOCK studio_page COST 500)
+    endif()
   endforeach()
   if(FRETWORK_LONG_TESTS)
-    # The storm lasts ten minutes and measures no time: it starts first, and the other tests run beside it.
-    set_tests_properties(studio_page.storm PROPERTIES RUN_SERIAL OFF COST 1000)
+    # The storm lasts ten minutes, and mostly waits: it starts first, and all other tests run beside it.
+    set_tests_properties(studio_page.storm PROPERTIES RESOURCE_LOCK "" COST 1000)
   endif()
 endfunction()

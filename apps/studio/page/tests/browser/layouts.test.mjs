@@ -71,7 +71,7 @@ test('nodes are added and removed by keys, with what depends on them', async (t)
   for (const [kind, nodes] of [['face', 5], ['radial', 7], ['interface', 9]]) {
     await page.focus(`#add-${kind}`);
     await page.keyboard.press('Enter');
-    await page.waitForFunction((count) => window.fretwork.layout.draft.value.nodes.length === count, nodes, { timeout: 20_000 });
+    await page.waitForFunction((count) => window.fretwork.layout.draft.value.nodes.length === count, nodes);
   }
   await picture(page, '81-layout-dark', 0);
   await page.focus('[data-node="0"]');

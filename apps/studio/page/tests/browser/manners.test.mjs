@@ -128,7 +128,7 @@ test('forces, moments and displacements are dragged in space, and the surface fo
     const before = JSON.stringify((await read(page, 'load_cases'))[0]);
     await drag(page, [box.x + x, box.y + y], [box.x + x + 12, box.y + y - 45]);
     const changed = (old) => JSON.stringify(window.fretwork.store.documentNow.value.load_cases[0]) !== old;
-    await page.waitForFunction(changed, before, { timeout: 10_000 }).catch(() => assert.fail(`handle ${handle} at ${x}, ${y} was not taken`));
+    await page.waitForFunction(changed, before).catch(() => assert.fail(`handle ${handle} at ${x}, ${y} was not taken`));
     await solved(page);
   }
 });

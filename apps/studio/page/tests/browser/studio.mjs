@@ -84,7 +84,7 @@ export async function picture(page, name, samples = SAMPLES) {
 
 /** The file that the browser stores after an action. It gets the name that the page suggests, or another one. */
 export async function saved(page, action, place, name) {
-  const coming = page.waitForEvent('download', { timeout: 60_000 });
+  const coming = page.waitForEvent('download');
   await action();
   const download = await coming.catch(async () => {
     throw new Error(`no file came; the page says: ${await page.textContent('.notes')}`);
@@ -146,7 +146,7 @@ export async function drag(page, from, to) {
 export async function edit(page, action) {
   const before = await page.evaluate(() => window.fretwork.store.revision.value);
   await action();
-  await page.waitForFunction((old) => window.fretwork.store.revision.value > old, before, { timeout: 20_000 }).catch(async () => {
+  await page.waitForFunction((old) => window.fretwork.store.revision.value > old, before).catch(async () => {
     throw new Error(`nothing changed after ${action}; the page says: ${await page.textContent('.notes')}`);
   });
 }
