@@ -123,7 +123,7 @@ void print_enumeration(const Arguments& arguments, const Instance& instance) {
         const Trial trial = solver.solve(point, {});
         if (!trial.is_found) ++unstable;
         for (std::size_t t = 0; trial.is_found && t < judges.size(); ++t) {
-            const double misfit = judges[t].misfit(trial.displacements);
+            const double misfit = judges[t].objective_of(trial.displacements);
             if (misfit < best[t].misfit) best[t] = {misfit, point.patterns};
         }
     } while (counter.next());
