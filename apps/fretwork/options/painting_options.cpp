@@ -52,7 +52,8 @@ void warn_of_unkept_file(const simulation::Project& project, const simulation::P
         std::ranges::any_of(project.recipes, [&](const simulation::PaintingRecipe& recipe) {
             return std::ranges::binary_search(recipe.tiles, painted.front());
         });
-    if (const auto remark = simulation::unkept_file_remark(choice, has_recipe)) warn(*remark);
+    if (has_recipe) return;
+    if (const auto remark = simulation::unkept_file_remark(choice)) warn(*remark);
 }
 
 std::vector<tiling::TileIndex> painted_tiles(const tiling::Tessellation& tessellation) {

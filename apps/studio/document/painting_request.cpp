@@ -126,8 +126,8 @@ Painted by_choice(const State& state, const std::vector<TileIndex>& tiles, const
     const auto recipe = simulation::recipe_of(choice, ground);
     const auto kept = recipe ? known_or_new(*state.painting, *recipe) : nullptr;
     Painted result{*state.painting, done.size()};
-    const auto remark = simulation::unkept_file_remark(choice, recipe || done.empty());
-    if (remark) result.remarks.push_back(*remark);
+    if (!recipe && !done.empty())
+        if (const auto remark = simulation::unkept_file_remark(choice)) result.remarks.push_back(*remark);
     PaletteWriter palette(result.painting, state.ground->layout);
     for (const TileIndex tile : done) {
         result.painting.patterns[tile] = palette.place_of(*tiling::pattern_of(tessellation, tile));

@@ -109,9 +109,9 @@ std::optional<PaintingChoice> recipe_of(const PaintingChoice& choice, const Pain
     return recipe_of(LoadedChoice(choice), ground);
 }
 
-std::optional<std::string> unkept_file_remark(const PaintingChoice& choice, bool has_recipe) {
+std::optional<std::string> unkept_file_remark(const PaintingChoice& choice) {
     const std::filesystem::path* file = file_of(choice);
-    if (file == nullptr || has_recipe) return std::nullopt;
+    if (file == nullptr) return std::nullopt;
     return "the project does not keep " + base::printable(file->filename().string()) +
            ", which has more than " + std::to_string(kLargestKeptFile >> 20U) +
            " MiB: tiles that replace these take their patterns by place alone";

@@ -21,9 +21,9 @@ inline constexpr std::size_t kLargestKeptFile = std::size_t{4} << 20U;
 /// has more than kLargestKeptFile bytes. Throws as paint().
 std::optional<PaintingChoice> recipe_of(const PaintingChoice& choice, const PaintingGround& ground);
 
-/// A remark for the user that the image or drawing of a choice is too large to be kept. None if the choice
-/// has no such file, or if its tiles have a recipe.
-std::optional<std::string> unkept_file_remark(const PaintingChoice& choice, bool has_recipe);
+/// A remark for the user on a choice without a recipe: its image or drawing is too large to be kept. None if
+/// the choice has no such file.
+std::optional<std::string> unkept_file_remark(const PaintingChoice& choice);
 
 /// Paint all tiles of a project by a choice, and keep the choice as their recipe if recipe_of() has one. The
 /// tiles leave the recipes that they had. `library` may be null. Returns the painted tiles. Throws as paint()

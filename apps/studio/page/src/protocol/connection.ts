@@ -49,6 +49,10 @@ export class Connection {
 
   open(): void {
     this.listener.state('connecting');
+    this.connect();
+  }
+
+  private connect(): void {
     const socket = new WebSocket(this.address);
     socket.binaryType = 'arraybuffer';
     socket.onopen = () => {
@@ -97,7 +101,7 @@ export class Connection {
     for (const waiting of this.waiting.values()) waiting.reject(new Error(W.line.cut));
     this.waiting.clear();
     if (await this.listener.isRefused()) return this.listener.state('refused');
-    setTimeout(() => this.open(), this.pause);
+    setTimeout(() => this.connect(), this.pause); // `lost` stays until the line is open: its notice does not flicker
     this.pause = Math.min(2 * this.pause, LONGEST_PAUSE_MS);
   }
 }

@@ -2,13 +2,14 @@
 // The requests that each action of a person sends.
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { documentNow } from '../../src/document/store';
-import { notes } from '../../src/document/tell';
 import { pending, selectedTiles } from '../../src/document/ui';
 import type { Load, Support } from '../../src/protocol/messages';
 import { documentWith } from './document_of_tests';
 
 const asked = vi.hoisted(() => vi.fn());
 vi.mock('../../src/document/studio', () => ({ ask: asked, tryAsk: asked }));
+const told = vi.hoisted(() => vi.fn());
+vi.mock('../../src/document/tell', () => ({ tell: told }));
 const edits = await import('../../src/document/edits');
 
 const FIXED: Support = { nodes: [0, 1], fixed: ['ux', 'uy', 'uz'] };
@@ -64,7 +65,7 @@ describe('load cases', () => {
 it('remarks on a painting are told', async () => {
   asked.mockResolvedValue({ remarks: ['the project does not keep large.png'] });
   edits.paintBy({ patterns: 'image:', palette: [] });
-  await vi.waitFor(() => expect(notes.value.map((note) => note.text)).toContain('the project does not keep large.png'));
+  await vi.waitFor(() => expect(told).toHaveBeenCalledWith('the project does not keep large.png', 'warning'));
 });
 
 it('a slide of the section sends the newest value, as one step of undo', async () => {
