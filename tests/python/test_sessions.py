@@ -194,7 +194,7 @@ class Retiling(unittest.TestCase):
         self.assertEqual({tile.pattern for tile in tiles.tiles}, {0})
         self.assertEqual((made.dropped.supports, made.dropped.loads, made.dropped.prescribed), (1, 0, 0))
         self.assertEqual(made.project.load_cases, (support.tip(),))
-        old, new = before.tessellation.tile_centers(), tiles.tile_centers()
+        old, new = before.tessellation.tile_centers, tiles.tile_centers
         nearest = np.argmin(np.linalg.norm(new[:, None] - old[None], axis=2), axis=1)
         self.assertEqual(list(made.from_tiles), list(nearest), "of two that are equally near, the smaller number")
         self.assertEqual(len(before.load_cases[0].supports), 2, "the project is not changed")
