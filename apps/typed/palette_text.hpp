@@ -20,7 +20,7 @@ struct PaletteText {
 };
 
 /// Read a palette. The result depends on the arguments alone. `library` may be null. Throws InputError that
-/// names --palette; Stopped.
+/// names --palette, or the library if it has another layout; Stopped.
 std::vector<pattern::NamedPattern> read_palette(const PaletteText& palette, const pattern::NodeLayout& layout,
                                                 const library::Library* library);
 

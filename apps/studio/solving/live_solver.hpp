@@ -72,8 +72,8 @@ class LiveSolver {
 
   private:
     using Clock = std::chrono::steady_clock;
-    /// The next input, and the token that stops its solve. While a load is dragged, stability is not checked
-    /// until the load stands still.
+    /// The next input, and the token that stops its solve. New input is first solved without a check of
+    /// stability. The check follows if no newer input comes for a moment.
     struct Attempt {
         SolverInput input;
         mechanics::StabilityCheck check = mechanics::StabilityCheck::Made;

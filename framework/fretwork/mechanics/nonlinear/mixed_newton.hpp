@@ -41,7 +41,7 @@ class MixedNewton {
     /// Iterate, and move the configuration. The first step is `step`, a solution with the factors of this
     /// object. On Converged, the factors belong to the configuration. With Goal::Equilibrium, they may belong
     /// to a configuration a small move away; such a move changes no sign of a pivot unless the tangent is
-    /// nearly singular. If stability is not classified, they may be those before the call.
+    /// nearly singular. If stability is not classified, they may be older.
     Termination solve(double load_factor, Goal goal, const Eigen::VectorXd& step,
                       Configuration& configuration);
 

@@ -26,7 +26,7 @@ double congruence_grid(const tiling::Tessellation& tessellation);
 OwnAxes own_axes(const geometry::Polygon& polygon, double grid);
 
 /// The axes and the rounded polygon of a tile that can be shared. None if the rounded polygon is not convex,
-/// as a straight corner may become: such a tile is built in the surface's axes and not shared.
+/// because rounding has bent a straight corner inwards: the tile is then built in the surface's axes.
 std::optional<OwnAxes> shared_axes(const geometry::Polygon& polygon, double grid);
 
 }  // namespace fretwork::simulation::detail

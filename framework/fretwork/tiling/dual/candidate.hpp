@@ -27,7 +27,7 @@ struct TilingProblem {
     /// Approximate number of tiles if an outline with holes needs small tiles; 0 for all other outlines.
     double refined_tiles = 0.0;
     /// True if each attempt takes seconds because of the number of tiles. Then fewer lattices are sketched,
-    /// and distances of sites that give sides far off are only sketched.
+    /// and a distance of sites is not tiled if its sketch has sides far from the wanted ones.
     [[nodiscard]] bool has_many() const { return refined_tiles > 3000.0; }
 };
 

@@ -36,7 +36,7 @@ class DepthMap {
     PixelSize texels_;
     std::vector<float> depth_;  ///< the largest along to_light
     PixelSize blocks_;
-    std::vector<float> block_depth_;  ///< largest of each block; decides for most lit places
+    std::vector<float> block_depth_;  ///< largest depth in each block; enough for most lit places
 };
 
 }  // namespace fretwork::exports::detail
