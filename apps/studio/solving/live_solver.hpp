@@ -32,7 +32,7 @@ enum class Stage { FirstIterate, Answer };
 struct SolvedSurface {
     Stage stage = Stage::Answer;
     std::string model;
-    Situation situation;        ///< the one that is answered; a revision may differ without effect on it
+    Situation situation;        ///< the one that was solved; several revisions may have it
     std::int64_t revision = 0;  ///< of the document when it was asked for
     std::int64_t beams_revision = 0;
     std::shared_ptr<const simulation::SurfaceBeams> beams;

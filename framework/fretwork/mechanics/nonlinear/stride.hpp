@@ -36,11 +36,12 @@ bool is_jump(const Unknowns& unknowns, const Eigen::VectorXd& made, const Eigen:
 bool is_softened(const Unknowns& unknowns, const Eigen::VectorXd& first_rate,
                  const Eigen::VectorXd& last_rate);
 
-/// Follow a load path in few long increments of mixed iterations; each may turn nodes by up to 2.5 rad, and
-/// by 0.4 rad in its first step. Only the ends of the increments are known. The result is Converged if all
-/// ends seem to lie on one path: they have the same number of negative pivots, rates do not grow much, and no
-/// move is much larger than the rates at its two ends predict. Otherwise `point` does not change, and the
-/// caller has to follow the path in smaller steps.
+/// Follow a load path in few long increments of mixed iterations; each may turn nodes by up to 2.5 rad. The
+/// first step of an increment turns them by about 0.4 rad at most (0.7 rad where a rotation is prescribed).
+/// Only the ends of the increments are known. The result is Converged if all ends seem to lie on one path:
+/// they have the same number of negative pivots, rates do not grow much, and no move is much larger than the
+/// rates at its two ends predict. Otherwise `point` does not change, and the caller has to follow the path in
+/// smaller steps.
 Termination stride(NonlinearSystem& system, Newton& newton, MixedNewton& mixed, PathPoint& point,
                    double target);
 

@@ -7,8 +7,8 @@ namespace fretwork::pattern::detail {
 
 /// The smallest distance that two beams may have, for exact comparisons in the hexagon of side 1.
 ///
-/// The squares of distances between segments are rational in this hexagon. The distance in doubles decides if
-/// it differs from the limit by more than its largest error; exact numbers decide all other cases.
+/// The squares of distances between segments are rational in this hexagon. Crossings are found by exact
+/// numbers. Other distances are computed in doubles, and by exact numbers only near the limit.
 class DistanceLimit {
   public:
     explicit DistanceLimit(double distance) : distance_(distance) {}

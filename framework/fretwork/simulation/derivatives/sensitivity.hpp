@@ -13,8 +13,7 @@ struct TileSensitivity {
     Eigen::VectorXd strains;  ///< strains e
     /// Adjoint strains a = B l, with dJ = -a . dK e; empty, like `strains`, for tile models without strains.
     Eigen::VectorXd adjoint_strains;
-    /// Derivative of J with respect to a factor on the tile's stiffness, at 1; NaN for tile models without
-    /// strains.
+    /// Derivative of J with respect to a factor on the tile's stiffness, at 1; NaN if `strains` is empty.
     double stiffness = 0.0;
     /// Derivative of J with respect to the tile's mass, through the load by its weight, 1/kg.
     double mass = 0.0;

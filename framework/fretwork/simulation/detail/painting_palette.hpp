@@ -27,7 +27,7 @@ std::vector<tiling::GradedPattern> graded_palette(const PaintByField& choice, co
 std::vector<std::pair<std::string, pattern::NamedPattern>> coloured_palette(const PaintByColours& choice,
                                                                             const PaintingGround& ground);
 
-/// The values for the field values 0 and 1: of the property or, without one, 0 and 1.
+/// The wanted values where the field is 0 and 1: values of the property or, without a property, 0 and 1.
 std::pair<double, double> wanted_range(const PaintByField& choice,
                                        const std::vector<tiling::GradedPattern>& palette);
 

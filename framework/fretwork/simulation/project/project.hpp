@@ -33,8 +33,8 @@ struct Project {
     };
     std::vector<TileModelChoice> tile_models{};  ///< tile models of tiles that have their own
     /// Recipes of tiles that were painted by place or by chance; a tile has one at most. Tiles painted in
-    /// another way have none, such as by hand, from a painting file, or by a design. The patterns of all
-    /// tiles are in the tessellation.
+    /// other ways (by hand, from a painting file, by a design) or from an image or drawing of more than
+    /// kLargestKeptFile bytes have none. The patterns of all tiles are in the tessellation.
     std::vector<PaintingRecipe> recipes{};
     /// Path of the library relative to the project file; empty: no library.
     std::string library_path;

@@ -46,8 +46,8 @@ struct Chord {
     PointIndex from;
     PointIndex to;
 };
-/// All chords of a triangulation. The tiles beside a chord share no side, or there is no tile on one side of
-/// the chord.
+/// All chords of a triangulation. The tiles to the left and right of a chord share no side, or one of them is
+/// missing.
 std::vector<Chord> chords_of(const Triangulation& triangulation);
 
 }  // namespace fretwork::tiling::detail

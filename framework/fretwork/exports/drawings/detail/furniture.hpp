@@ -37,8 +37,8 @@ std::string short_number(double value);
 /// height. Its left end is at `start`.
 void draw_scale_bar(SvgCanvas& canvas, const geometry::Point2& start, double height);
 
-/// Draw a sample of a line style for a legend. The sample is the start of the line of text at `place`, whose
-/// letters have this height. Returns the start of the words behind the sample.
+/// Draw a sample of a line style for a legend. It starts at `place`, before words in letters of this height.
+/// Returns the place where the words start.
 geometry::Point2 draw_line_sample(SvgCanvas& canvas, const geometry::Point2& place, const Style& style,
                                   double height);
 
