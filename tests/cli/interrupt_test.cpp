@@ -36,7 +36,7 @@ bool comes_true(const std::function<bool()>& is_so) {
 class Running {
   public:
     Running(const std::filesystem::path& folder, std::vector<std::string> arguments,
-            void (*handler)(int) = SIG_DFL)
+            void (*on_interrupt)(int) = SIG_DFL)
         : folder_(folder) {
         arguments.insert(arguments.begin(), FRETWORK_PROGRAM);
         std::vector<char*> pointers;
@@ -45,7 +45,7 @@ class Running {
         const std::string messages = (folder / ".err").string();
         child_ = ::fork();
         if (child_ != 0) return;
-        std::signal(SIGINT, handler);  // the tests themselves may run in the background
+        std::signal(SIGINT, on_interrupt);  // the tests themselves may run in the background
         ::close(STDOUT_FILENO);
         ::open((folder / ".out").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
         ::close(STDERR_FILENO);

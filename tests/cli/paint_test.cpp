@@ -196,23 +196,36 @@ TEST_F(PaintCommand, AnImagesGreyChoosesPatternsFromLightToDark) {
 }
 
 TEST_F(PaintCommand, ADrawingTooLargeToBeKeptIsToldByEachCommandThatPaints) {
-    const std::string drawing =
-        R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 2000 2000" width="2000mm" height="2000mm">
-<rect width="2000" height="2000" fill="red"/>)";
-    folder_.file("small.svg", drawing + "</svg>");
-    folder_.file("large.svg", drawing + std::string(simulation::kLargestKeptFile, ' ') + "</svg>");
+    const auto drawing = [&](const std::string& name, const std::string& width, std::size_t blanks) {
+        folder_.file(name,
+                     R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 2000 2000" width="2000mm" )"
+                     R"(height="2000mm"><rect height="2000" fill="red" width=")" +
+                         width + "\"/>" + std::string(blanks, ' ') + "</svg>");
+    };
+    drawing("small.svg", "2000", 0);
+    drawing("large.svg", "2000", simulation::kLargestKeptFile);
+    drawing("small_half.svg", "100", 0);
+    drawing("large_half.svg", "100", simulation::kLargestKeptFile);
+    ASSERT_EQ(run("fretwork tile experiments/outlines/specimen.svg --edge-length 40mm --patterns random:1 "
+                  "--palette 0-1+1-6,0-5+5-6 --out chance.json")
+                  .exit_code,
+              0);
     for (const std::string command :
          {"paint p.json", "retile p.json --edge-length 50mm --out q.json",
+          "retile chance.json --edge-length 50mm --out q.json",
           "tile experiments/outlines/specimen.svg --edge-length 40mm --out r.json"}) {
-        const auto painted_by = [&](const std::string& file) {
-            return run("fretwork " + command + " --palette red=0-5+5-6 --patterns colours:" + file);
-        };
-        const Outcome small = painted_by("small.svg");
-        EXPECT_EQ(small.exit_code, 0) << command << small.err;
-        EXPECT_THAT(small.err, Not(HasSubstr("does not keep"))) << command;
-        const Outcome large = painted_by("large.svg");
-        EXPECT_EQ(large.exit_code, 0) << command << large.err;
-        EXPECT_THAT(large.err, HasSubstr("does not keep large.svg, which has more than 4 MiB")) << command;
+        for (const std::string file :
+             {"small.svg", "large.svg", "small_half.svg", "large_half.svg", "large.svg"}) {
+            SCOPED_TRACE(command + " " + file);
+            const Outcome done =
+                run("fretwork " + command + " --palette red=0-5+5-6 --patterns colours:" + file);
+            EXPECT_EQ(done.exit_code, 0) << done.err;
+            const auto told = HasSubstr("does not keep " + file + ", which has more than 4 MiB");
+            if (file.starts_with("large"))
+                EXPECT_THAT(done.err, told);
+            else
+                EXPECT_THAT(done.err, Not(HasSubstr("does not keep")));
+        }
     }
 }
 

@@ -58,6 +58,15 @@ TEST(Facts, AFilletThatDoesNotFitIsTold) {
     EXPECT_THAT(facts(sample(), {.fillet = 0.01}, {}).warnings, warns);
 }
 
+TEST(Facts, ASectionThatIsNoRectangleIsTold) {
+    const auto warns =
+        Contains(Field(&Warning::message, HasSubstr("which stand for the tube of the setting")));
+    EXPECT_THAT(facts(sample(), {}, {}).warnings, testing::Not(warns));
+    simulation::Surface surface = sample();
+    surface.setting.section = mechanics::tube_section(3e-3, 2e-3);
+    EXPECT_THAT(facts(surface, {}, {}).warnings, warns);
+}
+
 TEST(Facts, SmallestRadiusIsTheFilletOrZero) {
     EXPECT_DOUBLE_EQ(facts(sample(), {}, {}).smallest_radius, 0.0);
     EXPECT_NEAR(facts(sample(), {.fillet = 3e-4}, {}).smallest_radius, 3e-4, 1e-4);

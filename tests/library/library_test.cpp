@@ -128,13 +128,14 @@ TEST_F(LibraryTest, AdoptsAStrengthAlsoAfterSomethingIsComputed) {
     library.store(std::vector{sample_data("0-1+1-6", 2.0)});
     reduction::Setting other = library.setting();
     other.strength = 4e7;
+    other.section.shape = mechanics::CircleShape{2e-3};
     const std::string hash = library.content_hash();
     library.adopt_setting(other);
     EXPECT_EQ(library.setting(), other);
     EXPECT_EQ(library.content_hash(), hash) << "projects that name it still find it";
     EXPECT_EQ(Library::open(path()).setting(), other);
     library.adopt_setting(reduction::without_stresses(other));
-    EXPECT_EQ(library.setting(), other) << "a setting without a strength says nothing of it";
+    EXPECT_EQ(library.setting(), other) << "a setting without strength and shape says nothing of them";
 }
 
 TEST_F(LibraryTest, SummariesCountWhatThereIsOfEachPattern) {

@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <vector>
 
 namespace fretwork::optimization {
 namespace THIS_TEST {
@@ -109,33 +111,38 @@ TEST(SmoothedMethods, FindAMinimumInAKink) {
     }
 }
 
-/// Cold annealing stays in the valley of its start: near 1 the objective falls to 0, near -1 to about 0.3.
-TEST(SimulatedAnnealing, EndsWhereItsBestStartEnded) {
-    const LeastSquaresProblem problem(
-        "two valleys", cube(1, -2.0, 2.0),
-        [](const Eigen::VectorXd& x) {
-            return Eigen::VectorXd(Eigen::Vector2d(x[0] * x[0] - 1.0, 0.3 * (x[0] - 1.0)));
-        },
-        [](const Eigen::VectorXd& x) { return Eigen::MatrixXd(Eigen::Vector2d(2.0 * x[0], 0.3)); });
+/// Near 1 the objective falls to 0, near -1 to about 0.3.
+LeastSquaresProblem two_valleys() {
+    return {"two valleys", cube(1, -2.0, 2.0),
+            [](const Eigen::VectorXd& x) {
+                return Eigen::VectorXd(Eigen::Vector2d(x[0] * x[0] - 1.0, 0.3 * (x[0] - 1.0)));
+            },
+            [](const Eigen::VectorXd& x) { return Eigen::MatrixXd(Eigen::Vector2d(2.0 * x[0], 0.3)); }};
+}
+
+/// Cold annealing stays in the valley of its start, and so does a descent.
+TEST(SeveralStarts, EndWhereTheBestStartEnded) {
+    const LeastSquaresProblem problem = two_valleys();
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-        const auto method = make_simulated_annealing({.common = {.starts = 4, .seed = seed},
-                                                      .initial_temperature = 1e-6,
-                                                      .initial_move = 1e-3,
-                                                      .largest_move = 1e-2});
-        const auto report = minimize(problem, *method, {.cost = 100000});
-        EXPECT_NEAR(problem.value(report.final_point), report.value, 0.05) << "seed " << seed;
+        const OptimizerOptions common{.starts = 4, .seed = seed};
+        const ContinuationOptions one_stage{.smoothing = {1e-4}, .samples_per_start = 1};
+        const MultistartOptions descents{.common = common, .continuation = one_stage};
+        std::vector<std::unique_ptr<Optimizer>> methods;
+        methods.push_back(make_ceres_multistart(descents));
+        methods.push_back(make_gauss_newton_multistart(descents));
+        methods.push_back(make_simulated_annealing(
+            {.common = common, .initial_temperature = 1e-6, .initial_move = 1e-3, .largest_move = 1e-2}));
+        for (const auto& method : methods) {
+            const auto report = minimize(problem, *method, {.cost = 100000});
+            EXPECT_NEAR(problem.value(report.final_point), report.value, 0.05) << "seed " << seed;
+        }
     }
 }
 
 /// (x^2 - 1)^2 + 0.09 (x - 1)^2 has a minimum of 0 in 1 and one of some 0.3 near -1: the descents there are
 /// given up after the first stage, and nothing is lost.
 TEST(Multistart, GivesUpDescentsThatStayFarAboveTheLowest) {
-    const LeastSquaresProblem problem(
-        "two valleys", cube(1, -2.0, 2.0),
-        [](const Eigen::VectorXd& x) {
-            return Eigen::VectorXd(Eigen::Vector2d(x[0] * x[0] - 1.0, 0.3 * (x[0] - 1.0)));
-        },
-        [](const Eigen::VectorXd& x) { return Eigen::MatrixXd(Eigen::Vector2d(2.0 * x[0], 0.3)); });
+    const LeastSquaresProblem problem = two_valleys();
     for (const auto make : {make_ceres_multistart, make_gauss_newton_multistart}) {
         const auto run = [&](double pruning_ratio) {
             Evaluator evaluator(problem, {.cost = 10000});

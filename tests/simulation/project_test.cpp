@@ -97,12 +97,15 @@ TEST(ProjectLibrary, LeavesAProjectItsShapeAndItsStrength) {
     const auto library = library::Library::create(folder.path() / "lib.db", pattern::paper_layout(), setting);
     Project project;
     project.setting = setting;
-    project.setting->section.shape.reset();
-    EXPECT_EQ(setting_of(project, &library).section.shape, setting.section.shape);
-    project.setting->section.shape = mechanics::TubeShape{3e-3, 1e-3};
+    project.setting->section.shape.reset();  // numbers alone count as a rectangle
     project.setting->strength = 5e7;
-    EXPECT_EQ(setting_of(project, &library).section.shape, project.setting->section.shape);
+    EXPECT_EQ(setting_of(project, &library).section.shape, std::nullopt);
     EXPECT_EQ(setting_of(project, &library).strength, project.setting->strength);
+    const auto numbers =
+        library::Library::create(folder.path() / "numbers.db", pattern::paper_layout(), *project.setting);
+    project.setting = setting;
+    EXPECT_EQ(setting_of(project, &numbers).section.shape, setting.section.shape);
+    EXPECT_EQ(setting_of(project, &numbers).strength, 5e7);
 }
 
 /// A project that a program of the first format made, with a library.

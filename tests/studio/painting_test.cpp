@@ -116,6 +116,15 @@ TEST(StudioPainting, ADrawingTooLargeToBeKeptIsRemarked) {
     ASSERT_EQ(answer["remarks"].size(), 1U) << answer;
     EXPECT_THAT(answer["remarks"][0].get<std::string>(), HasSubstr("does not keep large.svg"));
     EXPECT_EQ(painted_by("large.svg", large)["remarks"], answer["remarks"]) << "also if nothing changes";
+    const test::TemporaryFolder folder;
+    folder.file("large.svg", large);
+    const Json made = client.ask("new", {{"outline", sent("left.svg", base::encode_base64(kLeft))},
+                                         {"tile_size", 0.04},
+                                         {"patterns", "colours:" + (folder.path() / "large.svg").string()},
+                                         {"palette", "red=0-5+5-6"},
+                                         {"discard", true}});
+    ASSERT_TRUE(made["ok"].get<bool>()) << made;
+    EXPECT_THAT(made["remarks"].dump(), HasSubstr("does not keep"));
 }
 
 TEST(StudioPainting, AFieldAlongALineGoesFromTheFirstPatternToTheLastAndNoFurther) {

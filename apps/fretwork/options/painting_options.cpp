@@ -4,8 +4,6 @@
 
 #include <fretwork/simulation/project/painting_recipe.hpp>
 
-#include <algorithm>
-
 namespace fretwork::app {
 
 void add_painting_options(CLI::App& verb, typed::PaintingText& text) {
@@ -47,24 +45,13 @@ base::InputError with_option_name(base::InputError error) {
 
 void warn_of_unkept_file(const simulation::Project& project, const simulation::PaintingChoice& choice,
                          std::span<const tiling::TileIndex> painted) {
-    if (painted.empty()) return;
-    const bool has_recipe =
-        std::ranges::any_of(project.recipes, [&](const simulation::PaintingRecipe& recipe) {
-            return std::ranges::binary_search(recipe.tiles, painted.front());
-        });
-    if (has_recipe) return;
-    if (const auto remark = simulation::unkept_file_remark(choice)) warn(*remark);
-}
-
-std::vector<tiling::TileIndex> painted_tiles(const tiling::Tessellation& tessellation) {
-    std::vector<tiling::TileIndex> painted;
-    for (const tiling::TileIndex tile : tessellation.tiles.indices())
-        if (tessellation.tiles[tile].pattern >= 0) painted.push_back(tile);
-    return painted;
+    if (const auto remark = simulation::unkept_file_remark(project, choice, painted)) warn(*remark);
 }
 
 std::size_t unpainted_count(const tiling::Tessellation& tessellation) {
-    return tessellation.tiles.size() - painted_tiles(tessellation).size();
+    std::size_t count = 0;
+    for (const tiling::Tile& tile : tessellation.tiles) count += tile.pattern < 0 ? 1 : 0;
+    return count;
 }
 
 }  // namespace fretwork::app

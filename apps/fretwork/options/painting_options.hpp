@@ -11,11 +11,10 @@
 #include <cstddef>
 #include <span>
 #include <typed/painting_text.hpp>
-#include <vector>
 
 namespace fretwork::app {
 
-/// The options that say how tiles are painted: of `tile` and `paint`. `text` must outlive the verb.
+/// The options that say how tiles are painted: of `tile`, `paint` and `retile`. `text` must outlive the verb.
 void add_painting_options(CLI::App& verb, typed::PaintingText& text);
 
 /// An error of simulation::paint() that names the option instead of the entry of the choice.
@@ -25,9 +24,6 @@ base::InputError with_option_name(base::InputError error);
 /// drawing is too large.
 void warn_of_unkept_file(const simulation::Project& project, const simulation::PaintingChoice& choice,
                          std::span<const tiling::TileIndex> painted);
-
-/// The tiles that have a pattern.
-std::vector<tiling::TileIndex> painted_tiles(const tiling::Tessellation& tessellation);
 
 /// How many tiles are not painted yet.
 std::size_t unpainted_count(const tiling::Tessellation& tessellation);

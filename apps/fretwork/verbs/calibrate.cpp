@@ -76,11 +76,15 @@ void adopt_setting(Library& library, const CalibrateOptions& options) {
     if (!options.policy.empty())
         setting.sample_policy =
             options.policy == "paper" ? reduction::SamplePolicy::Paper : reduction::SamplePolicy::Stable;
-    const auto before = library.setting().strength;
+    const reduction::Setting before = library.setting();
     library.adopt_setting(setting);
-    const auto after = library.setting().strength;
-    if (before != after)
-        warn("the library's strength is " + base::format_number(after.value_or(0.0) / 1e6) + " MPa now");
+    const reduction::Setting& after = library.setting();
+    if (before.strength != after.strength)
+        warn("the library's strength is " + base::format_number(after.strength.value_or(0.0) / 1e6) +
+             " MPa now");
+    if (before.section.shape != after.section.shape)
+        warn(std::string("the bars of the library have the section of a ") +
+             mechanics::shape_name(mechanics::shape_of(after.section)) + " now");
 }
 
 /// Whether its numbers are to be compared with the paper's.

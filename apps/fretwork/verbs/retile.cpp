@@ -125,7 +125,7 @@ void run(const RetileOptions& options) {
     simulation::write_project(made.project, options.out);
     warn_of_dropped(made.dropped);
     warn_of_bare_tiles(made, project);
-    warn_of_unkept_file(made.project, wanted.painting, painted_tiles(made.project.tessellation));
+    warn_of_unkept_file(made.project, wanted.painting, made.painted);
     warn_of_close_bars(made.project, given, options.clearance);
     if (options.json) return print_document(retiling_json(made));
     print_tiling(made.report, made.project);

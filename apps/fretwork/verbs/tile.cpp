@@ -217,7 +217,7 @@ void run(const TileOptions& options) {
     warn_of_points(made);
     const Project project = write(std::move(made.project), options, library);
     work.reset();
-    warn_of_unkept_file(project, wanted.painting, painted_tiles(project.tessellation));
+    warn_of_unkept_file(project, wanted.painting, made.painted);
     warn_of_close_bars(project, library, options.clearance);
     if (options.json) return print_json(made.report, project, file);
     std::printf("outline of %s%s\n", outlines::size_text(file.parts).c_str(),

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/simulation/project/painting_recipe.hpp>
 #include <studio/document/examples.hpp>
 #include <studio/document/painting_request.hpp>
 #include <studio/files/new_document.hpp>
@@ -88,6 +89,8 @@ NamedProject make(const NewRequest& wanted, const base::Control& control) {
     outlines::OutlineFile file = take_outline(wanted.outline).file;
     simulation::NewProject made = make_from(wanted.outline, file, options);
     add_remarks(made, file.remarks);
+    if (const auto remark = simulation::unkept_file_remark(made.project, options.painting, made.painted))
+        file.remarks.push_back(*remark);
     if (wanted.is_to_be_made) {
         const std::string remark = paint_to_be_made(made.project, control);
         if (!remark.empty()) file.remarks.push_back(remark);

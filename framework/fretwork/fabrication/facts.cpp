@@ -69,6 +69,7 @@ class FactFinder {
         const auto remarks = shape.kerf > 0.0 ? shape_remarks(shape_, make_shape(plan_, shape), shape)
                                               : shape_remarks(shape_, shape_, shape);
         for (const std::string& remark : remarks) warn(remark);
+        warn_of_section();
     }
 
     Facts run(const FactsLoads& loads) {
@@ -114,6 +115,15 @@ class FactFinder {
     }
     void warn_of_more(std::size_t count, const std::string& what) {
         if (count > kMostOfOneKind) warn("and " + std::to_string(count - kMostOfOneKind) + " more " + what);
+    }
+
+    void warn_of_section() {
+        const auto& shape = surface_.setting.section.shape;
+        if (!shape || std::holds_alternative<mechanics::RectangleShape>(*shape)) return;
+        warn("bars are made as rectangles of " + millimetres(plan_.width) + " by " +
+             millimetres(shape_.height) + ", which stand for the " + mechanics::shape_name(*shape) +
+             " of the setting: mass and lengths are theirs, stresses are the " +
+             mechanics::shape_name(*shape) + "'s");
     }
 
     void judge_places() {

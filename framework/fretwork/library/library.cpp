@@ -182,10 +182,10 @@ void Library::adopt_setting(const reduction::Setting& wanted) {
                               "SELECT 1 FROM response_state UNION SELECT 1 FROM calibration "
                               "UNION SELECT 1 FROM property UNION SELECT 1 FROM failure")) {
         check_setting(wanted);
-        if (!wanted.strength || wanted.strength == impl_->setting.strength) return;
-        reduction::Setting stronger = impl_->setting;
-        stronger.strength = wanted.strength;
-        impl_->replace_setting(*transaction, stronger);
+        reduction::Setting next = impl_->setting;
+        if (wanted.strength) next.strength = wanted.strength;
+        if (wanted.section.shape) next.section.shape = wanted.section.shape;
+        if (next != impl_->setting) impl_->replace_setting(*transaction, next);
         return;
     }
     Statement(impl_->database, "DELETE FROM scenario").run();

@@ -131,7 +131,8 @@ class Library {
     /// Check that the library has this layout. Throws InputError that states the difference.
     void check_layout(const pattern::NodeLayout& wanted) const;
     /// Replace the library's setting by `wanted` if nothing has been computed under it. Otherwise replace
-    /// only the strength, if `wanted` has one, and check all other values as check_setting() does.
+    /// only the strength and the shape of the section, which computed values do not depend on, if `wanted`
+    /// has them; check all other values as check_setting() does.
     void adopt_setting(const reduction::Setting& wanted);
 
     /// Add patterns that the library lacks. Returns the number of patterns added. If the call is stopped, no

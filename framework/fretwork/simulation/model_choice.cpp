@@ -26,12 +26,9 @@ reduction::Displacements displacements(const Surface& surface, const ModelChoice
 
 std::vector<double> tile_parameters(const Surface& surface, tiling::TileIndex tile,
                                     const reduction::TileModel& model) {
-    const int pattern = surface.tessellation.tiles[tile].pattern;
-    if (pattern < 0)
-        throw base::InputError("tile " + std::to_string(tile.value) + " is not painted with a pattern");
-    const std::size_t index = pattern;
-    return detail::calibrated_parameters(surface.calibrations[index], surface.tessellation.patterns[index].id,
-                                         model);
+    const pattern::NamedPattern& pattern = tiling::painted_pattern_of(surface.tessellation, tile);
+    const std::size_t index = surface.tessellation.tiles[tile].pattern;
+    return detail::calibrated_parameters(surface.calibrations[index], pattern.id, model);
 }
 
 std::string foreign_size_text(const Surface& surface, const ModelChoice& choice) {

@@ -20,6 +20,13 @@ const pattern::NamedPattern* pattern_of(const Tessellation& tessellation, TileIn
     return place < 0 ? nullptr : &tessellation.patterns[place];
 }
 
+const pattern::NamedPattern& painted_pattern_of(const Tessellation& tessellation, TileIndex tile) {
+    const int place = tessellation.tiles[tile].pattern;
+    if (place < 0 || place >= static_cast<int>(tessellation.patterns.size()))
+        throw base::InputError("tile " + std::to_string(tile.value) + " is not painted with a pattern");
+    return tessellation.patterns[place];
+}
+
 geometry::Polygon tile_polygon(const Tessellation& tessellation, TileIndex tile) {
     geometry::Polygon polygon;
     for (const VertexIndex vertex : tessellation.tiles[tile].vertices) {

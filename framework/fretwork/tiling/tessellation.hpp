@@ -50,6 +50,9 @@ void turn(Tile& tile, int vertices);
 /// The pattern of a tile; null if it is not painted.
 const pattern::NamedPattern* pattern_of(const Tessellation& tessellation, TileIndex tile);
 
+/// The pattern of a tile. Throws InputError if the tile is not painted.
+const pattern::NamedPattern& painted_pattern_of(const Tessellation& tessellation, TileIndex tile);
+
 /// The polygon of a tile.
 geometry::Polygon tile_polygon(const Tessellation& tessellation, TileIndex tile);
 

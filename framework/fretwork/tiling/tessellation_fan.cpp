@@ -26,12 +26,10 @@ class FanAssembler {
     /// The fan of a tile, which depends only on the tile's pattern and its number of sides.
     const pattern::Fan& fan_of(TileIndex index) {
         const Tile& tile = tessellation_.tiles[index];
-        if (tile.pattern < 0 || tile.pattern >= static_cast<int>(tessellation_.patterns.size()))
-            throw base::InputError("tile " + std::to_string(index.value) + " is not painted with a pattern");
+        const pattern::NamedPattern& pattern = painted_pattern_of(tessellation_, index);
         const auto sides = static_cast<int>(tile.vertices.size());
         const auto [entry, is_new] = fans_.try_emplace({tile.pattern, sides});
-        if (is_new)
-            entry->second = pattern::make_fan(layout_, pattern_of(tessellation_, index)->pattern, sides);
+        if (is_new) entry->second = pattern::make_fan(layout_, pattern.pattern, sides);
         return entry->second;
     }
 

@@ -246,6 +246,7 @@ void bind_retiling(py::module_& m) {
         .constant("dropped", &RetiledProject::dropped, "entries of load cases that were left out")
         .constant("from_tiles", &RetiledProject::from,
                   "for each new tile, the number of the old tile whose centroid is nearest")
+        .constant("painted", &RetiledProject::painted, "tiles that `patterns` has painted")
         .done(Made::ByFunctions);
     m.def(
         "retile",

@@ -63,7 +63,7 @@ bool AngleLimit::is_above(const ExactVector& left, const ExactVector& right) con
     if (square > upper_ * lengths) return true;
     if (square <= lower_ * lengths) return false;
     throw base::NumericalError(
-        "an angle of the layout lies within 1e-41 of the limit and cannot be compared");
+        "an angle of the layout cannot be compared with the limit: their cosines have squares within 1e-41");
 }
 
 }  // namespace fretwork::pattern::detail

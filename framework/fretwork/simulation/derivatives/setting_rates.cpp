@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/error.hpp>
 #include <fretwork/simulation/derivatives/setting_rates.hpp>
 #include <fretwork/simulation/detail/condensed_pattern.hpp>
 #include <fretwork/simulation/detail/own_axes.hpp>
@@ -34,9 +33,7 @@ base::IndexVector<tiling::TileIndex, std::shared_ptr<const TileRate>> rates_alon
     std::map<std::pair<std::string, std::string>, std::shared_ptr<const TileRate>> known;
     base::IndexVector<tiling::TileIndex, std::shared_ptr<const TileRate>> rates;
     for (const tiling::TileIndex tile : surface.tessellation.tiles.indices()) {
-        const auto* pattern = tiling::pattern_of(surface.tessellation, tile);
-        if (pattern == nullptr)
-            throw base::InputError("tile " + std::to_string(tile.value) + " is not painted with a pattern");
+        const pattern::NamedPattern* pattern = &tiling::painted_pattern_of(surface.tessellation, tile);
         const detail::TilePolygon place = detail::tile_polygon_of(surface, tile, grid);
         auto& shared = known[{place.key, pattern->id}];
         if (!shared) {

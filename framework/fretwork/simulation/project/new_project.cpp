@@ -78,7 +78,7 @@ NewProject make_project(const std::vector<outlines::Outline>& parts, const NewPr
     made.edge_length = is_mesh ? result.report.mean_side : options.edge_length.value_or(setting.tile_side);
     made.report = result.report;
     made.project.tessellation = std::move(result.tessellation);
-    paint(made.project, options.painting, library);
+    made.painted = paint(made.project, options.painting, library);
     return made;
 }
 

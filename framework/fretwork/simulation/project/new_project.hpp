@@ -45,9 +45,10 @@ tiling::TessellationOptions tiling_options(const reduction::Setting& setting, do
 
 /// A project without load cases, and a report about its tiling.
 struct NewProject {
-    Project project;                    ///< the project, with tessellation and painting
-    tiling::TessellationReport report;  ///< measures of the tiles
-    double edge_length = 0.0;           ///< wanted side, m; for a mesh, the mean side of its faces
+    Project project;                         ///< the project, with tessellation and painting
+    tiling::TessellationReport report;       ///< measures of the tiles
+    double edge_length = 0.0;                ///< wanted side, m; for a mesh, the mean side of its faces
+    std::vector<tiling::TileIndex> painted;  ///< tiles that NewProjectOptions::painting has painted
 };
 
 /// Tile an outline with tiling_options(), or take the tiles of a mesh, and paint them. `library` may be null;

@@ -112,9 +112,18 @@ std::optional<PaintingChoice> recipe_of(const PaintingChoice& choice, const Pain
 std::optional<std::string> unkept_file_remark(const PaintingChoice& choice) {
     const std::filesystem::path* file = file_of(choice);
     if (file == nullptr) return std::nullopt;
-    return "the project does not keep " + base::printable(file->filename().string()) +
-           ", which has more than " + std::to_string(kLargestKeptFile >> 20U) +
-           " MiB: tiles that replace these take their patterns by place alone";
+    return "the project does not keep " + base::printable(file->string()) + ", which has more than " +
+           std::to_string(kLargestKeptFile >> 20U) +
+           " MiB: if the surface is tiled again, new tiles take the patterns of the nearest old ones";
+}
+
+std::optional<std::string> unkept_file_remark(const Project& project, const PaintingChoice& choice,
+                                              std::span<const TileIndex> painted) {
+    if (painted.empty()) return std::nullopt;
+    const bool has_recipe = std::ranges::any_of(project.recipes, [&](const PaintingRecipe& recipe) {
+        return std::ranges::binary_search(recipe.tiles, painted.front());
+    });
+    return has_recipe ? std::nullopt : unkept_file_remark(choice);
 }
 
 std::vector<TileIndex> paint(Project& project, const PaintingChoice& choice,

@@ -24,6 +24,9 @@ std::optional<PaintingChoice> recipe_of(const PaintingChoice& choice, const Pain
 /// A remark for the user on a choice without a recipe: its image or drawing is too large to be kept. None if
 /// the choice has no such file.
 std::optional<std::string> unkept_file_remark(const PaintingChoice& choice);
+/// The same remark on a choice that has just painted tiles of a project. None if these tiles have a recipe.
+std::optional<std::string> unkept_file_remark(const Project& project, const PaintingChoice& choice,
+                                              std::span<const tiling::TileIndex> painted);
 
 /// Paint all tiles of a project by a choice, and keep the choice as their recipe if recipe_of() has one. The
 /// tiles leave the recipes that they had. `library` may be null. Returns the painted tiles. Throws as paint()

@@ -81,7 +81,7 @@ reduction::Setting setting_of(const Project& project, const library::Library* li
     reduction::Setting setting = library->setting();
     if (!project.setting) return setting;
     if (project.setting->strength) setting.strength = project.setting->strength;
-    if (project.setting->section.shape) setting.section.shape = project.setting->section.shape;
+    setting.section.shape = project.setting->section.shape;
     return setting;
 }
 

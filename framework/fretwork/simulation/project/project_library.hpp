@@ -34,9 +34,10 @@ std::optional<library::Library> open_project_library(const std::string& project_
                                                      const std::string& wanted);
 
 /// The setting of a project. With a library: the library's setting, with the project's strength of the
-/// material and shape of the section if it has them. Without a library (null): the project's own setting or,
-/// if it has none, the paper's. The settings of project and library may differ in the strength, and in the
-/// shape of the section, with equal areas and moments. Throws InputError if they differ in any other value.
+/// material if it has one, and the shape of the project's section. Without a library (null): the project's
+/// own setting or, if it has none, the paper's. The settings of project and library may differ in the
+/// strength, and in the shape of the section, with equal areas and moments. Throws InputError if they differ
+/// in any other value.
 reduction::Setting setting_of(const Project& project, const library::Library* library);
 
 /// True if a project with this choice of models needs its library: a tile's model has calibrated parameters,

@@ -198,8 +198,8 @@ RetiledProject retile(const Project& project, const RetilingOptions& options,
     const bool leaves_tiles = std::holds_alternative<std::monostate>(options.painting) ||
                               std::holds_alternative<PaintByColours>(options.painting);
     if (leaves_tiles) apply_recipes(next, library);
-    paint(next, options.painting, library);
-    return {std::move(next), tiles.report, carried.dropped, std::move(carried.from)};
+    std::vector<TileIndex> painted = paint(next, options.painting, library);
+    return {std::move(next), tiles.report, carried.dropped, std::move(carried.from), std::move(painted)};
 }
 
 }  // namespace fretwork::simulation

@@ -71,6 +71,7 @@ struct RetiledProject {
     DroppedEntries dropped;             ///< entries of load cases that were left out
     /// The old tile nearest to each new tile, as in CarriedOver.
     base::IndexVector<tiling::TileIndex, tiling::TileIndex> from;
+    std::vector<tiling::TileIndex> painted;  ///< tiles that RetilingOptions::painting has painted
 };
 
 /// Cover the outline of a project with other tiles by new_tiles() and carry_over(). Then paint them by

@@ -24,11 +24,6 @@ constexpr double kIdAfterKey = 0.4;  ///< from a letter to its id
 
 /// Cells of one size below each other and side by side, each with an icon at its left.
 struct IconGrid {
-    IconGrid(double width, double one_width, double one_height)
-        : columns(static_cast<std::size_t>(std::max(1.0, width / one_width))),
-          cell_width(one_width),
-          cell_height(one_height) {}
-
     [[nodiscard]] Point2 icon(std::size_t index, double icon_width) const {
         const std::size_t row = index / columns;
         return {static_cast<double>(index % columns) * cell_width + 0.5 * icon_width,
@@ -43,6 +38,11 @@ struct IconGrid {
     double cell_width;
     double cell_height;
 };
+
+/// The grid with as many columns as fit, at least one.
+IconGrid grid_within(double width, double cell_width, double cell_height) {
+    return {static_cast<std::size_t>(std::max(1.0, width / cell_width)), cell_width, cell_height};
+}
 
 }  // namespace
 
@@ -76,7 +76,7 @@ void PatternLegend::place_beside() {
         for (const std::string& line : ids.back()) widest = std::max(widest, text_width(line, 1.0));
     }
     const double row = text_ * std::max(kIconStep, kLineStep * static_cast<double>(most_lines) + 0.4);
-    const IconGrid grid(width_, text_ * (kIconWidth + 0.6 + widest + 1.0), row);
+    const IconGrid grid = grid_within(width_, text_ * (kIconWidth + 0.6 + widest + 1.0), row);
     for (std::size_t i = 0; i < ids.size(); ++i) {
         const Point2 middle = grid.icon(i, kIconWidth * text_);
         icons_.push_back(middle);
@@ -94,7 +94,7 @@ void PatternLegend::place_beside() {
 void PatternLegend::place_in_list() {
     double key = 0.0;
     for (std::size_t i = 0; i < used_.size(); ++i) key = std::max(key, text_width(key_letters(i), 1.0));
-    const IconGrid grid(width_, text_ * (kIconWidth + 0.3 + key + 0.2), kIconStep * text_);
+    const IconGrid grid = grid_within(width_, text_ * (kIconWidth + 0.3 + key + 0.2), kIconStep * text_);
     for (std::size_t i = 0; i < used_.size(); ++i) {
         const Point2 middle = grid.icon(i, kIconWidth * text_);
         icons_.push_back(middle);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace fretwork::optimization::detail {
@@ -16,7 +17,7 @@ double share_distance(const StagedDescent& one, const StagedDescent& other, cons
 }
 
 /// The descents to continue. Of descents that have met, only the lowest is kept, and none that is kept lies
-/// far above the lowest of all. The lowest comes last, and so decides how the run ended.
+/// far above the lowest of all. The lowest comes last.
 Descents promising(Descents descents, const MultistartOptions& options, const Bounds& bounds) {
     std::ranges::stable_sort(descents, {}, [](const auto& descent) { return descent->value(); });
     const double lowest = descents.front()->value();
@@ -45,10 +46,13 @@ RunOutcome run_multistart(Evaluator& evaluator, const MultistartOptions& options
     RunOutcome outcome{Ending::BudgetSpent, {}};
     if (descents.empty()) return outcome;
     for (const double smoothing : options.continuation.smoothing) {
+        double lowest = std::numeric_limits<double>::infinity();
         for (const auto& descent : descents) {
-            outcome.ending = descent->run_stage(smoothing);
-            outcome.final_point = descent->point();
-            if (outcome.ending == Ending::BudgetSpent) return outcome;
+            const Ending ending = descent->run_stage(smoothing);
+            if (ending == Ending::BudgetSpent) return {ending, descent->point()};
+            if (descent != descents.front() && !(descent->value() < lowest)) continue;
+            lowest = descent->value();
+            outcome = {ending, descent->point()};
         }
         descents = promising(std::move(descents), options, evaluator.bounds());
     }
