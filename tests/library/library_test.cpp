@@ -128,14 +128,28 @@ TEST_F(LibraryTest, AdoptsAStrengthAlsoAfterSomethingIsComputed) {
     library.store(std::vector{sample_data("0-1+1-6", 2.0)});
     reduction::Setting other = library.setting();
     other.strength = 4e7;
-    other.section.shape = mechanics::CircleShape{2e-3};
     const std::string hash = library.content_hash();
     library.adopt_setting(other);
     EXPECT_EQ(library.setting(), other);
     EXPECT_EQ(library.content_hash(), hash) << "projects that name it still find it";
     EXPECT_EQ(Library::open(path()).setting(), other);
     library.adopt_setting(reduction::without_stresses(other));
-    EXPECT_EQ(library.setting(), other) << "a setting without strength and shape says nothing of them";
+    EXPECT_EQ(library.setting(), other) << "a setting without a strength says nothing of it";
+}
+
+TEST_F(LibraryTest, AdoptsAShapeAlsoAfterSomethingIsComputed) {
+    reduction::Setting circle = reduction::paper_setting();
+    circle.section = mechanics::circle_section(2e-3);
+    const reduction::Setting numbers = reduction::without_stresses(circle);
+    Library library = Library::create(path(), paper_layout(), numbers);
+    library.add_patterns(parse({"0-1+1-6"}));
+    library.store(std::vector{sample_data("0-1+1-6", 2.0)});
+    const std::string hash = library.content_hash();
+    library.adopt_setting(circle);
+    EXPECT_EQ(Library::open(path()).setting(), circle);
+    EXPECT_EQ(library.content_hash(), hash) << "projects that name it still find it";
+    library.adopt_setting(numbers);
+    EXPECT_EQ(library.setting(), circle) << "numbers say nothing of the shape";
 }
 
 TEST_F(LibraryTest, SummariesCountWhatThereIsOfEachPattern) {
