@@ -8,8 +8,8 @@
 
 namespace fretwork::base {
 
-/// A vector that takes one type of index: `tiles[tile]` is an element, and `tiles[interface_node]` does not
-/// compile. An index of type std::size_t, as in loops, compiles as well.
+/// A vector that takes one type of Index: `tiles[tile]` is an element, and `tiles[interface_node]` does not
+/// compile. A plain integer, such as std::size_t in a loop, compiles as well.
 /// @tparam Role  the type of index, an Index<..>
 template <class Role, class T>
 class IndexVector : public std::vector<T> {

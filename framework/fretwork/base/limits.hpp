@@ -22,7 +22,7 @@ inline constexpr Limits kLengthLimits{1e-12, 1e12, "m"};
 inline constexpr Limits kAreaLimits{1e-24, 1e24, "m^2"};
 /// Limits of second moments of area and of torsion constants.
 inline constexpr Limits kSecondMomentLimits{1e-48, 1e48, "m^4"};
-/// Limits of moduli, strengths and pressures.
+/// Limits of moduli and strengths.
 inline constexpr Limits kModulusLimits{1e-12, 1e18, "Pa"};
 /// Limits of densities.
 inline constexpr Limits kDensityLimits{1e-12, 1e12, "kg/m^3"};

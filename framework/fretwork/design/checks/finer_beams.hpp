@@ -10,15 +10,17 @@
 
 namespace fretwork::design::detail {
 
+/// Options of largest_stress().
 struct FinerBeams {
     int elements = 2;  ///< number of elements of each beam
     mechanics::Branch branch = mechanics::Branch::Primary;
     int threads = 0;
 };
 
-/// The largest von Mises stress (Pa) at the ends of all elements in the nonlinear equilibrium of a surface
-/// under a load case, with FinerBeams::elements for each beam. The difference from one element for each beam
-/// shows the discretization error. None if no stable equilibrium was found. Throws Stopped.
+/// Solve a surface under a load case with the full model, nonlinearly, and with FinerBeams::elements elements
+/// for each beam. The result is the largest von Mises stress (Pa) at the ends of the elements. Its difference
+/// from the result with one element for each beam shows the discretization error. None if no stable
+/// equilibrium was found. Throws Stopped.
 std::optional<double> largest_stress(const simulation::Surface& surface,
                                      const simulation::LoadCase& load_case, const FinerBeams& options,
                                      const base::Control& control);

@@ -11,14 +11,16 @@ namespace fretwork::design {
 inline constexpr std::string_view kTargetFormat = "fretwork/target/2";
 
 /// Parse a target in kTargetFormat or an older format (see README.md of design). Throws InputError that names
-/// `source` and the JSON pointer of the wrong value.
+/// `source` and the JSON pointer of the wrong value or, in malformed JSON, line and column.
 Target parse_target(std::string_view text, const std::string& source);
 /// The text of a target, in the oldest format that can express it. Paths of meshes are written unchanged.
+/// Throws NumericalError if a number is not finite.
 std::string target_text(const Target& target);
-/// Read a target file. Relative paths of meshes begin at the folder of the target file, and get it as a
-/// prefix. Throws as parse_target().
+/// Read a target file. A relative path of a mesh starts at the folder of the target file; in the result, this
+/// folder is put before the path. Throws as parse_target(), and InputError if the file cannot be read.
 Target read_target(const std::filesystem::path& path);
-/// Write a target file atomically. If this fails, throws IoError; the file then stays as it was.
+/// Write a target file atomically. Throws IoError, or as target_text(). After an error, the file is
+/// as before.
 void write_target(const Target& target, const std::filesystem::path& path);
 
 }  // namespace fretwork::design

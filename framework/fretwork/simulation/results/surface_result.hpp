@@ -18,17 +18,17 @@ namespace fretwork::simulation {
 struct ResultSubject {
     /// Names of the tile models, such as "condensed; full (3 tiles)"; see main_model().
     std::string model;
-    /// True if every tile has all of its beams: other results are compared with this one.
+    /// True if every tile has all of its beams, so that results of other models can be compared with it.
     bool is_reference = false;
     std::string load_case;                      ///< name of the load case
     std::string load_case_text;                 ///< text of the load case's file
     std::string tessellation_hash;              ///< SHA-256 of layout, vertices, tiles and interface nodes
     std::string painting_hash;                  ///< SHA-256 of the tiles' patterns and first vertices
-    std::string setting_hash;                   ///< SHA-256 of the setting without strength and shape
+    std::string setting_hash;                   ///< SHA-256 of the setting without strength and section shape
     std::optional<reduction::Joints> joints{};  ///< joints of the setting; none in older files
     std::vector<int> full_tiles{};              ///< tiles with all of their beams in a mixed model, ascending
     std::string stages_text{};                  ///< text of the file of load stages; empty: no load stages
-    /// Texts of the files of the load stages' load cases.
+    /// For each load case that a load stage names, the text of its file, in the order of the names.
     std::vector<std::string> stage_load_cases{};
     friend bool operator==(const ResultSubject&, const ResultSubject&) = default;
 };
@@ -40,11 +40,12 @@ struct ModelError {
     double largest = 0.0;      ///< largest error, as a share of the largest displacement
     double relative_l2 = 0.0;  ///< estimated |full - reduced| / |full| over all translations
     /// The relative error of the largest von Mises stress over all beams, which is also the relative error of
-    /// the largest utilization. None if the model does not give the motions of all beams, or if the refined
-    /// stress is not settled.
+    /// the largest utilization. None if stresses of beams are unknown (BeamTable::unknown), or if the better
+    /// solution could not be refined around the largest stress (RefinedStress::is_settled).
     std::optional<double> largest_stress{};
-    /// The share of the tiles with all of their beams in the better solution. 1: the numbers above are the
-    /// error itself; below 1, they may be too small. 0 if a file does not state it.
+    /// The error is the difference from a better solution (model_error.hpp). This share of the tiles has all
+    /// of its beams there. 1: the numbers above are the error itself; below 1, they may be too small. 0 if a
+    /// file does not state it.
     double full_share = 0.0;
     friend bool operator==(const ModelError&, const ModelError&) = default;
 };
@@ -60,19 +61,20 @@ struct ModelDoubt {
     friend bool operator==(const ModelDoubt&, const ModelDoubt&) = default;
 };
 
-/// The solution of a surface, and the estimates requested by the options. The interface nodes' rows come
-/// first.
+/// The solution of a surface, and the estimates requested by the options. Where there is a row for each node,
+/// the rows of the interface nodes come first.
 struct SurfaceResult : mechanics::Result {
     std::optional<ResultSubject> subject{};  ///< subject of the result; results of Session::solve() have none
     /// For linear solutions, if the options ask for it.
     std::optional<mechanics::LinearRange> linear_range{};
-    /// For linear solutions of tiles with fitted parameters, together with linear_range: the largest distance
-    /// between a translation in the solution and in a solution with condensed tiles, as a share of the
-    /// largest displacement.
+    /// For linear solutions of tiles with fitted parameters, together with linear_range. An interface node
+    /// moves differently with condensed tiles: this is the largest distance between its two places, as a
+    /// share of the largest displacement with condensed tiles.
     std::optional<double> fit_error{};
     /// For nonlinear results of reduced tiles, if SimulationOptions::estimate_where_doubtful asks for it.
     std::optional<ModelDoubt> model_doubt{};
-    /// For reduced models, if the options ask for it and it is known.
+    /// For reduced models, and for linear solutions of the full model, if the options ask for it. None if a
+    /// solution that it needs was not found.
     std::optional<ModelError> model_error{};
     /// The tiles with beams that buckle between the interface nodes, ascending, if the options ask for the
     /// model error.
@@ -80,7 +82,7 @@ struct SurfaceResult : mechanics::Result {
 };
 
 /// Parse the text of a surface's result file. Throws InputError that names `source` and a place in the text,
-/// also if values contradict each other, or if there is no subject, as in the result of a frame.
+/// if a value is wrong, if values contradict each other, or if there is no subject, as for a frame.
 SurfaceResult parse_surface_result(std::string_view text, const std::string& source);
 /// The text of a surface's result file. Throws NumericalError if a value is not finite, and InputError if the
 /// result has no subject.
