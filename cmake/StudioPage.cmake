@@ -57,15 +57,14 @@ function(fretwork_add_page_tests source work)
              "FRETWORK_PICTURES=${work}/pictures" "CHROMIUM=${FRETWORK_CHROMIUM}"
              "${FRETWORK_NODE}" "${work}/tests/browser/run.mjs" "${name}.test.mjs")
     set_tests_properties(studio_page.${name} PROPERTIES FIXTURES_REQUIRED studio_page SKIP_RETURN_CODE 77 TIMEOUT 900)
-    # Some print times, or record what a page draws in a time: they run alone. Of all others one runs at a time.
-    if(name MATCHES "^(first_minute|studio|pictures)$")
+    # The storm lasts ten minutes, and mostly waits: it starts first, and other tests run beside it. Some print times, or record
+    # what a page draws in a time: they run alone. Of all others, one runs at a time.
+    if(name STREQUAL storm)
+      set_tests_properties(studio_page.${name} PROPERTIES COST 1000)
+    elseif(name MATCHES "^(first_minute|studio|pictures)$")
       set_tests_properties(studio_page.${name} PROPERTIES RUN_SERIAL ON)
     else()
       set_tests_properties(studio_page.${name} PROPERTIES RESOURCE_LOCK studio_page COST 500)
     endif()
   endforeach()
-  if(FRETWORK_LONG_TESTS)
-    # The storm lasts ten minutes, and mostly waits: it starts first, and all other tests run beside it.
-    set_tests_properties(studio_page.storm PROPERTIES RESOURCE_LOCK "" COST 1000)
-  endif()
 endfunction()

@@ -112,7 +112,7 @@ void print_enumeration(const Arguments& arguments, const Instance& instance) {
     Trials& solver = judges.front();
     Point point = solver.uniform(0);
     struct Best {
-        double misfit = std::numeric_limits<double>::infinity();
+        double objective = std::numeric_limits<double>::infinity();
         std::vector<std::size_t> painting;
     };
     std::vector<Best> best(judges.size());
@@ -123,13 +123,13 @@ void print_enumeration(const Arguments& arguments, const Instance& instance) {
         const Trial trial = solver.solve(point, {});
         if (!trial.is_found) ++unstable;
         for (std::size_t t = 0; trial.is_found && t < judges.size(); ++t) {
-            const double misfit = judges[t].objective_of(trial.displacements);
-            if (misfit < best[t].misfit) best[t] = {misfit, point.patterns};
+            const double objective = judges[t].objective_of(trial.displacements);
+            if (objective < best[t].objective) best[t] = {objective, point.patterns};
         }
     } while (counter.next());
     for (std::size_t t = 0; t < best.size(); ++t)
         std::printf("%llu,%zu,%.12g,%s,%d,%d\n", static_cast<unsigned long long>(arguments.seed), t,
-                    best[t].misfit, digits(best[t].painting).c_str(), solver.solutions(), unstable);
+                    best[t].objective, digits(best[t].painting).c_str(), solver.solutions(), unstable);
 }
 
 /// The search with the reduced model alone, as a design makes it before the check with all beams.

@@ -15,7 +15,6 @@
 #include <fretwork/simulation/project/project_library.hpp>
 #include <fretwork/tiling/painting/tile_choice.hpp>
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <map>

@@ -127,9 +127,8 @@ void bind_project(py::module_& m) {
         .def("paint", &paint_project, "patterns"_a, "tiles"_a = py::none(), "library"_a = py::none(),
              "Paint tiles (None: all): with the id of a pattern, with a text as for --patterns on the "
              "command line ('random:1', 'field:u', with palette=, property=, range=, dither=), or with a "
-             "Paint.. value. Returns the tiles that were painted. Project.recipes keeps the choice, unless "
-             "its "
-             "image or drawing has more than 4 MiB.")
+             "Paint.. value. Returns the tiles that were painted. Project.recipes keeps the choice, "
+             "unless its image or drawing has more than 4 MiB.")
         .def(
             "paint_as",
             [](Project& self, const tiling::Painting& painting) {

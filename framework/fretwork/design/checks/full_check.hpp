@@ -12,8 +12,7 @@ namespace fretwork::design::detail {
 /// The full model's solution at a point of the search space, on the path from flat or, if this loses
 /// stability, on the stable branch.
 struct FullCheck {
-    bool has_converged =
-        false;  ///< true if all equilibria were found, stable or not (TargetError::is_stable)
+    bool has_converged = false;  ///< true if all equilibria were found; `error` says whether they are stable
     TargetError error;
     /// Displacements of each load case, interface nodes first.
     std::vector<mechanics::NodeValues> displacements{};

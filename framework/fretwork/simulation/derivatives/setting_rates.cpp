@@ -33,13 +33,12 @@ base::IndexVector<tiling::TileIndex, std::shared_ptr<const TileRate>> rates_alon
     std::map<std::pair<std::string, std::string>, std::shared_ptr<const TileRate>> known;
     base::IndexVector<tiling::TileIndex, std::shared_ptr<const TileRate>> rates;
     for (const tiling::TileIndex tile : surface.tessellation.tiles.indices()) {
-        const pattern::NamedPattern* pattern = &tiling::painted_pattern_of(surface.tessellation, tile);
+        const pattern::NamedPattern& pattern = tiling::painted_pattern_of(surface.tessellation, tile);
         const detail::TilePolygon place = detail::tile_polygon_of(surface, tile, grid);
-        auto& shared = known[{place.key, pattern->id}];
+        auto& shared = known[{place.key, pattern.id}];
         if (!shared) {
             const auto condensed = [&](double at) {
-                return detail::condensed_pattern(surface.layout, pattern->pattern, place.polygon,
-                                                 setting(at));
+                return detail::condensed_pattern(surface.layout, pattern.pattern, place.polygon, setting(at));
             };
             shared = std::make_shared<const TileRate>(rate_along(condensed, step));
         }

@@ -78,10 +78,8 @@ void move_library_path(Project& project, const std::string& from_file, const std
 reduction::Setting setting_of(const Project& project, const library::Library* library) {
     if (library == nullptr) return project.setting.value_or(reduction::paper_setting());
     if (project.setting) library->check_setting(*project.setting);
-    reduction::Setting setting = library->setting();
-    if (!project.setting) return setting;
-    if (project.setting->strength) setting.strength = project.setting->strength;
-    setting.section.shape = project.setting->section.shape;
+    reduction::Setting setting = project.setting.value_or(library->setting());
+    if (!setting.strength) setting.strength = library->setting().strength;
     return setting;
 }
 

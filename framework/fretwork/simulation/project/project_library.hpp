@@ -33,8 +33,8 @@ void move_library_path(Project& project, const std::string& from_file, const std
 std::optional<library::Library> open_project_library(const std::string& project_file, const Project& project,
                                                      const std::string& wanted);
 
-/// The setting of a project. With a library: the library's setting, with the project's strength of the
-/// material if it has one, and the shape of the project's section. Without a library (null): the project's
+/// The setting of a project. With a library: the project's own setting or, if it has none, the library's;
+/// a strength that the project's setting lacks is the library's. Without a library (null): the project's
 /// own setting or, if it has none, the paper's. The settings of project and library may differ in the
 /// strength, and in the shape of the section, with equal areas and moments. Throws InputError if they differ
 /// in any other value.

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 #include <vector>
 
 namespace fretwork::optimization::detail {
@@ -46,11 +46,11 @@ RunOutcome run_multistart(Evaluator& evaluator, const MultistartOptions& options
     RunOutcome outcome{Ending::BudgetSpent, {}};
     if (descents.empty()) return outcome;
     for (const double smoothing : options.continuation.smoothing) {
-        double lowest = std::numeric_limits<double>::infinity();
+        std::optional<double> lowest;
         for (const auto& descent : descents) {
             const Ending ending = descent->run_stage(smoothing);
             if (ending == Ending::BudgetSpent) return {ending, descent->point()};
-            if (descent != descents.front() && !(descent->value() < lowest)) continue;
+            if (lowest && !(descent->value() < *lowest)) continue;
             lowest = descent->value();
             outcome = {ending, descent->point()};
         }
