@@ -192,9 +192,9 @@ void print_baseline(const Arguments& arguments, const Instance& instance) {
     design::detail::Preparation preparation =
         design::detail::prepare(instance.project, nullptr, instance.target, options);
     Trials trials(std::move(preparation.parts));
-    const design::detail::Stopwatch watch(0.0);
+    const design::detail::TimeLimit time(0.0);
     design::DesignReport report;
-    design::detail::Search search(trials, options, watch, report);
+    design::detail::Search search(trials, options, time, report);
     const Point start = search.try_uniform(preparation.palette, preparation.coordinates).front().point;
     const experiments::Baseline found = search_otherwise(arguments, instance, trials, start);
     row.error =

@@ -141,9 +141,9 @@ void print_designs(const Arguments& arguments, const Instance& instance) {
         design::detail::Preparation preparation =
             design::detail::prepare(instance.project, nullptr, instance.targets[t], options);
         Trials trials(preparation.parts);
-        const design::detail::Stopwatch watch(0.0);
+        const design::detail::TimeLimit time(0.0);
         design::DesignReport report;
-        design::detail::Search search(trials, options, watch, report);
+        design::detail::Search search(trials, options, time, report);
         const std::vector<std::size_t>& palette = preparation.palette;
         const std::vector<design::detail::Solved> starts =
             search.try_uniform(palette, preparation.coordinates);

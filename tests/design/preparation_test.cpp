@@ -32,7 +32,7 @@ TEST(Preparation, CondensesTheWholePaletteLaterAndKeepsTheIndices) {
     Trials trials(std::move(first.parts));
     const Point point = trials.uniform(1);
     const Trial trial = trials.solve(point, {});
-    const PaletteChoice choice = extend_palette(trials, first.whole, options);
+    const ExtendedPalette choice = extend_palette(trials, first.whole, options);
     const auto& candidates = trials.parts().candidates.patterns();
     ASSERT_GE(candidates.size(), before.size());
     for (std::size_t p = 0; p < before.size(); ++p) EXPECT_EQ(candidates[p].id, before[p].id);
@@ -58,9 +58,9 @@ TEST(Search, MakesAUsefulPaintingSoon) {
     const DesignOptions options = test::design_options(planted.project);
     Preparation preparation = prepare(planted.project, nullptr, planted.target, options);
     Trials trials(std::move(preparation.parts));
-    const Stopwatch watch(0.0);
+    const TimeLimit time(0.0);
     DesignReport report;
-    Search search(trials, options, watch, report);
+    Search search(trials, options, time, report);
     const Search::Beginning beginning = search.begin(preparation.palette);
     ASSERT_TRUE(beginning.painted);
     EXPECT_LE(trials.solutions(), 10);

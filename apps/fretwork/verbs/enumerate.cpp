@@ -183,7 +183,7 @@ std::string filter_help() {
     std::string text =
         "Set a filter, or switch one on; those down to high_valence are always on. A pattern is rejected if:";
     for (const pattern::FilterKind& kind : pattern::filter_catalogue())
-        text += "\n" + std::string(kind.name) + ": " + std::string(kind.doc);
+        text += "\n" + std::string(kind.name) + ": " + std::string(kind.summary);
     return text;
 }
 

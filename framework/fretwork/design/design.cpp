@@ -23,7 +23,7 @@ using detail::FullCheck;
 using detail::Point;
 using detail::Search;
 using detail::Solved;
-using detail::Stopwatch;
+using detail::TimeLimit;
 using detail::Trial;
 using detail::Trials;
 using mechanics::NodeValues;
@@ -43,15 +43,15 @@ constexpr int kMostFitting = 40;
 /// The course of one design.
 class Designer {
   public:
-    Designer(detail::Preparation preparation, const DesignOptions& options, const Stopwatch& watch,
+    Designer(detail::Preparation preparation, const DesignOptions& options, const TimeLimit& time,
              DesignReport& report)
         : trials_(std::move(preparation.parts), options.control.silent()),
           choice_{std::move(preparation.palette), std::move(preparation.coordinates)},
           whole_(std::move(preparation.whole)),
           options_(options),
-          watch_(watch),
+          time_(time),
           report_(report),
-          search_(trials_, options_, watch, report) {}
+          search_(trials_, options_, time, report) {}
 
     /// Leaves the best point in best(); throws Stopped, and then that is the best so far.
     void run() {
@@ -154,10 +154,10 @@ class Designer {
     [[nodiscard]] std::string no_equilibrium() const {
         if (search_.may_solve() || report_.uniform_tried == palette().size())
             return "no single pattern of the palette has a stable equilibrium under this load: a smaller "
-                   "load may have";
+                   "load may have one";
         return "no single pattern of the " + std::to_string(report_.uniform_tried) +
                " for which the solutions were enough has a stable equilibrium under this load: a smaller "
-               "load may have, or a larger number of solutions find one";
+               "load may have one, or a search with more solutions may find one";
     }
 
     /// Uniform paintings, the best first; those with the best chances have their own best unknowns.
@@ -190,9 +190,9 @@ class Designer {
     }
 
     FullCheck check(const Point& point) {
-        const double before = watch_.seconds();
+        const double before = time_.seconds();
         FullCheck found = detail::check_in_full(trials_, point, demand(), options_.control);
-        check_seconds_ = std::max(check_seconds_, watch_.seconds() - before);
+        check_seconds_ = std::max(check_seconds_, time_.seconds() - before);
         report_.full_solutions += found.solutions;
         return found;
     }
@@ -301,7 +301,7 @@ class Designer {
 
     /// The best that mixtures of patterns are predicted to reach, from the painting that is written.
     void relax() {
-        if (!best_ || !watch_.has_left(reserve())) return;
+        if (!best_ || !time_.has_left(reserve())) return;
         const int before = trials_.solutions();
         const Trial trial = trials_.solve(*best_, options_.control);
         trials_.count_solutions(before - trials_.solutions());  // none of the search
@@ -321,10 +321,10 @@ class Designer {
     }
 
     Trials trials_;
-    detail::PaletteChoice choice_;
+    detail::ExtendedPalette choice_;
     std::vector<pattern::NamedPattern> whole_;
     const DesignOptions& options_;
-    const Stopwatch& watch_;
+    const TimeLimit& time_;
     DesignReport& report_;
     Search search_;
     std::optional<Point> best_;
@@ -354,7 +354,7 @@ std::string_view design_end_name(DesignEnd end) {
 DesignReport design(const simulation::Project& project, const library::Library* library, const Target& target,
                     const DesignOptions& options) {
     options.validate(project);
-    const Stopwatch watch(options.seconds);
+    const TimeLimit time(options.seconds);
     const base::Task task(
         options.control, "design",
         static_cast<std::size_t>(detail::solution_limit(options, project.tessellation.tiles.size())));
@@ -365,7 +365,7 @@ DesignReport design(const simulation::Project& project, const library::Library* 
         detail::prepare(project, library, target, options, detail::kFirstPatterns);
     const std::vector<std::string> names = preparation.load_cases;
     report.warnings = preparation.warnings;
-    Designer designer(std::move(preparation), options, watch, report);
+    Designer designer(std::move(preparation), options, time, report);
     try {
         designer.run();
     } catch (const base::Stopped&) {
@@ -383,7 +383,7 @@ DesignReport design(const simulation::Project& project, const library::Library* 
     designer.tell_shapes();
     detail::write_point(designer.trials(), *designer.best(), names, report);
     report.solutions = designer.trials().solutions();
-    report.seconds = watch.seconds();
+    report.seconds = time.seconds();
     return report;
 }
 

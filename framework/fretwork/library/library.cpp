@@ -302,7 +302,7 @@ bool Library::has_content(std::string_view hash) const {
 
 void Library::export_csv(const std::filesystem::path& folder, const base::Control& control) const {
     control.check();
-    const detail::StopWatch stop_watch(impl_->database, control);
+    const detail::StopGuard stop_guard(impl_->database, control);
     detail::export_csv(impl_->database, folder);
 }
 

@@ -30,7 +30,7 @@ enum class FilterParameter {
 /// A row of the catalogue: one reason to reject a pattern.
 struct FilterKind {
     std::string_view name;      ///< name on the command line and of the column in the census
-    std::string_view doc;       ///< one line that describes the rejected patterns
+    std::string_view summary;   ///< one line that describes the rejected patterns
     FilterParameter parameter;  ///< kind of the filter's number: radians, a whole number, or metres
     bool is_of_the_paper;       ///< true for the six filters of the paper's Table 1, which are always on
     double default_value;       ///< the filter's number by default

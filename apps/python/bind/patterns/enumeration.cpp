@@ -38,7 +38,7 @@ void bind_filter_values(py::module_& m) {
     bind_enum<FilterParameter>(m);
     Record<FilterKind>(m, "FilterKind", "A row of the catalogue: one reason to reject a pattern.")
         .constant("name", &FilterKind::name, "name on the command line and in the census")
-        .constant("doc", &FilterKind::doc, "one line about the patterns that the filter rejects")
+        .constant("summary", &FilterKind::summary, "one line about the patterns that the filter rejects")
         .constant("parameter", &FilterKind::parameter,
                   "the filter's number: radians, a whole number, or metres")
         .constant("is_of_the_paper", &FilterKind::is_of_the_paper, "always on")

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <fretwork/design/design_warning.hpp>
-#include <fretwork/design/goals/closest_point.hpp>
+#include <fretwork/design/goals/space_mesh.hpp>
 #include <fretwork/design/target/target.hpp>
 #include <fretwork/mechanics/frame/frame.hpp>
 #include <fretwork/simulation/load_cases/conditions.hpp>

@@ -300,15 +300,15 @@ Preparation prepare(const simulation::Project& project, const library::Library* 
             std::move(allowed)};
 }
 
-PaletteChoice extend_palette(Trials& trials, const std::vector<NamedPattern>& whole,
-                             const DesignOptions& options) {
+ExtendedPalette extend_palette(Trials& trials, const std::vector<NamedPattern>& whole,
+                               const DesignOptions& options) {
     const Surface& surface = trials.parts().surface;
     std::vector<NamedPattern> candidates = trials.parts().candidates.patterns();
     SpreadPalette spread = spread_palette(surface, whole, candidates, options);
     const std::size_t most = std::max(static_cast<std::size_t>(spread.coordinates.cols()),
                                       most_candidates(trials.parts().candidates));
     spread.patterns.resize(std::min(spread.patterns.size(), most));
-    PaletteChoice choice{{}, std::move(spread.coordinates)};
+    ExtendedPalette choice{{}, std::move(spread.coordinates)};
     for (const NamedPattern& own : spread.patterns) choice.palette.push_back(place_of(candidates, own));
     std::vector<std::size_t> mirrored;
     if (needs_mirror_images(options.symmetry)) mirrored = mirror_images(surface.layout, candidates);

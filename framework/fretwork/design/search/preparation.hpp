@@ -32,13 +32,13 @@ Preparation prepare(const simulation::Project& project, const library::Library* 
                     const DesignOptions& options, std::size_t first = static_cast<std::size_t>(-1));
 
 /// The candidates for groups, as in Preparation.
-struct PaletteChoice {
+struct ExtendedPalette {
     std::vector<std::size_t> palette;
     Eigen::MatrixXd coordinates;
 };
 /// Condense further candidates of the whole palette, within the same limit as prepare(). The indices of
 /// earlier candidates do not change. Throws Stopped.
-PaletteChoice extend_palette(Trials& trials, const std::vector<pattern::NamedPattern>& whole,
-                             const DesignOptions& options);
+ExtendedPalette extend_palette(Trials& trials, const std::vector<pattern::NamedPattern>& whole,
+                               const DesignOptions& options);
 
 }  // namespace fretwork::design::detail

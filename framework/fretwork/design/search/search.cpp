@@ -67,10 +67,10 @@ int solution_limit(const DesignOptions& options, std::size_t groups) {
     return static_cast<int>(kSolutions * std::clamp(kSmallSurface / tiles, 1.0, kMostFactor));
 }
 
-Search::Search(Trials& trials, const DesignOptions& options, const Stopwatch& watch, DesignReport& report)
+Search::Search(Trials& trials, const DesignOptions& options, const TimeLimit& time, DesignReport& report)
     : trials_(trials),
       options_(options),
-      watch_(watch),
+      time_(time),
       report_(report),
       most_solutions_(solution_limit(options, trials.parts().groups.size())) {}
 
@@ -84,7 +84,7 @@ bool Search::may_solve() const {
 }
 
 bool Search::may_go_on(double reserve) const {
-    return may_solve() && watch_.has_left(reserve + step_seconds_);
+    return may_solve() && time_.has_left(reserve + step_seconds_);
 }
 
 void Search::note(const Solved& solved) {
@@ -92,7 +92,7 @@ void Search::note(const Solved& solved) {
     if (best_ >= 0.0 && solved.trial.objective >= best_) return;
     best_ = solved.trial.objective;
     best_point_ = solved.point;
-    const DesignProgress progress{trials_.solutions(), most_solutions_, watch_.seconds(), std::sqrt(best_)};
+    const DesignProgress progress{trials_.solutions(), most_solutions_, time_.seconds(), std::sqrt(best_)};
     report_.history.push_back(progress);
     if (options_.on_better) options_.on_better(progress);
 }
@@ -233,9 +233,9 @@ Solved Search::descend(Solved start, double reserve, const Demand& demand) {
             current.trial = solve(current.point);
             if (!current.trial.is_found) break;
         }
-        const double before = watch_.seconds();
+        const double before = time_.seconds();
         const Step taken = step(current, radius, round, demand);
-        step_seconds_ = std::max(step_seconds_, watch_.seconds() - before);
+        step_seconds_ = std::max(step_seconds_, time_.seconds() - before);
         if (taken == Step::Better) {
             failures = 0;
             continue;
@@ -249,7 +249,7 @@ Solved Search::descend(Solved start, double reserve, const Demand& demand) {
             return current;
         }
     }
-    end_ = watch_.has_left(reserve + step_seconds_) ? DesignEnd::SolutionsSpent : DesignEnd::TimeSpent;
+    end_ = time_.has_left(reserve + step_seconds_) ? DesignEnd::SolutionsSpent : DesignEnd::TimeSpent;
     return current;
 }
 

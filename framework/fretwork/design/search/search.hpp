@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/stopwatch.hpp>
 #include <fretwork/design/design.hpp>
 #include <fretwork/design/search/trials.hpp>
 
-#include <chrono>
 #include <functional>
 #include <map>
 #include <optional>
@@ -14,18 +14,16 @@
 namespace fretwork::design::detail {
 
 /// A clock with a time limit for the search.
-class Stopwatch {
+class TimeLimit {
   public:
-    explicit Stopwatch(double limit) : limit_(limit) {}
+    explicit TimeLimit(double limit) : limit_(limit) {}
     /// The time since the search began, s.
-    [[nodiscard]] double seconds() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
-    }
+    [[nodiscard]] double seconds() const { return watch_.seconds(); }
     /// True if there is no limit, or if more than `needed` seconds are left.
     [[nodiscard]] bool has_left(double needed) const { return limit_ <= 0.0 || seconds() + needed < limit_; }
 
   private:
-    std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+    base::Stopwatch watch_;
     double limit_;
 };
 
@@ -51,7 +49,7 @@ Point painted(Point point, const Choice& choice, const std::vector<std::size_t>&
 /// The search for a painting with the reduced model.
 class Search {
   public:
-    Search(Trials& trials, const DesignOptions& options, const Stopwatch& watch, DesignReport& report);
+    Search(Trials& trials, const DesignOptions& options, const TimeLimit& time, DesignReport& report);
 
     /// The first paintings of a design.
     struct Beginning {
@@ -145,7 +143,7 @@ class Search {
 
     Trials& trials_;
     const DesignOptions& options_;
-    const Stopwatch& watch_;
+    const TimeLimit& time_;
     DesignReport& report_;
     std::vector<std::size_t> shortlist_;
     std::vector<std::size_t> all_;

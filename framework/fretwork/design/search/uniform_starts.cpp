@@ -64,7 +64,7 @@ Search::Beginning Search::begin(const std::vector<std::size_t>& palette) {
 std::vector<Solved> Search::try_uniform(const std::vector<std::size_t>& palette,
                                         const Eigen::MatrixXd& coordinates, std::vector<Solved> found) {
     const auto may_try = [&] {
-        return may_solve() && (found.empty() || watch_.has_left(0.7 * options_.seconds));
+        return may_solve() && (found.empty() || time_.has_left(0.7 * options_.seconds));
     };
     const std::size_t most = std::min(palette.size(), options_.uniform_paintings);
     const std::size_t spread = std::min(most, std::max<std::size_t>(2, (2 * most) / 3));

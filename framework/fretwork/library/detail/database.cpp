@@ -114,7 +114,7 @@ std::string_view Statement::text(int column) const {
             static_cast<std::size_t>(sqlite3_column_bytes(handle_.get(), column))};
 }
 
-StopWatch::StopWatch(Database& database, const base::Control& control)
+StopGuard::StopGuard(Database& database, const base::Control& control)
     : database_(database), control_(control.silent()) {
     constexpr int kInstructions = 10'000;  // instructions of SQLite's machine, less than a millisecond
     const auto is_asked_to_stop = [](void* asked) {
@@ -123,7 +123,7 @@ StopWatch::StopWatch(Database& database, const base::Control& control)
     sqlite3_progress_handler(database_.handle(), kInstructions, is_asked_to_stop, &control_);
 }
 
-StopWatch::~StopWatch() {
+StopGuard::~StopGuard() {
     sqlite3_progress_handler(database_.handle(), 0, nullptr, nullptr);
 }
 

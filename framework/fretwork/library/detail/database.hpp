@@ -99,12 +99,12 @@ class Statement {
 
 /// Lets a stop end long statements of a database. As long as this object exists, a statement throws
 /// base::Stopped once the control asks to stop, and its transaction is rolled back.
-class StopWatch {
+class StopGuard {
   public:
-    StopWatch(Database& database, const base::Control& control);
-    StopWatch(const StopWatch&) = delete;
-    StopWatch& operator=(const StopWatch&) = delete;
-    ~StopWatch();
+    StopGuard(Database& database, const base::Control& control);
+    StopGuard(const StopGuard&) = delete;
+    StopGuard& operator=(const StopGuard&) = delete;
+    ~StopGuard();
 
   private:
     Database& database_;

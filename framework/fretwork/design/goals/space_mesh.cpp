@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/design/goals/closest_point.hpp>
+#include <fretwork/design/goals/space_mesh.hpp>
 #include <fretwork/outlines/flat_mesh.hpp>
 
 #include <CGAL/AABB_traits.h>
