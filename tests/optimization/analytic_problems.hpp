@@ -28,4 +28,13 @@ inline LeastSquaresProblem rosenbrock(const Bounds& bounds) {
             }};
 }
 
+/// Near 1 the objective falls to 0, near -1 to about 0.36.
+inline LeastSquaresProblem two_valleys() {
+    return {"two valleys", cube(1, -2.0, 2.0),
+            [](const Eigen::VectorXd& x) {
+                return Eigen::VectorXd(Eigen::Vector2d(x[0] * x[0] - 1.0, 0.3 * (x[0] - 1.0)));
+            },
+            [](const Eigen::VectorXd& x) { return Eigen::MatrixXd(Eigen::Vector2d(2.0 * x[0], 0.3)); }};
+}
+
 }  // namespace fretwork::optimization

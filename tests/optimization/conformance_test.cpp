@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <numbers>
 #include <ostream>
 #include <string>
@@ -213,6 +214,17 @@ TEST_P(OptimizerConformance, FindsTheBestOfManyMinima) {
     const auto problem = rastrigin();
     const auto report = minimize(problem, row(), {.starts = 200}, {.cost = kPlenty});
     EXPECT_LT(report.value, 0.9) << "the basin of the global minimum";
+}
+
+/// Methods with several starts report the point at which their best start ended, not that of their last one.
+TEST_P(OptimizerConformance, EndsInTheValleyOfItsBestPoint) {
+    constexpr double kBetweenValleys = 0.3;
+    const auto problem = two_valleys();
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        const auto report = minimize(problem, row(), {.starts = 4, .seed = seed}, {.cost = 20'000});
+        if (report.final_point.size() == 0) continue;  // a method that does not tell where it ended
+        EXPECT_LT(problem.value(report.final_point), report.value + kBetweenValleys) << "seed " << seed;
+    }
 }
 
 /// Has no value in a part of the box, as a model that cannot be solved there.

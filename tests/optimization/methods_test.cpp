@@ -111,15 +111,6 @@ TEST(SmoothedMethods, FindAMinimumInAKink) {
     }
 }
 
-/// Near 1 the objective falls to 0, near -1 to about 0.3.
-LeastSquaresProblem two_valleys() {
-    return {"two valleys", cube(1, -2.0, 2.0),
-            [](const Eigen::VectorXd& x) {
-                return Eigen::VectorXd(Eigen::Vector2d(x[0] * x[0] - 1.0, 0.3 * (x[0] - 1.0)));
-            },
-            [](const Eigen::VectorXd& x) { return Eigen::MatrixXd(Eigen::Vector2d(2.0 * x[0], 0.3)); }};
-}
-
 /// Cold annealing stays in the valley of its start, and so does a descent.
 TEST(SeveralStarts, EndWhereTheBestStartEnded) {
     const LeastSquaresProblem problem = two_valleys();
@@ -288,6 +279,27 @@ TEST(SimulatedAnnealing, EndsOnItsLastAcceptedPoint) {
         minimize(problem, find_optimizer("simulated-annealing"), {.starts = 1}, {.cost = 900});
     // Hot as it still is, it wanders: where it stands is not the best that it saw.
     EXPECT_GT(problem.value(report.final_point), report.value);
+}
+
+TEST(MethodOptions, AreRefusedWithNameValueAndBound) {
+    const auto message = [](const auto& options) -> std::string {
+        try {
+            options.validate();
+        } catch (const base::InputError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_EQ(message(SimulatedAnnealingOptions{}), "");
+    EXPECT_EQ(message(SimulatedAnnealingOptions{.largest_moves = 0}), "largest_moves: 0 must be at least 1");
+    EXPECT_EQ(message(SimulatedAnnealingOptions{.initial_temperature = NAN}),
+              "initial_temperature: nan must be more than 0");
+    EXPECT_EQ(message(SimulatedAnnealingOptions{.cooling = 1.0}), "cooling: 1 must be below 1");
+    EXPECT_EQ(message(ContinuationOptions{.smoothing = {}}), "smoothing: at least one length is needed");
+    EXPECT_EQ(message(ContinuationOptions{.smoothing = {0.1, 0.2}}),
+              "smoothing: 0.2 must be at most the length before it, 0.1");
+    EXPECT_EQ(message(ContinuationOptions{.smoothing = {0.1, -0.2}}), "smoothing: -0.2 must be at least 0");
+    EXPECT_EQ(message(MultistartOptions{.pruning_ratio = 0.5}), "pruning_ratio: 0.5 must be at least 1");
 }
 
 }  // namespace THIS_TEST

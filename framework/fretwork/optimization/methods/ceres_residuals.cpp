@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/error.hpp>
 #include <fretwork/optimization/methods/ceres_residuals.hpp>
 #include <fretwork/optimization/methods/detail/ceres_solve.hpp>
+#include <fretwork/optimization/methods/detail/option_checks.hpp>
 #include <fretwork/optimization/methods/detail/starts.hpp>
 
 #include <algorithm>
@@ -111,14 +111,9 @@ class CeresResiduals final : public Optimizer {
 
 void CeresResidualsOptions::validate() const {
     common.validate();
-    if (!(tolerance > 0.0) || largest_iterations < 1) {
-        throw base::InputError("ceres-residuals: tolerance must be more than 0, iterations at least 1");
-    }
-    const bool descends =
-        !smoothing.empty() && std::ranges::is_sorted(smoothing, std::greater<>()) && smoothing.back() >= 0.0;
-    if (!descends) {
-        throw base::InputError("ceres-residuals: smoothing: at least one stage, descending, none negative");
-    }
+    detail::require_more_than(0.0, "tolerance", tolerance);
+    detail::require_at_least(1.0, "largest_iterations", largest_iterations);
+    detail::require_smoothing(smoothing);
 }
 
 std::unique_ptr<Optimizer> make_ceres_residuals(const CeresResidualsOptions& options) {

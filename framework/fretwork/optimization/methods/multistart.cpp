@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/error.hpp>
 #include <fretwork/optimization/methods/detail/box_quadratic.hpp>
 #include <fretwork/optimization/methods/detail/ceres_descent.hpp>
+#include <fretwork/optimization/methods/detail/option_checks.hpp>
 #include <fretwork/optimization/methods/multistart.hpp>
 
 #include <algorithm>
@@ -92,22 +92,18 @@ class Multistart final : public Optimizer {
 }  // namespace
 
 void ContinuationOptions::validate() const {
-    const bool descends =
-        !smoothing.empty() && std::ranges::is_sorted(smoothing, std::greater<>()) && smoothing.back() >= 0.0;
-    if (!descends) throw base::InputError("smoothing: at least one stage, descending, none negative");
-    if (!(loose_tolerance > 0.0 && tolerance > 0.0)) {
-        throw base::InputError("tolerance: must be more than 0");
-    }
-    if (largest_iterations < 1 || samples_per_start < 1) {
-        throw base::InputError("iterations and samples: at least 1");
-    }
+    detail::require_smoothing(smoothing);
+    detail::require_more_than(0.0, "loose_tolerance", loose_tolerance);
+    detail::require_more_than(0.0, "tolerance", tolerance);
+    detail::require_at_least(1.0, "largest_iterations", largest_iterations);
+    detail::require_at_least(1.0, "samples_per_start", samples_per_start);
 }
 
 void MultistartOptions::validate() const {
     common.validate();
     continuation.validate();
-    if (!(merging_distance >= 0.0)) throw base::InputError("merging_distance: must not be negative");
-    if (!(pruning_ratio >= 1.0)) throw base::InputError("pruning_ratio: must be at least 1");
+    detail::require_at_least(0.0, "merging_distance", merging_distance);
+    detail::require_at_least(1.0, "pruning_ratio", pruning_ratio);
 }
 
 std::unique_ptr<Optimizer> make_ceres_multistart(const MultistartOptions& options) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/error.hpp>
-#include <fretwork/base/text.hpp>
+#include <fretwork/optimization/methods/detail/option_checks.hpp>
 #include <fretwork/optimization/methods/detail/pagmo_optimizer.hpp>
 #include <fretwork/optimization/methods/pagmo_methods.hpp>
 
@@ -57,12 +56,8 @@ Evolution differential_evolution(const PagmoOptions& options, const EvolutionTas
 
 void PagmoOptions::validate() const {
     common.validate();
-    if (!(tolerance >= 0.0)) {
-        throw base::InputError("tolerance: " + base::format_number(tolerance) + " must be at least 0");
-    }
-    if (largest_generations < 1) {
-        throw base::InputError("generations: " + std::to_string(largest_generations) + " must be at least 1");
-    }
+    detail::require_at_least(0.0, "tolerance", tolerance);
+    detail::require_at_least(1.0, "largest_generations", static_cast<double>(largest_generations));
 }
 
 std::unique_ptr<Optimizer> make_cma_es(const PagmoOptions& options) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/random.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/optimization/methods/detail/option_checks.hpp>
 #include <fretwork/optimization/methods/detail/starts.hpp>
 #include <fretwork/optimization/methods/detail/unit_box.hpp>
 #include <fretwork/optimization/methods/simulated_annealing.hpp>
@@ -139,13 +141,18 @@ class SimulatedAnnealing final : public Optimizer {
 
 void SimulatedAnnealingOptions::validate() const {
     common.validate();
-    const bool counts_make_sense =
-        largest_moves >= 1 && initial_moves >= 0 && sweeps_per_adaptation >= 1 && frozen_adaptations >= 1;
-    const bool scales_make_sense = initial_temperature > 0.0 && cooling >= 0.0 && cooling < 1.0 &&
-                                   tolerance >= 0.0 && initial_move > 0.0 && largest_move > 0.0 &&
-                                   gain >= 0.0;
-    if (!counts_make_sense) throw base::InputError("simulated annealing: a count is out of range");
-    if (!scales_make_sense) throw base::InputError("simulated annealing: a scale is out of range");
+    detail::require_at_least(1.0, "largest_moves", static_cast<double>(largest_moves));
+    detail::require_at_least(0.0, "initial_moves", static_cast<double>(initial_moves));
+    detail::require_at_least(1.0, "sweeps_per_adaptation", sweeps_per_adaptation);
+    detail::require_at_least(1.0, "frozen_adaptations", frozen_adaptations);
+    detail::require_more_than(0.0, "initial_temperature", initial_temperature);
+    detail::require_at_least(0.0, "cooling", cooling);
+    if (cooling >= 1.0)
+        throw base::InputError("cooling: " + base::format_number(cooling) + " must be below 1");
+    detail::require_at_least(0.0, "tolerance", tolerance);
+    detail::require_more_than(0.0, "initial_move", initial_move);
+    detail::require_more_than(0.0, "largest_move", largest_move);
+    detail::require_at_least(0.0, "gain", gain);
 }
 
 std::unique_ptr<Optimizer> make_simulated_annealing(const SimulatedAnnealingOptions& options) {

@@ -4,6 +4,7 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/optimization/methods/detail/nlopt_optimizer.hpp>
 #include <fretwork/optimization/methods/detail/nlopt_run.hpp>
+#include <fretwork/optimization/methods/detail/option_checks.hpp>
 #include <fretwork/optimization/methods/detail/starts.hpp>
 #include <fretwork/optimization/sampling.hpp>
 
@@ -61,16 +62,12 @@ class NloptSearch final : public Optimizer {
 
 void NloptOptions::validate() const {
     common.validate();
-    if (!(tolerance > 0.0)) {
-        throw base::InputError("tolerance: " + base::format_number(tolerance) + " must be more than 0");
-    }
+    require_more_than(0.0, "tolerance", tolerance);
     if (!(initial_step > 0.0 && initial_step <= 1.0)) {
         throw base::InputError("initial step: " + base::format_number(initial_step) +
                                " must be a share of the box, more than 0 and at most 1");
     }
-    if (patience < 1) {
-        throw base::InputError("patience: " + std::to_string(patience) + " evaluations must be at least 1");
-    }
+    require_at_least(1.0, "patience", static_cast<double>(patience));
 }
 
 std::unique_ptr<Optimizer> make_nlopt_runs(nlopt_algorithm algorithm, const NloptOptions& options) {
