@@ -22,6 +22,23 @@ def public_headers():
                 yield f"{stage.name}/{name}", (stage / name).read_text()
 
 
+def enums():
+    """Name of each enum in the headers, and the lists of members of all enums with that name, as words."""
+    found = {}
+    for header in FRAMEWORK.rglob("*.hpp"):
+        for name, body in re.findall(r"enum class (\w+)[^{;]*\{(.*?)\}", header.read_text(), re.S):
+            members = re.findall(r"(\w+)\s*(?:=[^,]*)?(?:,|$)", re.sub(r"//.*", "", body).strip())
+            words = [re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "-", member).lower() for member in members]
+            found.setdefault(name, []).append(words)
+    return found
+
+
+def bound_enums():
+    """Name in C++ and in Python of each enum of the module."""
+    text = (support.SOURCE / "apps/python/bind/core/enums.hpp").read_text()
+    return re.findall(r"^FRETWORK_ENUM\((?:\w+::)*(\w+),\s*\"(\w+)\"", text, re.M)
+
+
 def bound_names():
     """Names of the module, and of its classes' members."""
     names = set()
@@ -70,6 +87,13 @@ class Bound(unittest.TestCase):
                 silent.append(f"{header}: {name}")
         self.assertEqual(silent, [])
         self.assertEqual(sorted(set(rows) - used), [], "these are bound, or no longer there")
+
+    def test_enums_have_a_word_for_each_member(self):
+        members = enums()
+        self.assertGreater(len(bound_enums()), 20)
+        for name, python_name in bound_enums():
+            words = [member.value for member in getattr(fw, python_name)]
+            self.assertIn(words, members[name], python_name)
 
     def test_reasons_say_something(self):
         for key, reason in reasons().items():

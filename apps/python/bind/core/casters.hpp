@@ -223,7 +223,7 @@ struct type_caster<Enum> {
         return true;
     }
     static handle cast(Enum member, return_value_policy, handle) {
-        return object(handle(type)[Words::kWords[static_cast<std::size_t>(member)]]).release();
+        return object(handle(type)[Words::kWords.at(static_cast<std::size_t>(member))]).release();
     }
     static inline PyObject* type = nullptr;  ///< a dict from word to member; lives as long as the program
 };

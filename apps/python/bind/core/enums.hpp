@@ -134,7 +134,7 @@ FRETWORK_ENUM(fabrication::NarrowPlace::Kind, "NarrowKind",
 FRETWORK_ENUM(design::NodesGoal::Quantity, "Quantity", "The quantity that a target states for single nodes.",
               "displacements", "positions");
 FRETWORK_ENUM(design::DesignEnd, "DesignEnd", "The way in which the search for a painting ended.",
-              "no-swap-improves", "solutions-spent", "time-spent", "stopped");
+              "no-swap-improves", "solutions-spent", "time-spent", "stopped", "unreachable");
 FRETWORK_ENUM(exports::Content, "Content", "The kind of content of a file.", "drawing", "centrelines", "cut",
               "solid", "facts");
 FRETWORK_ENUM(exports::WriterRow::Kind, "WriterKind",
