@@ -106,6 +106,17 @@ TEST_F(Merge, RowsThatDifferAreRefusedByName) {
     EXPECT_EQ(folder_content(folder_.path()).size(), 2U) << "nothing is left beside the inputs";
 }
 
+TEST_F(Merge, AnEstimateThatOnlyOneInputHasIsADifference) {
+    auto with = sample_data("0-1+1-6", 1.0);
+    with.responses->front().samples.front().discretization_error = 1e-3;
+    auto without = sample_data("0-1+1-6", 1.0);
+    without.responses->front().samples.front().discretization_error.reset();
+    const auto a = shard("a.db", {with});
+    const auto b = shard("b.db", {without});
+    for (const Paths& inputs : {Paths{a, b}, Paths{b, a}})
+        EXPECT_THAT(complaint_of([&] { merge(path("ab.db"), inputs); }), HasSubstr("response_state"));
+}
+
 TEST_F(Merge, SettingsThatDifferAreRefused) {
     reduction::Setting setting = reduction::paper_setting();
     setting.tile_side = 0.05;

@@ -19,11 +19,11 @@ using detail::Statement;
 using detail::Table;
 using detail::Transaction;
 
-/// "a.x = b.x AND a.y = b.y"
+/// "a.x IS b.x AND a.y IS b.y": unlike "=", IS is true for two values that are both NULL, and false for one.
 std::string columns_agree(const std::vector<std::string_view>& columns) {
     std::vector<std::string> terms;
     for (const std::string_view column : columns)
-        terms.push_back("a." + std::string(column) + " = b." + std::string(column));
+        terms.push_back("a." + std::string(column) + " IS b." + std::string(column));
     return base::join(terms, " AND ");
 }
 
@@ -109,7 +109,7 @@ void merge_into(const std::filesystem::path& path, std::span<const std::filesyst
                 const base::Control& control) {
     const base::Task task(control, "merge", inputs.size());
     Database output(path, Database::Mode::Write);
-    const detail::StopWatch stop_watch(output, control);
+    const detail::StopGuard stop_guard(output, control);
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         control.check();
         add_input(output, inputs[i]);
