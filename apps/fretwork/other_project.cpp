@@ -18,8 +18,8 @@ void refuse_other_project(const std::string& file, const ProjectFrom& own) {
         if (std::ranges::none_of(own.project.load_cases, has_name))
             throw base::InputError(file, "",
                                    "is another project: its load case '" + other.name +
-                                       "' would be lost, which " + own.file +
-                                       " has not; give --out another name");
+                                       "' would be lost, because " + own.file +
+                                       " does not have it; give --out another name");
     }
     if (present.outline != own.project.outline || present.further_outlines != own.project.further_outlines)
         throw base::InputError(

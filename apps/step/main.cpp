@@ -76,7 +76,7 @@ void run(const Options& options) {
 void add_options(CLI::App& app, Options& options) {
     app.add_option("project", options.project, "Project file")->required();
     app.add_option("--to", options.to, "File to write: .step or .stp")->required();
-    app.add_option("--case", options.load_case, "Load case at whose supports --bolts are");
+    app.add_option("--case", options.load_case, "Load case whose supports get the holes of --bolts");
     app.add_option("--library", options.library, "Library with the setting (default: the project's)");
     app.add_option("--fillet", options.making.fillet,
                    "Radius of inner corners between bars (default: sharp)");
@@ -95,8 +95,9 @@ void add_options(CLI::App& app, Options& options) {
 
 int main(int argc, char** argv) {
     using namespace fretwork;
-    CLI::App app("What is made of a project as a STEP file: extruded outlines with true arcs, millimetres",
-                 "fretwork-step");
+    CLI::App app(
+        "Write the solid parts of a project to a STEP file: extruded outlines with true arcs, millimetres",
+        "fretwork-step");
     step::Options options;
     step::add_options(app, options);
     try {

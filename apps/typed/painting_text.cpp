@@ -76,8 +76,7 @@ class PaintingReader {
         const bool chooses = by_field || after(kRandom) || after(kColours);
         const std::string patterns = name("patterns");
         if (!text_.palette.empty() && !chooses)
-            refuse("palette",
-                   "is what " + patterns + " random:SEED, field:, image: and colours: choose from");
+            refuse("palette", "is only for " + patterns + " random:SEED, field:, image: and colours:");
         if (text_.palette.empty() && after(kColours))
             refuse("palette", "has to give a pattern for each colour (red=ID,#00f=ID)");
         if (!text_.property.empty() && !by_field)

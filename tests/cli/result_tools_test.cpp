@@ -211,7 +211,7 @@ TEST_F(ResultTools, StagesRefuseWhatTheyWouldIgnore) {
         {"name": "press", "loads": [{"load_case": "cantilever", "factor": 0.5}]}]})");
     const std::string staged = "fretwork simulate p.json --stages stages.json --out staged.json ";
     expect_refused(staged + "--model condensed", folder_.path(),
-                   "fretwork: stages.json: stages are followed by full and corotational tiles");
+                   "fretwork: stages.json: load stages are followed by full and corotational tiles");
     expect_refused(staged + "--deck d.inp", folder_.path(), "--deck: is for a load case alone");
     expect_refused(staged + "--frame-out f.json", folder_.path(), "--frame-out: is for a load case alone");
     expect_refused(staged + "--buckling 1", folder_.path(), "--buckling: is for a load case alone");

@@ -155,9 +155,9 @@ TEST(LoadCaseFile, ReadsEveryKindOfEntry) {
 TEST(LoadCaseFile, RefusesUnknownKeysAndBadValuesWithTheirPlace) {
     const std::vector<std::pair<std::string, std::string>> faults = {
         {R"("load": [])", "/load: unknown key 'load'; did you mean 'loads'?"},
-        {R"("loads": [{"force": [0, 0, 1]}])", "/loads/0: picks its nodes by exactly one of"},
+        {R"("loads": [{"force": [0, 0, 1]}])", "/loads/0: must pick its nodes by exactly one of"},
         {R"("loads": [{"nodes": [1], "side": "left", "force": [0, 0, 1]}])",
-         "/loads/0: picks its nodes by exactly one of"},
+         "/loads/0: must pick its nodes by exactly one of"},
         {R"("loads": [{"nodes": [1]}])", "/loads/0: has neither a force nor a moment"},
         {R"("loads": [{"nodes": [], "force": [0, 0, 1]}])", "/loads/0/nodes: is empty"},
         {R"("loads": [{"nodes": [-1], "force": [0, 0, 1]}])", "/loads/0/nodes/0: is -1"},

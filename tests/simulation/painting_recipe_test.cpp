@@ -216,7 +216,7 @@ std::string complaint_after(const std::string& what, const std::string& replacem
 TEST(PaintingRecipe, IsRefusedWithItsPlaceWhereItIsWrong) {
     EXPECT_THAT(complaint_after("project/4", "project/3"), HasSubstr("no recipes; fretwork/project/4 has"));
     EXPECT_THAT(complaint_after("\"field\"", "\"fields\""),
-                HasSubstr("p.json: /recipes/0: paints by exactly"));
+                HasSubstr("p.json: /recipes/0: must paint by exactly"));
     EXPECT_THAT(complaint_after("\"field\":", "\"random\": \"1\", \"field\":"), HasSubstr("exactly one of"));
     EXPECT_THAT(complaint_after("\"field\": \"u\"", "\"random\": \"one\""), HasSubstr("/recipes/0/random"));
     EXPECT_THAT(

@@ -65,7 +65,7 @@ TEST(TessellationCheck, EachFlawNamesItsTile) {
                 }),
                 HasSubstr("tile 1 and tile 0 share a side and do not agree"));
     EXPECT_THAT(complaint_after([](Tessellation& t) { t.tiles[1] = t.tiles[0]; }),
-                HasSubstr("same side of a side as tile 0"));
+                HasSubstr("same direction as tile 0"));
     EXPECT_THAT(complaint_after([](Tessellation& t) {
                     t.interface_nodes.push_back({5, 5});
                 }),

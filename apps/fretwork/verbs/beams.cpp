@@ -135,7 +135,7 @@ void add_beams(CLI::App& app, ExitCode& exit_code) {
     verb->footer(
         "Stresses are the largest over the section at each end: normal, and von Mises with shear and "
         "torsion.\n"
-        "A section without a shape counts as the rectangle of its area and second moments. SI in "
+        "A section without a shape counts as the rectangle with its radii of gyration. SI in "
         "files.\n"
         "Example: fretwork beams project.json full.json --strength 40MPa --out beams.csv");
     verb->callback([options, &exit_code] { exit_code = run(*options); });

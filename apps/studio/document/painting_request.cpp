@@ -158,8 +158,7 @@ Painted chosen(const State& state, const JsonReader& request) {
     if (!file) return by_choice(state, tiles, typed::read_painting(text));
     file->allow_only({"name", "text_base64"});
     if (text.patterns != "image:" && text.patterns != "colours:")
-        file->fail("is what the patterns 'image:' and 'colours:' read, and these are '" + text.patterns +
-                   "'");
+        file->fail("is read only with the patterns 'image:' or 'colours:', not with '" + text.patterns + "'");
     const SentFile sent = parse_sent_file(*file);
     return by_choice(state, tiles, with_file(typed::read_painting(text), sent));
 }

@@ -49,14 +49,14 @@ Region read_region(const JsonReader& json) {
     for (const auto& [kind, region] : kKinds) {
         if (kind == name) return region;
     }
-    json.fail("is one of center, radial, face, interface");
+    json.fail("must be one of center, radial, face, interface");
 }
 
 LayoutChange::Place read_place(const JsonReader& json) {
     const std::vector<double> numbers = json.numbers(3);
     constexpr double kFarAway = 1e3;  // of a hand beside the triangle
     if (!std::ranges::all_of(numbers, [](double one) { return std::abs(one) <= kFarAway; }))
-        json.fail("has three barycentric coordinates from -1000 to 1000");
+        json.fail("must have three barycentric coordinates from -1000 to 1000");
     return {numbers[0], numbers[1], numbers[2]};
 }
 

@@ -56,7 +56,7 @@ std::string shown_name(const std::string& name) {
 std::string read_plain_text(const base::JsonReader& json) {
     std::string text = json.string();
     if (text.find('\0') != std::string::npos)
-        json.fail("is " + shown(text) + " with the character NUL, which is possible in no name of a file");
+        json.fail("is " + shown(text) + " with the character NUL, which no name of a file may have");
     return text;
 }
 

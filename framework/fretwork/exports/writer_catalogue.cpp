@@ -168,7 +168,7 @@ constexpr std::array<WriterRow, 18> kWriters = {{
      [](const Scene& scene) { return solid(scene, solid_obj); }, Kind::Made},
     {".ply", Content::Solid, "solid, as in .stl; millimetres",
      [](const Scene& scene) { return solid(scene, solid_ply); }, Kind::Made},
-    {".3mf", Content::Centrelines, "beam lattice of round bars with the area of the section",
+    {".3mf", Content::Centrelines, "beam lattice of round bars with the area of the rectangles",
      [](const Scene& scene) {
          return Written{lattice_3mf(fabrication::bar_plan(scene.surface, making(scene).frame_width))};
      },
@@ -219,7 +219,8 @@ std::string_view content_name(Content content) {
 
 std::string_view unit_of(const WriterRow& writer) {
     if (writer.ending == ".png" || writer.ending == ".html") return "none";
-    return writer.ending == ".svg" || !writer.shows_results() ? "millimetre" : "metre";
+    const bool is_drawn = writer.ending == ".svg" || writer.ending == ".txt";
+    return is_drawn || !writer.shows_results() ? "millimetre" : "metre";
 }
 
 Content parse_content(const std::string& name) {

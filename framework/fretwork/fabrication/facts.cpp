@@ -122,8 +122,8 @@ class FactFinder {
         if (!shape || std::holds_alternative<mechanics::RectangleShape>(*shape)) return;
         warn("bars are made as rectangles of " + millimetres(plan_.width) + " by " +
              millimetres(shape_.height) + ", which stand for the " + mechanics::shape_name(*shape) +
-             " of the setting: mass and lengths are theirs, stresses are the " +
-             mechanics::shape_name(*shape) + "'s");
+             " of the setting: mass and lengths are those of the rectangles, stresses those of the " +
+             mechanics::shape_name(*shape));
     }
 
     void judge_places() {

@@ -290,7 +290,7 @@ void Bed::validate() const {
     const auto require = [](double value, double least, const char* what) {
         if (std::isfinite(value) && value >= least) return;
         throw base::InputError(std::string(what) + " is " + base::format_number(value) +
-                               " m, which is too small");
+                               " m and must be at least " + base::format_number(least) + " m");
     };
     require(width, 1e-3, "the width of the bed");
     require(height, 1e-3, "the height of the bed");

@@ -79,7 +79,7 @@ void check_expression(const Database& database, const char* name, const std::str
     for (const std::string_view mark :
          {std::string_view("\0", 1), std::string_view(";"), std::string_view("/*")}) {
         if (expression.find(mark) != std::string::npos)
-            refuse(name, expression, ": it holds a mark that none has");
+            refuse(name, expression, ": it may not have a semicolon, a comment, or the character NUL");
     }
     const std::string before = searched() + "SELECT 1 FROM found WHERE (";
     const std::string sql = before + expression + "\n)";
@@ -134,9 +134,10 @@ FoundPatterns Library::find(const PatternQuery& query) const {
     } catch (const base::InputError&) {
         const int code = sqlite3_errcode(impl_->database.handle());
         if (code != SQLITE_ERROR && code != SQLITE_TOOBIG) throw;
-        const bool is_condition = !query.where.empty();
-        refuse(is_condition ? "where" : "sort", is_condition ? query.where : query.sort,
-               std::string(": ") + sqlite3_errmsg(impl_->database.handle()));
+        const std::string problem = std::string(": ") + sqlite3_errmsg(impl_->database.handle());
+        if (query.sort.empty()) refuse("where", query.where, problem);
+        if (query.where.empty()) refuse("sort", query.sort, problem);
+        refuse("where or sort", query.where + " / " + query.sort, problem);  // SQLite does not say which
     }
     return found;
 }

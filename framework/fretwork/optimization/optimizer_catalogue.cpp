@@ -64,7 +64,7 @@ Made nlopt_search(Options common) {
 const std::array kRows = {
     OptimizerRow{"ceres-multistart",
                  "Ceres Levenberg-Marquardt with bounds, from screened starting points; a continuation "
-                 "smooths the kinks of the objective, and the curvature of its norms is kept",
+                 "smooths the kinks of the objective and keeps the curvature of its norms",
                  OptimizerClass::Local, Evaluation::Curvature,
                  [](Options o) { return make_ceres_multistart({.common = o}); }},
     OptimizerRow{

@@ -120,9 +120,12 @@ std::vector<Pattern> PatternSampler::draw(std::size_t count, std::uint64_t most_
     const bool is_hopeless = impl.proposals == 0;
     const base::Task task(impl.options.control, "draw", count);
     for (std::uint64_t fruitless = 0; impl.drawn.size() < count;) {
-        if (is_hopeless || fruitless >= most_trials)
+        if (is_hopeless)
+            throw base::NumericalError("the layout '" + impl.layout.name() +
+                                       "' has no graph with the wanted numbers of edges and symmetry");
+        if (fruitless >= most_trials)
             throw base::NumericalError("no valid pattern of the layout '" + impl.layout.name() +
-                                       "' was met in " + std::to_string(fruitless) + " trials");
+                                       "' was found in " + std::to_string(fruitless) + " trials");
         std::vector<std::vector<Pattern>> found(kPiecesInABatch);
         impl.try_all(impl.next_trial, kPiece * kPiecesInABatch, [&](std::size_t piece, Word128 graph) {
             found[piece].push_back(detail::to_pattern(graph));

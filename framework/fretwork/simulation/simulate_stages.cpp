@@ -165,14 +165,15 @@ class StagedSimulation {
 /// Stages are simulated with full and corotational tiles.
 void check(const Surface& surface, const StagePlan& plan, const SimulationOptions& options) {
     options.validate(surface);
-    if (plan.stages.empty()) throw base::InputError("there is no stage to simulate");
+    if (plan.stages.empty()) throw base::InputError("there is no load stage to simulate");
     if (!is_nonlinear(surface, options) || mixed_share(options.model) || options.load_steps > 1 ||
         options.estimate_error)
         throw base::InputError(
-            "stages are followed by full and corotational tiles, without load steps and estimates of the "
+            "load stages are followed by full and corotational tiles, without load steps and estimates of "
+            "the "
             "discretization error");
     if (options.estimate_model_error && options.model != kMixedTiles)
-        throw base::InputError("through stages, the error of " + std::string(kMixedTiles) +
+        throw base::InputError("through load stages, the error of " + std::string(kMixedTiles) +
                                " tiles is estimated, not that of " + options.model);
     check_stages(surface, plan);
 }

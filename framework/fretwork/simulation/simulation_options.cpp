@@ -34,7 +34,9 @@ void check_branch(const Surface& surface, const SimulationOptions& options) {
                                " branch is followed by full and corotational tiles, not by linear solutions, "
                                "nor by mixed models");
     if (options.estimate_error || options.estimate_model_error)
-        throw base::InputError("along the " + name + " branch no error is estimated");
+        throw base::InputError(
+            "estimates of errors on request are made along the primary branch, not along the " + name +
+            " branch");
 }
 
 void check_model_error(const Surface& surface, const SimulationOptions& options) {

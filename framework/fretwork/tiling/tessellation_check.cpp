@@ -128,7 +128,8 @@ class Checker {
     /// direction. At a side without a neighbour, the interface nodes must be new.
     void check_neighbor(const Side& side, VertexIndex from, VertexIndex to) {
         if (const auto same = sides_.find({from, to}); same != sides_.end())
-            fail(side.tile, "lies on the same side of a side as tile " + std::to_string(same->second.tile));
+            fail(side.tile, "runs along one of its sides in the same direction as tile " +
+                                std::to_string(same->second.tile));
         const auto other = sides_.find({to, from});
         if (other == sides_.end()) {
             for (const InterfaceIndex node : side.nodes) {

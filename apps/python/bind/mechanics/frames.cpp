@@ -44,7 +44,8 @@ void bind_sections(py::module_& m) {
         .field("J", &Section::J, "torsion constant, m^4")
         .field("shear_area2", &Section::shear_area2, "shear area along axis 2, m^2; None: shear-rigid")
         .field("shear_area3", &Section::shear_area3, "shear area along axis 3, m^2; None: shear-rigid")
-        .field("shape", &Section::shape, "shape; None: the rectangle with the same area and second moments")
+        .field("shape", &Section::shape,
+               "shape; None: stresses are those of the rectangle with the same radii of gyration")
         .done();
     m.def("rectangle_section", &rectangle_section, "width"_a, "height"_a,
           "A rectangle of `width` along axis 2 and `height` along axis 3 (m).\n\n"
@@ -64,9 +65,10 @@ void bind_sections(py::module_& m) {
     m.def("shape_name", &shape_name, "shape"_a, "The name of a shape: 'rectangle', 'circle', 'tube' or 'I'.");
     m.def("section_width", &section_width, "section"_a, "The size of a section along local axis 2, m.");
     m.def("section_height", &section_height, "section"_a, "The size of a section along local axis 3, m.");
-    m.def("rectangle_width", &rectangle_width, "section"_a, "m, of the rectangle of the section's numbers.");
+    m.def("rectangle_width", &rectangle_width, "section"_a,
+          "The width of the rectangle with the section's radii of gyration, m.");
     m.def("rectangle_height", &rectangle_height, "section"_a,
-          "m, of the rectangle of the section's numbers.");
+          "The height of the rectangle with the section's radii of gyration, m.");
 }
 
 void bind_material(py::module_& m) {

@@ -74,7 +74,7 @@ void bind_derivatives(py::module_& m) {
             "tile"_a, "pattern"_a,
             "6n x 6n floats, SI, in the axes in which tile models with sharing='congruent' build the tile.")
         .def_property_readonly("class_count", &CandidateTiles::class_count,
-                               "class of each tile; congruent tiles have the same class");
+                               "number of classes; congruent tiles have the same class");
     m.def(
         "pattern_derivatives",
         [](const Sensitivity& sensitivity, const CandidateTiles& candidates) {

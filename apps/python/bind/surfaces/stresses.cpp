@@ -69,8 +69,9 @@ void bind_refinement(py::module_& m) {
             });
         },
         "session"_a, "full_tiles"_a = std::vector<tiling::TileIndex>{}, "progress"_a = py::none(),
-        "The same for a session of reduced tiles, which keeps its new tile models. `full_tiles` (numbers) "
-        "are in full from the start.");
+        "Refine the stress of a session of reduced tiles. The session keeps its new tile models. "
+        "`full_tiles` "
+        "(numbers) are in full from the start.");
 }
 
 }  // namespace

@@ -549,8 +549,8 @@ export const W = {
     direction: 'Direction',
   },
   selectionWords: {
-    alongTheEdgeNodes: (a: Text) => `along the edge, ${a} nodes`,
-    sideNodes: (a: Text, b: Text) => `${a} side, ${b} nodes`,
+    alongTheEdgeNodes: (count: number) => `along the edge, ${counted(count, 'node')}`,
+    sideNodes: (side: string, count: number) => `${side} side, ${counted(count, 'node')}`,
     node: (a: Text) => `node ${a}`,
     tiles: (count: number) => counted(count, 'tile'),
     nodes: (count: number) => counted(count, 'node'),

@@ -47,7 +47,7 @@ NodesGoal read_nodes_goal(const JsonReader& json) {
     const auto displacements = json.find("displacements");
     const auto positions = json.find("positions");
     if (displacements.has_value() == positions.has_value())
-        json.fail("gives its nodes either displacements or positions");
+        json.fail("must give its nodes either displacements or positions");
     goal.quantity = positions ? NodesGoal::Quantity::Positions : NodesGoal::Quantity::Displacements;
     const JsonReader& values = positions ? *positions : *displacements;
     for (const JsonReader& value : values.elements(goal.nodes.size()))
@@ -83,7 +83,7 @@ void read_selected_goal(const JsonReader& json, Goal& goal) {
     const auto surface = json.find("surface");
     const auto rotation = json.find("rotation");
     if (displacement.has_value() + surface.has_value() + rotation.has_value() != 1)
-        json.fail("asks of the selected nodes exactly one of displacement, surface, rotation");
+        json.fail("must ask of the selected nodes exactly one of displacement, surface, rotation");
     if (displacement) goal.what = read_formula_goal(where, *displacement);
     if (surface) goal.what = MeshGoal{where, surface->string()};
     if (rotation) goal.what = RotationGoal{where, read_free_vector(*rotation)};

@@ -98,7 +98,8 @@ void check_responses(const Database& database, const std::string& pattern_id,
         if (const std::string fault = response_fault(response, shape); !fault.empty())
             throw base::InputError(file, place, fault);
         if (!std::all_of(response.samples.begin(), response.samples.end(), is_finite))
-            throw base::NumericalError(file + ": " + place + ": a displacement is not finite");
+            throw base::NumericalError(file + ": " + place +
+                                       ": a magnitude, displacement or error is not finite");
     }
 }
 

@@ -125,7 +125,7 @@ void improve_known_values(std::vector<KnownValue>& values, const std::filesystem
         const double found = cells.size() > 9 ? base::read_number<double>(cells[9]).value_or(-1.0) : -1.0;
         if (!(found >= 0.0))
             throw base::InputError(results.string(), "line " + std::to_string(i + 1),
-                                   "has no best_value from 0 on, as the objective of a calibration is");
+                                   "best_value is not a number that is 0 or larger");
         if (found >= value->best_value * (1.0 - kRoundOff)) continue;
         *value = {cells[0], found, found, cells[1] + " in repetition " + cells[2] + " of the comparison"};
     }

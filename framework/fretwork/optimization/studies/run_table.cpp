@@ -171,7 +171,7 @@ RunTable::RunTable(std::string_view text, const std::string& source, const RunCo
         if (const std::string other = other_condition(cells, key, conditions, contenders); !other.empty())
             throw base::InputError(
                 source, place,
-                "this run was made with another " + other + "; choose another folder, or the same one");
+                "this run was made with another " + other + "; use the same one, or choose another folder");
         if (const std::string other = other_command(cells[kCommand], key, contenders); !other.empty())
             throw base::InputError(source, place, other);
         if (!rows_.emplace(key, line).second)

@@ -66,8 +66,7 @@ class PathParser {
             } else if (command == 'Z' || command == 'z') {
                 text_.fail("a command is expected");
             }
-            if (!has_begun_ && command != 'M' && command != 'm')
-                text_.fail("a path begins with M or m; a number or command is");
+            if (!has_begun_ && command != 'M' && command != 'm') text_.fail("a path begins with M or m");
             is_relative_ = command >= 'a';
             execute(is_relative_ ? static_cast<char>(command - 'a' + 'A') : command);
         }

@@ -33,7 +33,7 @@ double factor_of_unit(std::string_view unit, const SvgText& text) {
     if (unit == "grad") return 0.9;
     if (unit == "turn") return 360;
     if (unit == "mm") return 96 / 25.4;
-    text.fail("the unit '" + std::string(unit) + "' is none of px, mm, deg, rad, grad, turn, before");
+    text.fail("the unit '" + std::string(unit) + "' is none of px, mm, deg, rad, grad, turn");
 }
 
 /// The arguments of one function of a transform, up to the closing bracket.
@@ -143,8 +143,7 @@ void SvgText::fail(const std::string& message) const {
     constexpr std::size_t kMost = 24;
     const std::string found =
         next_ < text_.size() ? "'" + std::string(text_.substr(next_, kMost)) + "'" : "the end";
-    throw base::InputError(message + " at character " + std::to_string(next_ + 1) + ", where there is " +
-                           found);
+    throw base::InputError(message + ": character " + std::to_string(next_ + 1) + ", at " + found);
 }
 
 std::vector<Point2> parse_svg_points(std::string_view text) {
@@ -168,7 +167,7 @@ Affine parse_svg_transform(std::string_view text) {
         const auto function = function_map(name, values);
         if (!function)
             walk.fail("'" + name + "' with " + std::to_string(values.size()) +
-                      " numbers is not a transformation, before");
+                      " numbers is not a transformation");
         map = map.after(*function);
     }
     return map;
@@ -200,8 +199,7 @@ SvgLength parse_svg_length(std::string_view text) {
     for (const Unit& unit : kUnits) {
         if (unit.name == name) return {value * unit.factor, unit.unit};
     }
-    walk.fail("the unit '" + std::string(name) +
-              "' is none of px, mm, cm, in, pt, pc, Q, %, em, ex, rem, before");
+    walk.fail("the unit '" + std::string(name) + "' is none of px, mm, cm, in, pt, pc, Q, %, em, ex, rem");
 }
 
 }  // namespace fretwork::outlines::detail

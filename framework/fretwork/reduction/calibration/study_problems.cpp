@@ -74,8 +74,10 @@ StudyProblem calibration_problem(const std::string& id, const std::string& name,
     const auto layout = layout_of(pattern_id);
     const auto pattern = pattern::parse_pattern_id(layout, pattern_id);
     if (!RingHexagon::fits(layout, setting))
-        throw base::InputError("'" + id + "': problems are of layouts with one interface node a side, and '" +
-                               layout.name() + "' has more");
+        throw base::InputError(
+            "'" + id + "': a problem needs a hexagon and one interface node a side; layout '" +
+            layout.name() + "' has " + std::to_string(layout.interface_nodes().size()) +
+            " a side, and the setting's polygon has " + std::to_string(setting.sides) + " sides");
     const auto responses = compute_responses(layout, pattern, setting);
     return {id, make_calibration(responses, setting), std::nullopt, {}, {}};
 }

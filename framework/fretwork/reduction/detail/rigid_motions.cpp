@@ -46,7 +46,7 @@ void require_free(const Eigen::MatrixXd& stiffness, const Eigen::Matrix3Xd& node
     throw base::InputError(what + "resists a rigid motion, the " + kMotions[worst] + ": its force is " +
                            base::format_number(force / largest) +
                            " of the largest entry, where rounding leaves " + base::format_number(kFree) +
-                           " at most; is it in the tile's own axes?");
+                           " at most; the stiffness must be given in the axes of the tile");
 }
 
 }  // namespace

@@ -185,8 +185,8 @@ class Resolver {
     void add_weights() {
         if (surface_.setting.material.density == 0.0)
             throw base::InputError("load case '" + load_case_.name + "'", "/gravity",
-                                   "there is no mass for it to act on: the library was calibrated with a "
-                                   "material of density 0");
+                                   "there is no mass for it to act on: the material of the setting has "
+                                   "density 0");
         for (std::size_t t = 0; t < masses_.size(); ++t) {
             const auto& nodes = surface_.tessellation.tiles[t].interface_nodes;
             const Eigen::Vector3d share = masses_[t] / static_cast<double>(nodes.size()) * load_case_.gravity;

@@ -80,7 +80,7 @@ Selection read_selection(const JsonReader& json) {
     const auto side = json.find("side");
     const auto has_key = [&](std::string_view key) { return json.find(key).has_value(); };
     if (std::ranges::count_if(kSelectionKeys, has_key) != 1)
-        json.fail("picks its nodes by exactly one of nodes, box, circle, nearest, side");
+        json.fail("must pick its nodes by exactly one of nodes, box, circle, nearest, side");
     if (nodes) return read_ids(*nodes);
     if (box) return read_box(*box);
     if (circle) return read_circle(*circle);

@@ -235,7 +235,7 @@ PaintingChoice read_recipe_choice(const JsonReader& json, const pattern::NodeLay
     const bool is_random = json.find("random").has_value();
     const bool is_coloured = json.find("drawing").has_value();
     if (json.find("field").has_value() + json.find("image").has_value() + is_random + is_coloured != 1)
-        json.fail("paints by exactly one of field, image, drawing, random");
+        json.fail("must paint by exactly one of field, image, drawing, random");
     if (is_random) return read_random(json, layout);
     if (is_coloured) return read_colours(json, layout);
     return read_field(json, layout);

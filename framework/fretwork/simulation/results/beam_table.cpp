@@ -104,8 +104,7 @@ std::string utilization_formula(const BeamTable& table) {
     return std::string(
                "largest von Mises stress of bending, axial force, shear and torsion over the strength; "
                "section: ") +
-           mechanics::shape_name(table.shape) +
-           (table.is_shape_given ? "" : " of its area and second moments");
+           mechanics::shape_name(table.shape) + (table.is_shape_given ? "" : " with its radii of gyration");
 }
 
 std::string beam_table_csv(const BeamTable& table, const Surface& surface) {

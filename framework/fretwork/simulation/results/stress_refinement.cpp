@@ -63,10 +63,10 @@ RefinedStress refine_stress(const Surface& surface, const SurfaceResult& result,
     const bool is_reduced = model == kMixedTiles || mixed_share(model).has_value();
     if (!is_reduced || result.solver == "linear" || !subject.stages_text.empty())
         throw base::InputError(
-            "only a nonlinear result of corotational or mixed tiles, without stages, is refined; "
+            "only a nonlinear result of corotational or mixed tiles, without load stages, is refined; "
             "this one is of the model '" +
             subject.model + "', solver '" + result.solver + "'" +
-            (subject.stages_text.empty() ? "" : ", in stages"));
+            (subject.stages_text.empty() ? "" : ", in load stages"));
     Session session(surface, parse_load_case(subject.load_case_text, "load case of the result"),
                     {.model = kMixedTiles});
     std::vector<TileIndex> full_tiles;

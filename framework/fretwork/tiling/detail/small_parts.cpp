@@ -141,9 +141,10 @@ CleanOutline without_negligible_points(const outlines::Outline& outline, double 
     }
     if (clean.left_out == 0) return clean;
     if (const auto flaw = outlines::outline_flaw(loops, control))
-        throw base::GeometryError(
-            "points of the outline less than " + geometry::metres(kNegligibleShare * edge) +
-            " apart are one for tiles with sides of " + geometry::metres(edge) + ", and then " + *flaw);
+        throw base::GeometryError("points of the outline less than " +
+                                  geometry::metres(kNegligibleShare * edge) +
+                                  " apart count as one point for tiles with sides of " +
+                                  geometry::metres(edge) + ", and with these points merged, " + *flaw);
     return clean;
 }
 

@@ -44,7 +44,7 @@ class Palette {
             throw base::InputError("'" + pattern.id + "' is not a valid pattern (" + verdict.filter +
                                    "): " + verdict.reason);
         if (std::ranges::find(patterns_, pattern) != patterns_.end())
-            throw base::InputError("names the pattern " + pattern.id + " twice");
+            throw base::InputError("the pattern " + pattern.id + " is named twice");
         patterns_.push_back(std::move(pattern));
     }
     [[nodiscard]] const std::vector<NamedPattern>& patterns() const { return patterns_; }
