@@ -33,7 +33,7 @@ bool is_folder(const fs::path& path) {
     return fs::is_directory(path, ignored);
 }
 
-/// Identity of the file that is written, whatever links lead to it.
+/// The folder of the file that is written, whatever links lead to it.
 fs::path folder_of(const fs::path& path) {
     std::error_code ignored;
     return fs::absolute(base::link_target(path), ignored).parent_path();
@@ -57,7 +57,7 @@ std::vector<NamedFile> named_files(const Program& program) {
     return files;
 }
 
-/// The file that a link leads to has the ending of the link: else it is of another kind.
+/// Refuses a link to a file with another ending, because that file is of another kind.
 void check_link(const NamedFile& file) {
     const fs::path target = base::link_target(file.path);
     if (file.role == FileRole::Update || target.extension() == file.path.extension()) return;
@@ -65,7 +65,7 @@ void check_link(const NamedFile& file) {
                            "is a link to " + target.string() + ", whose name has another ending");
 }
 
-/// A file that is there keeps its name, whatever it is.
+/// An existing file that is updated may have any ending.
 void check_ending(const NamedFile& file) {
     if (file.kind.endings.empty() || (file.role == FileRole::Update && is_there(file.path))) return;
     for (const std::string& ending : words(file.kind.endings)) {
@@ -92,7 +92,7 @@ bool is_of_kind(const std::string& content, const FileKind& kind) {
     return std::ranges::count(words(kind.contents), content) > 0;
 }
 
-/// Nothing is lost where an older file of the same kind is replaced, or an empty one.
+/// Refuses to replace a file, unless the file is empty or has content of this kind.
 void check_replaced(const fs::path& path, const FileKind& kind) {
     const std::string present = content_of(path);
     if (present.empty() || is_of_kind(present, kind)) return;
@@ -103,7 +103,7 @@ void check_replaced(const fs::path& path, const FileKind& kind) {
                                (may_be_older ? ", or remove it first" : ""));
 }
 
-/// Whoever reads the file says what is wrong with other content.
+/// Content that is not ours passes: the reader of the file says what is wrong with it.
 void check_updated(const fs::path& path, const FileKind& kind) {
     const std::string present = content_of(path);
     if (present.empty() || present == kOtherContent || is_of_kind(present, kind)) return;
@@ -124,7 +124,7 @@ void check_output(const NamedFile& file) {
                                   : check_replaced(file.path, file.kind);
 }
 
-/// How a command names the files that it makes in a folder.
+/// How a file's name matches those that a command makes in a folder.
 enum class MadeName { None, ByEnding, Whole };
 
 MadeName made_name(const fs::path& path, const FileKind& folder) {
@@ -147,15 +147,15 @@ bool has_our_table(const fs::path& folder) {
     });
 }
 
-/// A library is in the way of every output. Other files are if they have the name of an output that is not
-/// compared with them.
+/// A library is in the way of an output with its name or ending. Any other file, except a table, is in the
+/// way of an output that has its whole name and is not compared.
 bool is_in_the_way(MadeName name, const std::string& content, const FileKind& folder) {
     if (content == kLibraryContent) return name != MadeName::None;
     return name == MadeName::Whole && !folder.is_compared && !is_table(content);
 }
 
-/// Where only the ending is known, the other files of the folder stay; databases do not have these endings.
-/// People write settings and layouts, too: such a file is an older output only if it lies among our tables.
+/// By the ending alone, only databases are refused. People write settings and layouts, too: a setting.json or
+/// layout.json counts as an older output only if a table of ours lies beside it.
 void check_folder(const NamedFile& folder) {
     if (!is_there(folder.path)) return;
     if (!is_folder(folder.path))
@@ -180,7 +180,7 @@ bool is_only_read(const NamedFile& file) {
     return file.role == FileRole::Input;
 }
 
-/// Whether two names of one command mean one file, or a file that is made in a folder.
+/// Whether two names of one command lead to one file, also if one is a folder in which the command makes it.
 bool collide(const NamedFile& first, const NamedFile& second) {
     if (is_device(first.path) || is_device(second.path)) return false;
     const bool is_folder_first = first.role == FileRole::OutputFolder;

@@ -15,7 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How the tables begin that this program makes: those of enumerate, optimizers, export and library export.
+/// The starts of the tables that this program makes, by enumerate, optimizers, export, library export and
+/// beams.
 constexpr std::string_view kTables[] = {"edges,patterns,",    "id,edges,symmetry,", "problem,best_value,",
                                         "problem,optimizer,", "problem,kind,",      "problem,variable,",
                                         "node,x_m,",          "pattern_id,",        "id,layout,edges,",

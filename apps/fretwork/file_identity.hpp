@@ -7,11 +7,11 @@
 
 namespace fretwork::app {
 
-/// Whether two names lead to one file, also through links and dots. For files that do not exist, whether they
-/// would if they were written.
+/// Whether two names lead to one file, also through links and dots. For files that do not exist, whether the
+/// names will lead to one file once it is written.
 bool is_same_file(const std::filesystem::path& left, const std::filesystem::path& right);
 
-/// Something that is written and not replaced: /dev/stdout, /dev/null, a pipe.
+/// Whether a path is there, but no file and no folder: /dev/stdout, /dev/null, a pipe.
 bool is_device(const std::filesystem::path& path);
 
 // The kinds of content of files that this program makes, as content_of() names them. A JSON file has the K of

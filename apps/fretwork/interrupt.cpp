@@ -34,8 +34,8 @@ std::int64_t nanoseconds_now() {
 }
 
 /// Programs such as timeout(1) signal a process and its group, which is twice within microseconds. A person
-/// needs longer to press Ctrl-C again. Who sends SIGTERM again and again has SIGKILL for what must end at
-/// once.
+/// needs longer to press Ctrl-C again. A second SIGTERM does nothing, because SIGKILL ends a program at once.
+/// In nanoseconds.
 constexpr std::int64_t kLeastPause = 200'000'000;
 
 extern "C" void note_signal(int signal) {

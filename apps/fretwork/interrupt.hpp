@@ -9,7 +9,7 @@ namespace fretwork::app {
 
 /// From here on, outside of a LongWork, Ctrl-C (SIGINT) and SIGTERM end the program with one line and exit
 /// code 1 instead of by the signal. A signal that is ignored stays ignored, also in a LongWork: a shell
-/// starts the background jobs of a script so.
+/// starts the background jobs of a script with SIGINT ignored.
 void end_in_order_when_interrupted();
 
 /// Work that may take longer than a second. While it lives, Ctrl-C (SIGINT) or SIGTERM asks it to stop, and
@@ -22,7 +22,7 @@ void end_in_order_when_interrupted();
 class LongWork {
   public:
     /// The signals that stop it: Ctrl-C and SIGTERM, or also SIGHUP, which comes when its terminal is closed.
-    /// nohup starts a program that is to go on without a terminal with SIGHUP ignored.
+    /// nohup starts a program with SIGHUP ignored, so that it goes on without a terminal.
     enum class StopsAt { Interrupt, HangUp };
     explicit LongWork(StopsAt signals = StopsAt::Interrupt);
     ~LongWork();

@@ -28,7 +28,7 @@ void check_verb(const Program& program, char** argv) {
     if (argv[1][0] != '-') (void)find_verb(program, argv[1]);
 }
 
-/// How the verb is called that was begun.
+/// The usage of the verb that was typed.
 std::string usage_of(const CLI::App& program) {
     const CLI::App* verb = &program;
     std::string words = program.get_name();

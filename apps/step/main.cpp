@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fretwork-step: what is made of a project, as a STEP file. A program of its own: it needs OpenCASCADE.
+// fretwork-step writes the solid of a project's surface to a STEP file. It is a separate program, because it
+// needs OpenCASCADE.
 #include "step_text.hpp"
 
 #include <fretwork/base/error.hpp>
@@ -28,7 +29,7 @@ struct Options {
     bool json = false;
 };
 
-/// A file that is no STEP file is not replaced.
+/// Refuse to replace a file that is no STEP file.
 void require_replaceable(const std::filesystem::path& path) {
     if (path.extension() != ".step" && path.extension() != ".stp")
         throw base::InputError(path.string(), "", "has another ending than .step and .stp");

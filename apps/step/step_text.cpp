@@ -80,7 +80,7 @@ TopoDS_Shape solid_of(const fabrication::Piece& piece, double height) {
     return BRepPrimAPI_MakePrism(face.Face(), gp_Vec(0.0, 0.0, kMillimetres * height)).Shape();
 }
 
-/// OpenCASCADE reports every transfer on the standard output.
+/// Stop OpenCASCADE's report of every transfer on the standard output.
 void silence() {
     Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_PrinterOStream));
 }
@@ -94,7 +94,7 @@ std::string written(STEPControl_Writer& writer) {
     return base::read_text_file(file);
 }
 
-/// Of one exception of the library, which is not one of std::exception everywhere.
+/// Do the work; throws NumericalError in place of Standard_Failure, which need not be a std::exception.
 template <class Work>
 auto with_own_errors(const Work& work) {
     try {

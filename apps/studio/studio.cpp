@@ -16,7 +16,7 @@ using base::JsonReader;
 
 namespace {
 
-/// The number that an unreadable message gives; null if it gives none.
+/// The `id` of a message that is refused, if it has one; else null.
 Json number_of(std::string_view message) {
     const Json json = Json::parse(message, nullptr, false);
     if (!json.is_object() || !json.contains("id")) return {};
@@ -83,7 +83,7 @@ Studio::Impl::Impl(const StudioOptions& options)
     if (options.project)
         show(read_document(*options.project));
     else
-        kept_.take_place(std::nullopt, std::nullopt);  // whether one can be made is reported now
+        kept_.take_place(std::nullopt, std::nullopt);  // reports now if there can be none
 }
 
 Studio::Impl::~Impl() = default;
@@ -96,7 +96,7 @@ std::string Studio::Impl::address() const {
     return page + "&page=layout&layout=" + escaped(*options_.layout);
 }
 
-void Studio::Impl::connected(ClientId) {}  // it says hello first
+void Studio::Impl::connected(ClientId) {}  // nothing until its hello
 
 void Studio::Impl::disconnected(ClientId client) {
     pages_.remove(client);

@@ -22,8 +22,8 @@ struct StudioOptions {
 /// The studio's server: one document, shown by any number of pages. The protocol is protocol.md.
 class Studio {
   public:
-    /// It listens when this returns. Throws InputError if project or layout cannot be read, IoError if the
-    /// port is taken.
+    /// The server listens when the constructor returns. Throws InputError if project or layout cannot be
+    /// read, IoError if the port is taken.
     explicit Studio(const StudioOptions& options);
     Studio(const Studio&) = delete;
     Studio& operator=(const Studio&) = delete;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The document, and what pages are shown of it.
+// The document, and the messages that show it to pages.
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/provenance.hpp>
 #include <fretwork/exports/colours.hpp>
@@ -48,7 +48,7 @@ Json examples_json() {
     return list;
 }
 
-/// The kinds of file that `fretwork export` writes, by what each ending means.
+/// The kinds of file that `fretwork export` writes: the default kind of each ending.
 Json exports_json() {
     Json list = Json::array();
     for (const exports::WriterRow& writer : exports::writer_catalogue()) {
@@ -195,7 +195,7 @@ void Studio::Impl::take_solution(const SolvedPtr& solved) {
     making_.look_at(*document_);
     errors_.look_at(solved);
     resume_exports();
-    // The solve began when no page showed any field: those that show one now wait for it.
+    // This solve began when no page showed a field. Pages that show one now need a solve with forces.
     if (pages_.shown_fields().any() && solved->state.forces.rows() == 0) solve_live();
 }
 

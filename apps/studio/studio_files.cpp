@@ -114,7 +114,7 @@ bool Studio::Impl::refuses_to_replace(const Request& request, Conflict conflict,
     return true;
 }
 
-/// Folders of other machines may answer late.
+/// In the background: folders of other machines may be slow.
 void Studio::Impl::folder(const Request& request) {
     request.json.allow_only({"id", "do", "path", "endings"});
     const auto wanted = request.json.find("path");
@@ -140,7 +140,7 @@ void Studio::Impl::patterns(const Request& request) {
     });
 }
 
-/// The hash is taken first: a change between the two is taken for one that this document does not know.
+/// The hash is taken before the file is read: a change in between then counts as a change by another program.
 Document Studio::Impl::document_in(const fs::path& file) const {
     ProjectFile known{file, hash_of_file(file)};
     const auto project = simulation::read_checked_project(file.string());
@@ -152,7 +152,7 @@ Opened Studio::Impl::read_document(const fs::path& path) {
     return kept_.with_changes(document_in(file), file);
 }
 
-/// If its file is there, to undo the changes is to have what lies in it.
+/// If the document's file exists, undo leads back to its content.
 Opened Studio::Impl::recovered(const Recoverable& found) {
     auto place = AutosavePlace::take_over(found.file);
     if (!place) throw base::InputError("another studio shows it now");

@@ -86,7 +86,7 @@ class Studio::Impl final : public Service {
     // studio_retile.cpp: other tiles for the outline
     void retile(const Request& request);
 
-    // studio_layouts.cpp: node layouts that are drawn, which the page keeps
+    // studio_layouts.cpp: node layouts that are drawn; the page keeps them
     void open_layout(const Request& request);
     void draw_layout(const Request& request);
     void count_layout(const Request& request);
@@ -100,7 +100,7 @@ class Studio::Impl final : public Service {
     void download(const Request& request);
     void save(const Request& request);
     /// Refuse the request and return true if the file exists and its hash is neither `known` nor the
-    /// request's `replaces`, which a page takes from an earlier refusal that people have confirmed.
+    /// request's `replaces`. A page takes that hash from an earlier refusal, after people have confirmed it.
     bool refuses_to_replace(const Request& request, Conflict conflict,
                             const std::optional<std::string>& known = {});
     void folder(const Request& request);
@@ -131,7 +131,7 @@ class Studio::Impl final : public Service {
     KeptWork kept_;
     LiveView view_;
     std::vector<ExportRequest> waiting_exports_;
-    RetilingPtr last_retiling_;  ///< null: none; a preview is followed by the same tiles
+    RetilingPtr last_retiling_;  ///< null: none; kept because the same tiles follow a preview
     Background files_;           ///< work of a second or two
     /// The counts of patterns, by the page that wants them. A new count ends the one before.
     std::map<ClientId, Background> counts_;

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using base::Json;
 
-/// A shipped layout gets another name: what is drawn would not be that layout.
+/// A shipped layout gets another name, because the drawn layout will differ from it.
 Json shipped_json(const std::string& name) {
     pattern::NodeLayoutDescription description = pattern::find_node_layout(name).description();
     description.name = "my-" + name;

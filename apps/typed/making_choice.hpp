@@ -7,7 +7,8 @@
 
 namespace fretwork::typed {
 
-/// How a surface is to be cut or printed, as a person writes it: lengths such as "2mm"; empty: not given.
+/// Options of cutting or printing a surface, as a person writes them: lengths such as "2mm"; empty: not
+/// given.
 struct MakingChoice {
     std::string fillet;
     std::string kerf;
@@ -22,7 +23,8 @@ struct MakingChoice {
     std::string prefix = "--";
 };
 
-/// `conditions` are those of the load case, or null without one. Throws InputError that names the entry.
+/// Read the options. `conditions` are the conditions of the load case; null: no load case. Throws InputError
+/// that names the entry.
 exports::Making read_making(const MakingChoice& choice, const simulation::Conditions* conditions);
 
 }  // namespace fretwork::typed

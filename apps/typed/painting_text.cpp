@@ -19,10 +19,10 @@ constexpr std::string_view kField = "field:";
 constexpr std::string_view kImage = "image:";
 constexpr std::string_view kColours = "colours:";
 
-/// "left=right", as `0-1+1-6=3` and `red=0-1+1-6`.
+/// An entry "left=right", such as `0-1+1-6=3` or `red=0-1+1-6`.
 struct Entry {
     std::string left;
-    std::string right;  ///< empty: there was no =
+    std::string right;  ///< empty: no =, or nothing after it
 };
 
 std::vector<Entry> entries_of(const std::string& palette) {
@@ -59,7 +59,7 @@ class PaintingReader {
   private:
     [[nodiscard]] std::string name(const char* entry) const { return text_.prefix + entry; }
 
-    /// The rest after a prefix of the patterns, if it has that prefix.
+    /// The rest of `patterns` after a prefix; none without the prefix.
     [[nodiscard]] std::optional<std::string> after(std::string_view prefix) const {
         if (!text_.patterns.starts_with(prefix)) return std::nullopt;
         return text_.patterns.substr(prefix.size());

@@ -7,23 +7,23 @@
 
 namespace fretwork::typed {
 
-/// How tiles are to be painted, as people write it.
+/// The choice of a painting, as a person writes it.
 struct PaintingText {
     /// One pattern's id, a painting file, `random:SEED`, `field:EXPRESSION`, `image:FILE.png` or
     /// `colours:FILE.svg`; empty: no painting.
     std::string patterns{};
-    /// The patterns to choose from: a painting file, or ids with commas between; empty: the library's
-    /// calibrated ones. With random:SEED an id may have a weight, `ID=3`; with colours:FILE.svg every id has
-    /// its colour, `red=ID`.
+    /// The patterns to choose from: a painting file, or ids joined by commas; empty: the calibrated patterns
+    /// of the library. With random:SEED, an id may have a weight, `ID=3`. With colours:FILE.svg, every id
+    /// needs a colour, `red=ID`.
     std::string palette{};
-    std::string property{};  ///< of a pattern; for field and image
-    std::string range{};     ///< of the property, SI: `0.02,0.1`
-    bool dither = false;     ///< for field and image
+    std::string property{};  ///< property of patterns, for field and image
+    std::string range{};     ///< range of the property, SI: `0.02,0.1`
+    bool dither = false;     ///< true: error diffusion, for field and image
     /// The prefix of these names in messages.
     std::string prefix = "--";
 };
 
-/// Throws InputError that names an entry that is malformed, or does not go with the patterns.
+/// Read the choice. Throws InputError that names the entry if it is malformed or does not fit `patterns`.
 simulation::PaintingChoice read_painting(const PaintingText& text);
 
 }  // namespace fretwork::typed

@@ -40,7 +40,7 @@ std::vector<NamedPattern> all_of(const PaletteText& palette, const NodeLayout& l
     return named(layout, pattern::enumerate_patterns(layout, options));
 }
 
-/// Different ones, in the order in which they were drawn.
+/// Different patterns, in the order in which they were drawn.
 std::vector<NamedPattern> sample_of(const PaletteText& palette, const NodeLayout& layout) {
     const std::string number = palette.text.substr(palette.text.find(':') + 1);
     const bool is_number = !number.empty() && number.find_first_not_of("0123456789") == std::string::npos;
@@ -51,7 +51,7 @@ std::vector<NamedPattern> sample_of(const PaletteText& palette, const NodeLayout
     pattern::PatternSampler sampler(layout, valid_patterns(layout, palette.control), palette.seed);
     std::set<std::string> known;
     std::vector<NamedPattern> result;
-    // Draws are independent: a small layout has them all before so many tries.
+    // Draws may repeat. A layout with too few patterns ends at the limit of tries.
     for (std::size_t tries = 0; result.size() < wanted && tries < 100 * wanted + 10'000; ++tries) {
         for (NamedPattern& own : named(layout, sampler.draw(1))) {
             if (known.insert(own.id).second) result.push_back(std::move(own));

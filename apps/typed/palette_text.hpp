@@ -10,9 +10,9 @@
 
 namespace fretwork::typed {
 
-/// Where the patterns of a palette come from, as people write it: ids with commas between; "library" for all
-/// patterns of the library; "all" for all valid ones of the layout; "sample:N" for N of these, drawn at
-/// random.
+/// The source of a palette's patterns, as a person writes it: ids joined by commas; "library" for all
+/// patterns of the library; "all" for all valid patterns of the layout; "sample:N" for N valid patterns of
+/// the layout, drawn at random.
 struct PaletteText {
     std::string text;
     std::uint64_t seed = 1;
@@ -20,7 +20,7 @@ struct PaletteText {
 };
 
 /// Read a palette. The result depends on the arguments alone. `library` may be null. Throws InputError that
-/// names --palette, or the library if it has another layout; Stopped.
+/// names --palette, or names the library if the library has another layout. Throws Stopped.
 std::vector<pattern::NamedPattern> read_palette(const PaletteText& palette, const pattern::NodeLayout& layout,
                                                 const library::Library* library);
 

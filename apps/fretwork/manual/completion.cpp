@@ -17,7 +17,7 @@ std::string next_words(const CommandText& command) {
     return base::join(words, " ");
 }
 
-/// The branches of a shell's `case`: for each command, and for each of its options with few values.
+/// The branches of a shell's `case` that give, for each command, the words that may come next.
 std::string word_branches(const CommandText& program) {
     std::string text;
     for (const CommandText* command : all_commands(program))

@@ -9,7 +9,7 @@
 namespace fretwork::app {
 namespace {
 
-/// @param what  what a text that is refused is not: "a seed: .."
+/// @param what  the end of the error "'TEXT' is not ..": "a seed: expected .."
 CLI::Validator validator(bool (*is_valid)(const std::string&), const std::string& what, const char* type) {
     const auto check = [is_valid, what](const std::string& text) {
         return is_valid(text) ? std::string() : "'" + text + "' is not " + what;

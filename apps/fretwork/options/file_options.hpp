@@ -10,11 +10,10 @@ namespace fretwork::app {
 
 /// The kind of a file.
 struct FileKind {
-    std::string_view name;     ///< for people: "a project"
-    std::string_view endings;  ///< those that a new file may have, with spaces between; empty: any
-    std::string_view
-        contents;             ///< of the files that it may replace, as file_identity.hpp names them, likewise
-    bool is_several = false;  ///< further files are made beside it
+    std::string_view name;      ///< for people: "a project"
+    std::string_view endings;   ///< those that a new file may have, with spaces between; empty: any
+    std::string_view contents;  ///< what it may replace, named as in file_identity.hpp, with spaces between
+    bool is_several = false;    ///< further files are made beside it
     /// True: the verb compares its files with those in the folder, and refuses to replace a file by a
     /// different one.
     bool is_compared = false;

@@ -20,8 +20,8 @@ void add_painting_options(CLI::App& verb, typed::PaintingText& text);
 /// An error of simulation::paint() that names the option instead of the entry of the choice.
 base::InputError with_option_name(base::InputError error);
 
-/// One line on standard error if these tiles, just painted by a choice, have no recipe because its image or
-/// drawing is too large.
+/// Warns if tiles that a choice has just painted have no recipe, because the choice's image or drawing is too
+/// large.
 void warn_of_unkept_file(const simulation::Project& project, const simulation::PaintingChoice& choice,
                          std::span<const tiling::TileIndex> painted);
 

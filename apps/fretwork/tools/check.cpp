@@ -25,7 +25,7 @@ struct CheckOptions {
 struct CheckedFile {
     std::string file;
     std::string kind;   ///< empty if it is not valid
-    std::string error;  ///< empty if it is
+    std::string error;  ///< empty if it is valid
 };
 
 /// One bad file of many does not end the check of the rest.
@@ -57,7 +57,7 @@ void check_layout(const std::string& layout) {
     base::located("--layout", "", [&] { (void)pattern::find_node_layout(layout); });
 }
 
-/// A layout that no file uses would be ignored. Files that are not valid say so themselves.
+/// A layout that no file uses would be ignored. A file that is not valid may be a painting.
 void require_painting(const std::vector<CheckedFile>& files) {
     const auto may_use_layout = [](const CheckedFile& file) {
         return !file.error.empty() || file.kind.starts_with("fretwork/painting/");

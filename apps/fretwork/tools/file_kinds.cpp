@@ -132,14 +132,14 @@ bool is_database(const fs::path& path) {
     return start == kStart;
 }
 
-/// JSON readers do not look at endings: what begins as an object is one of theirs.
+/// JSON readers do not look at endings, so a file that begins as an object is JSON.
 bool begins_as_json(const fs::path& path) {
     char first = '\0';
     std::ifstream(path) >> first;
     return first == '{';
 }
 
-/// A pipe would be waited for, and a terminal.
+/// Reading a pipe or a terminal would wait for input.
 void require_regular(const fs::path& path) {
     if (!is_device(path)) return;
     throw base::InputError(path.string(), "", "is a pipe or a device, where a file is needed");

@@ -43,7 +43,7 @@ simulation::Surface read_surface(const BeamsOptions& options, const simulation::
     return simulation::make_surface(project, library ? &*library : nullptr);
 }
 
-/// The load stages at whose end the beams bear this.
+/// Prints the load stages after which the beams bear these forces.
 void print_stages(const simulation::SurfaceResult& result) {
     std::vector<std::string> names;
     for (const std::string& name : simulation::stage_names(result))

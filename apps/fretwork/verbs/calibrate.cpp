@@ -38,7 +38,6 @@ Examples:
   fretwork calibrate --library lib.db --patterns sample:24 --starts 16
   fretwork calibrate --library part2.db --shard 2/4)";
 
-/// The options of the verb.
 struct CalibrateOptions {
     std::string library_path;
     std::string setting;  ///< a name or a file
@@ -57,7 +56,6 @@ struct FailureReason {
     std::size_t patterns = 0;
 };
 
-/// The outcome of the verb.
 struct Result {
     library::CalibrationKey key;
     std::string_view policy;
@@ -66,7 +64,7 @@ struct Result {
     std::vector<FailureReason> failures{};  ///< of this run and of earlier ones, most patterns first
     double seconds = 0.0;
     bool is_stopped = false;
-    bool is_papers = false;  ///< layout and setting, whatever the policy
+    bool is_papers = false;  ///< layout and setting are the paper's; the policy may differ
 };
 
 void adopt_setting(Library& library, const CalibrateOptions& options) {
@@ -87,7 +85,7 @@ void adopt_setting(Library& library, const CalibrateOptions& options) {
              mechanics::shape_name(mechanics::shape_of(after.section)) + " now");
 }
 
-/// Whether its numbers are to be compared with the paper's.
+/// Whether layout and setting are the paper's, whatever the policy.
 bool is_papers(const Library& library) {
     reduction::Setting papers = reduction::paper_setting();
     papers.sample_policy = library.setting().sample_policy;
@@ -101,7 +99,7 @@ void tell_doubts(const reduction::Setting& setting) {
     if (!doubts.empty()) warn("is that meant? " + base::join(doubts, "; "));
 }
 
-/// Why patterns lack this calibration, of those that were asked for.
+/// The reasons why some of these patterns lack this calibration.
 std::vector<FailureReason> failure_reasons(const Library& library,
                                            std::span<const pattern::NamedPattern> patterns,
                                            const library::CalibrationKey& key) {
@@ -190,7 +188,7 @@ void print_json(const Result& result) {
                     {"seconds", result.seconds}});
 }
 
-/// CalibrateOptions of a search, where there is nothing to search for.
+/// Refuses the options of a search for a model that has no parameters.
 void refuse_ignored_options(const CLI::App& verb, const CalibrateOptions& options) {
     if (!reduction::find_tile_model(options.fill.model).parameters.empty()) return;
     refuse_given(verb, {"--optimizer", "--starts", "--budget", "--seed"},
@@ -217,7 +215,7 @@ void warn_of_spent_budgets(const Library& library, std::span<const pattern::Name
              "--budget, or change --starts");
 }
 
-/// A search that failed can end with a number like any other. Beside its like it stands out.
+/// A failed search can end with an ordinary number. Only beside similar calibrations it stands out.
 void warn_of_odd_searches(const Result& result) {
     if (result.report.dead_starts > 0)
         warn(std::to_string(result.report.dead_starts) +

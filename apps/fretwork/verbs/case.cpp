@@ -35,8 +35,8 @@ struct CaseOptions {
     bool json = false;
 };
 
-/// Every selection of the load case must pick something on this project's tessellation, painted or not: so
-/// the masses of the tiles are left out.
+/// Throws unless every selection of the load case picks something on this project's tessellation. Tiles need
+/// not be painted, so their masses are left out.
 void check_on(const Project& project, const LoadCase& load_case) {
     (void)simulation::resolve(simulation::combined(load_case, project.load_cases),
                               simulation::make_surface(project, nullptr), {});
@@ -48,7 +48,7 @@ LoadCase& case_of(Project& project, const CaseOptions& options) {
     });
 }
 
-/// Prints the pick of each entry, for people; warnings go to standard error.
+/// Prints what each entry selects, for people; warnings go to standard error.
 void tell(const LoadCase& load_case, const Project& project, const CaseOptions& options) {
     if (!options.json) {
         std::printf("%s\n", base::printable(load_case.name).c_str());
@@ -79,7 +79,7 @@ void add_to_project(const CaseOptions& options) {
     tell(load_case, project, options);
 }
 
-/// Load cases that others combine stay.
+/// Throws if another load case combines this one.
 void check_not_combined(const Project& project, const std::string& name, const std::string& file) {
     for (const LoadCase& other : project.load_cases) {
         if (std::ranges::find(other.combines, name, &LoadCase::Share::load_case) != other.combines.end())
@@ -97,7 +97,7 @@ void remove_from_project(const CaseOptions& options) {
     simulation::write_project(project, options.project);
 }
 
-/// Combinations go on naming it.
+/// Combinations get the new name, too.
 void rename_in_project(const CaseOptions& options) {
     const base::FileLock lock(options.project);
     Project project = simulation::read_project(options.project);

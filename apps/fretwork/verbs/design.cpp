@@ -65,7 +65,7 @@ void read_free(const std::string& text, design::DesignOptions& options) {
     }
 }
 
-/// Errors of a target name its file, those of the project its own.
+/// Errors of the target name the target's file; other errors name the project's file.
 design::DesignReport run_design(const DesignArguments& arguments, const simulation::Project& project,
                                 const library::Library* library, const design::Target& target,
                                 const design::DesignOptions& options) {
@@ -80,7 +80,7 @@ design::DesignReport run_design(const DesignArguments& arguments, const simulati
     }
 }
 
-/// Read what people type into the options of the design.
+/// Calls `read` unless the text is empty; errors name the option.
 template <class Read>
 void read_as(const char* option, const std::string& text, const Read& read) {
     if (text.empty()) return;

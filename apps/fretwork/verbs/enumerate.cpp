@@ -72,7 +72,7 @@ pattern::EdgeRange parse_range(const std::string& text, const NodeLayout& layout
     return range;
 }
 
-/// The properties of valid patterns, by the options.
+/// The enumeration that the options ask for.
 pattern::EnumerationOptions make_enumeration(const EnumerateOptions& options, const NodeLayout& layout) {
     pattern::EnumerationOptions enumeration;
     pattern::FilterSettings& filters = enumeration.filters;
@@ -106,7 +106,7 @@ exports::PatternDrawingOptions drawing_options(const pattern::EnumerationOptions
     return drawing;
 }
 
-/// EnumerateOptions without an effect are a misunderstanding.
+/// Refuses options without an effect, which are a misunderstanding.
 void refuse_ignored_options(const CLI::App& verb, const EnumerateOptions& options) {
     const bool is_random = options.sample > 0 || options.estimate > 0;
     if (verb.count("--seed") > 0 && !is_random)
@@ -187,7 +187,7 @@ std::string filter_help() {
     return text;
 }
 
-/// Which patterns are valid.
+/// Adds the options on valid patterns.
 void add_rules(CLI::App& verb, EnumerateOptions& options) {
     verb.add_option("--layout", options.layout, "Node layout: a name or a file")->capture_default_str();
     verb.add_option("--edges", options.edges,
@@ -227,7 +227,7 @@ void add_files(CLI::App& verb, EnumerateOptions& options) {
                          output("--classes", kClassesFile)});
 }
 
-/// Whether all patterns are found, or some, or only their number.
+/// Adds the options to find only some patterns, or only their number.
 void add_extent(CLI::App& verb, EnumerateOptions& options) {
     CLI::Option* sample = verb.add_option("--sample", options.sample,
                                           "Choose this number of valid patterns at random instead of finding "

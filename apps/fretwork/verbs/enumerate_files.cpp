@@ -13,7 +13,7 @@ namespace {
 
 /// Sheets of more patterns are too large to look at.
 constexpr std::size_t kMostOnASheet = 5000;
-/// Kept for a library or for classes: some hundred bytes each until the files are written.
+/// Patterns kept for a library or for classes take some hundred bytes each until the files are written.
 constexpr std::size_t kMostKept = 10'000'000;
 
 void refuse_number(const std::string& path, std::size_t most, const char* purpose) {
@@ -64,7 +64,7 @@ std::optional<pattern::SamenessReport> PatternFiles::finish(const pattern::Samen
     return sameness;
 }
 
-/// One that is there keeps its setting; a new one gets the paper's, until it is calibrated with another.
+/// An existing library keeps its setting. A new one gets the paper's, until it is calibrated with another.
 void PatternFiles::add_to_library(const base::Control& control) const {
     std::error_code is_missing;
     auto library = std::filesystem::file_size(paths_.library, is_missing) > 0 && !is_missing

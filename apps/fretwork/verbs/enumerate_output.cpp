@@ -15,7 +15,7 @@ namespace {
 using base::Json;
 using pattern::NodeLayout;
 
-/// Numbers of any size: beyond 2^53 as text, since JSON readers keep no more.
+/// Numbers beyond 2^53 become text, since JSON readers may round larger ones.
 Json json_count(pattern::GraphCount count) {
     constexpr pattern::GraphCount kLargestExact = pattern::GraphCount{1} << 53;
     if (count > kLargestExact) return pattern::count_text(count);

@@ -63,7 +63,7 @@ Value read_option(const std::string& option, const std::string& text, Value (*pa
     return base::located(option, "", [&] { return parse(text); });
 }
 
-/// A surface that results are to be of.
+/// The surface to which results must belong.
 struct OwnSurface {
     const simulation::Surface& surface;
     simulation::SurfaceIdentity identity;
@@ -90,8 +90,8 @@ bool any_is(const Writers& writers, bool (exports::WriterRow::*is)() const) {
     return std::ranges::any_of(writers, [&](const auto* writer) { return (writer->*is)(); });
 }
 
-/// A drawing in .svg is seen from above if there is no result; with a result and a case it is beside the
-/// others.
+/// An .svg has a drawing from above if there is no result. With a result and a case, it has that drawing
+/// beside the others.
 void refuse_ignored_in_drawings(const CLI::App& verb, const ExportOptions& options, const Writers& writers) {
     const bool has_svg = std::ranges::any_of(
         writers, [](const auto* writer) { return writer->is_drawing() && !writer->is_picture(); });
@@ -110,7 +110,7 @@ void refuse_ignored_in_drawings(const CLI::App& verb, const ExportOptions& optio
     if (!tells_strength) refuse_given(verb, {"--strength"}, "is for pictures, facts and .vtu");
 }
 
-/// ExportOptions that only some kinds of files look at.
+/// Refuses options that no file to write makes use of.
 void refuse_ignored_options(const CLI::App& verb, const ExportOptions& options) {
     Writers writers;
     for (const std::string& path : options.to) writers.push_back(&writer_of(options, path));

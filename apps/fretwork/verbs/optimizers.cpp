@@ -41,7 +41,7 @@ struct OptimizersOptions {
     std::string known;
     std::string results;
     std::string problems = "all";
-    std::string optimizers;             ///< empty: all, or, where there are commands, these
+    std::string optimizers;             ///< empty: the commands, or all if there are none
     std::vector<std::string> commands;  ///< NAME=COMMAND
     std::string setting;                ///< a name or a file
     std::size_t patterns = 60;
@@ -52,7 +52,7 @@ struct OptimizersOptions {
     bool json = false;
 };
 
-/// The name by which ids of problems name the setting of --setting: its own, or that of its file.
+/// The name of --setting in ids of problems: a file's name without its ending, else the text itself.
 std::string setting_name(const OptimizersOptions& options) {
     return std::filesystem::path(options.setting).stem().string();
 }
@@ -153,7 +153,7 @@ Contender chosen_contender(const std::string& word, const std::vector<Contender>
     return contender;
 }
 
-/// The methods of --optimizers; without it all, or, where --command gives some, these.
+/// The methods of --optimizers; without this option those of --command, or all if there are none.
 std::vector<Contender> chosen_contenders(const std::string& choice,
                                          const std::vector<optimization::OptimizerRow>& commands) {
     std::vector<Contender> own;

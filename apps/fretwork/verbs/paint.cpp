@@ -43,7 +43,7 @@ struct PaintOptions {
     bool json = false;
 };
 
-/// With commas or blanks between.
+/// Lengths with commas or blanks between.
 std::vector<double> parse_lengths(const std::string& text) {
     std::vector<double> lengths;
     std::string words = text;
@@ -97,7 +97,7 @@ void add_tiles(std::set<TileIndex>& chosen, const char* option, const std::vecto
     }
 }
 
-/// All tiles where none are named.
+/// Returns all tiles if no option selects any.
 std::vector<TileIndex> chosen_tiles(const PaintOptions& options, const tiling::Tessellation& tessellation) {
     std::set<TileIndex> chosen;
     add_tiles(chosen, "--tiles", options.tiles,
@@ -115,7 +115,7 @@ std::vector<TileIndex> chosen_tiles(const PaintOptions& options, const tiling::T
     return {chosen.begin(), chosen.end()};
 }
 
-/// Where patterns and their properties come from.
+/// The library with the patterns; none without --patterns.
 std::optional<library::Library> open_library(const Project& project, const PaintOptions& options) {
     if (options.painting.patterns.empty()) return std::nullopt;
     auto library = simulation::open_project_library(options.project, project, options.library);
@@ -123,7 +123,7 @@ std::optional<library::Library> open_library(const Project& project, const Paint
     return library;
 }
 
-/// The colours of a drawing choose among the tiles.
+/// Returns the painted tiles: a drawing may leave some out.
 std::vector<TileIndex> paint_project(Project& project, std::vector<TileIndex> tiles,
                                      const simulation::PaintingChoice& choice, const PaintOptions& options,
                                      const library::Library* library) {

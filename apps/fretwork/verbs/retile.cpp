@@ -54,7 +54,7 @@ RetilingOptions wanted_tiles(const RetileOptions& options) {
     return wanted;
 }
 
-/// The library of the project has no patterns of another layout.
+/// With another layout, the project's library is not opened: it has no such patterns.
 std::optional<library::Library> painting_library(const RetileOptions& options, const Project& project,
                                                  const RetilingOptions& wanted) {
     const bool has_own =
@@ -132,7 +132,7 @@ void run(const RetileOptions& options) {
     std::printf("%s\n", base::printable(options.out).c_str());
 }
 
-/// Without them, the new tiles would be like the old ones.
+/// Without one of these options, the new tiles would be the old ones.
 void require_change(const CLI::App& verb) {
     for (const char* option : {"--edge-length", "--angle", "--narrow", "--layout"})
         if (verb.count(option) > 0) return;

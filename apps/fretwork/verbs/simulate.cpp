@@ -53,7 +53,7 @@ auto of_project(const SimulateOptions& options, const Work& work) {
     return base::located(options.project, "", work);
 }
 
-/// The name of a load case of the project; else a file is one by its ending or its folder.
+/// The project's load case with this name. Another text is a file if it ends in .json or has a folder.
 LoadCase chosen_load_case(const Project& project, const SimulateOptions& options) {
     const std::string& name_or_file = options.load_case;
     for (const LoadCase& own : project.load_cases) {
@@ -66,7 +66,7 @@ LoadCase chosen_load_case(const Project& project, const SimulateOptions& options
     return of_project(options, [&] { return simulation::find_load_case(project, name_or_file); });
 }
 
-/// The result drawn or for ParaView, as `export` would write it.
+/// Adds the result as a drawing or for ParaView, as `export` would write it.
 void add_drawings(const SimulateOptions& options, const Surface& surface,
                   const simulation::SurfaceResult& result, base::FileBatch& files) {
     if (options.drawings.empty()) return;
@@ -76,7 +76,7 @@ void add_drawings(const SimulateOptions& options, const Surface& surface,
         files.add(path, exports::find_writer(path).write(scene).text);
 }
 
-/// The load steps or stages for ParaView. The files beside the named one are ours, or do not exist.
+/// Adds the load steps or stages for ParaView. Throws if a file beside the named one exists and is not ours.
 void add_series(const SimulateOptions& options, const Surface& surface,
                 const simulation::SurfaceResult& result, base::FileBatch& files) {
     if (options.series.empty()) return;
@@ -154,7 +154,7 @@ ExitCode run(SimulateOptions options) {
     return result.solution.converged() && !misses_error ? ExitCode::Done : ExitCode::DidNotSucceed;
 }
 
-/// Load stages have loads of their own, and no whole load that could be shared out.
+/// Load stages have loads of their own, and no full load for load steps, buckling or a deck.
 void refuse_beside_stages(const CLI::App& verb, const SimulateOptions& options) {
     if (options.stages.empty()) return;
     refuse_given(verb, {"--deck", "--frame-out", "--buckling", "--steps"},

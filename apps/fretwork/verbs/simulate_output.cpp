@@ -38,7 +38,7 @@ base::Json model_error_json(const simulation::SurfaceResult& result) {
             {"largest_stress", base::or_null(error->largest_stress)}};
 }
 
-/// Null of linear results and of the full model.
+/// Null for linear results and for the full model.
 base::Json model_doubt_json(const simulation::SurfaceResult& result) {
     const auto& doubt = result.model_doubt;
     if (!doubt) return nullptr;
@@ -72,7 +72,7 @@ base::Json stability_losses_json(const simulation::SurfaceResult& result,
     return losses;
 }
 
-/// Each solution of a path with several, or of load stages, which have names.
+/// The solution of each load step or load stage; stages have names.
 base::Json load_steps_json(const simulation::SurfaceResult& result) {
     const std::vector<std::string> names = simulation::stage_names(result);
     base::Json steps = base::Json::array();
@@ -88,7 +88,7 @@ base::Json load_steps_json(const simulation::SurfaceResult& result) {
     return steps;
 }
 
-/// Each load stage.
+/// Prints each load stage.
 void print_stages(const simulation::SurfaceResult& result) {
     const std::vector<std::string> names = simulation::stage_names(result);
     for (std::size_t i = 0; i < names.size(); ++i) {

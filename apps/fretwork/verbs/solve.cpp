@@ -117,7 +117,7 @@ void add_method(CLI::App& verb, SolveOptions& options) {
         ->check(thread_check());
 }
 
-/// The structure to solve, and what else to compute of it.
+/// Adds --lumped-gravity, and the options for what else to compute.
 void add_questions(CLI::App& verb, SolveOptions& options) {
     CLI::Option* lumped = verb.add_flag("--lumped-gravity", options.solve.lumped_gravity,
                                         "Put half of a beam's weight on each end, without moments");

@@ -56,7 +56,7 @@ std::string limit_place(const mechanics::Result& result) {
     return " (" + component_text(result, losses.back()) + ")";
 }
 
-/// How a path ends that does not reach its load, and what helps.
+/// How a path that does not reach its load ends, and what helps.
 std::string ending_text(const mechanics::Result& result, mechanics::Branch branch) {
     const mechanics::Solution& solution = result.solution;
     char share[32];

@@ -22,8 +22,8 @@
 namespace fretwork::app {
 namespace {
 
-/// The place of this program's page: ../share/fretwork/studio.html, seen from the program. It may not be
-/// there.
+/// The place of this program's page: ../share/fretwork/studio.html, seen from the program's folder. The file
+/// may be missing.
 std::filesystem::path usual_page_path() {
     std::error_code unknown;
     const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown);
@@ -39,7 +39,7 @@ struct StudioOptions {
     studio::StudioOptions studio;
 };
 
-/// Where programs keep what outlives a run: $XDG_STATE_HOME, else ~/.local/state.
+/// The folder for what outlives a run: fretwork in $XDG_STATE_HOME, else in ~/.local/state.
 std::filesystem::path state_folder() {
     const char* state = std::getenv("XDG_STATE_HOME");
     if (state != nullptr && *state == '/') return std::filesystem::path(state) / "fretwork";
@@ -48,7 +48,7 @@ std::filesystem::path state_folder() {
     return root / ".local" / "state" / "fretwork";
 }
 
-/// The desktop's own command opens it; without one, people have the address.
+/// Opens an address by the desktop's command, if there is one. The address is printed, too.
 void open_browser(std::string address) {
     std::string program = "xdg-open";
     char* arguments[] = {program.data(), address.data(), nullptr};
@@ -70,13 +70,13 @@ void open_browser(std::string address) {
     ::posix_spawn_file_actions_destroy(&quiet);
 }
 
-/// A layout by its name, or the absolute path of its file, which the page asks for.
+/// The text by which the page asks for a layout: its name, or the absolute path of its file.
 std::string layout_to_draw(const std::string& text) {
     if (text.empty())
         throw base::InputError(
             "--layout '' is empty: give the name or the file of a layout, or --layout alone for " +
             pattern::layout_names().front());
-    (void)pattern::find_node_layout(text);  // the reason names it as it was typed
+    (void)pattern::find_node_layout(text);  // errors name the text as it was typed
     if (pattern::is_layout_name(text)) return text;
     return std::filesystem::absolute(text).lexically_normal().string();
 }

@@ -70,8 +70,8 @@ std::optional<Library> open_library(const TileOptions& options) {
     return simulation::open_project_library(options.out, simulation::read_project(options.out), "");
 }
 
-/// The setting that is named; else that of the project which is tiled again, unless it gets another library;
-/// else none: that of the library, or that of things that are made.
+/// The setting that is named. Else that of the project that is tiled again, unless --library is given. Else
+/// none: make_project() then takes the library's, or the setting "made".
 std::optional<reduction::Setting> wanted_setting(const TileOptions& options, const Library* library) {
     if (!options.setting.empty()) return reduction::find_setting(options.setting);
     if (!options.library.empty() || !std::filesystem::exists(options.out)) return std::nullopt;
@@ -87,7 +87,7 @@ void name_library(Project& project, const TileOptions& options, const Library* l
     project.library_hash = library->content_hash();
 }
 
-/// The parts of a project that stay when it is tiled again must fit the new tiles.
+/// Throws InputError if a load case that stays selects nothing on the new tiles.
 void check_what_stays(const Project& project, const TileOptions& options) {
     for (const simulation::LoadCase& load_case : project.load_cases) {
         try {
@@ -118,7 +118,7 @@ void warn_of_numbers(const Project& before, const Project& tiled) {
          " of the load cases kept select interface nodes by number, and these nodes now lie elsewhere");
 }
 
-/// The numbers of tiles mean others on other tiles.
+/// Numbers of tiles mean other places on other tiles.
 void drop_tile_models(Project& before, const Project& tiled) {
     if (before.tile_models.empty()) return;
     if (before.tessellation.interface_nodes == tiled.tessellation.interface_nodes) return;
@@ -148,7 +148,7 @@ Project write(Project tiled, const TileOptions& options, const Library* library)
     return project;
 }
 
-/// The parts of the outline that were left out, as a warning.
+/// Warns of the points of the outline that were left out.
 void warn_of_points(const simulation::NewProject& made) {
     const std::size_t points = made.report.negligible_points;
     if (points == 0) return;
@@ -157,7 +157,7 @@ void warn_of_points(const simulation::NewProject& made) {
          " mm of the previous point");
 }
 
-/// The changes of the drawing, in one line.
+/// Warns of the changes to the drawing, in one line.
 void tell(const outlines::OutlineFile& file, const TileOptions& options) {
     if (file.remarks.empty()) return;
     warn(options.outline + ": " + base::join(file.remarks, "; "));
@@ -196,7 +196,7 @@ simulation::NewProject make(const outlines::OutlineFile& file, const simulation:
     try {
         return simulation::make_project(file.parts, wanted, library);
     } catch (const base::GeometryError&) {
-        throw;  // of the outline
+        throw;  // an error of the outline
     } catch (const base::InputError& error) {
         throw with_option_name(error);
     }
@@ -210,7 +210,7 @@ void run(const TileOptions& options) {
     wanted.setting = wanted_setting(options, library);
     const outlines::OutlineFile file = read_outline(options, width);
     tell(file, options);
-    // Ctrl-C asks to stop only while files may be half-written: before and behind it ends the program.
+    // Only here Ctrl-C asks to stop, since files may be half-written. Before and after, it ends the program.
     std::optional<LongWork> work(std::in_place);
     wanted.control = work->control();
     simulation::NewProject made = make(file, wanted, library);

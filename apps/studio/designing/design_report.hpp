@@ -17,7 +17,7 @@ struct DesignFound {
     design::DesignOptions options;  ///< those of the request
 };
 
-/// The document with the painting, and, where the design was free to change them, the loads.
+/// The document with the painting, and with the loads if the design was free to change them.
 Edited with_design(const State& state, const design::DesignReport& report);
 
 /// The event `designed`.

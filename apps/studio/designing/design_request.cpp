@@ -19,7 +19,7 @@ constexpr long long kMostPatternsAsked = 1'000'000;
 constexpr long long kMostSolutions = 1'000'000;
 constexpr const char* kFirstPalette = "sample:64";
 
-/// Formats are of files: a message has the newest one.
+/// A message that names no format has the newest one.
 design::Target read_target(const JsonReader& json) {
     base::Json value = base::Json::parse(json.text());
     if (value.is_object() && !value.contains("format")) value["format"] = design::kTargetFormat;

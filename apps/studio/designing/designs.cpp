@@ -18,7 +18,7 @@ namespace {
 /// The sketch: as few solutions as show where a design leads. It costs a tenth to a third of the whole.
 constexpr std::size_t kSketchedUniform = 6;
 constexpr int kSketchedSolutions = 12;
-/// Of a time that is given.
+/// Its share of a given time.
 constexpr double kSketchedShare = 0.25;
 
 std::vector<pattern::NamedPattern> palette_of(const State& state, const DesignWish& wish,
@@ -41,7 +41,7 @@ bool is_nearer(const DesignReport& one, const DesignReport& other) {
     return one.error && (!other.error || one.error->mean < other.error->mean);
 }
 
-/// What the design has come to: the sketch, if the search was stopped before it was better.
+/// The result of the design: the answer or, if it is nearer to the target, the sketch.
 DesignReport best_of(const DesignReport& sketch, DesignReport answer) {
     if (!is_nearer(sketch, answer)) return answer;
     DesignReport best = sketch;

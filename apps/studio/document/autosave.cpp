@@ -85,7 +85,7 @@ AutosavePlace::AutosavePlace(const fs::path& folder, const std::optional<fs::pat
     const std::string stem = stem_of(document);
     for (int number = 1; number <= kMostPlaces && !lock_; ++number) {
         file_ = folder / ((number == 1 ? stem : stem + "-" + std::to_string(number)) + ".json");
-        // A file there belongs to a studio that has ended, and must not be lost.
+        // An existing file has the unsaved work of another studio, and must not be lost.
         if (!fs::exists(file_)) lock_ = try_lock(file_);
     }
     if (!lock_)
@@ -147,7 +147,7 @@ void Autosave::forget(const fs::path& file) {
         const std::scoped_lock lock(mutex_);
         waiting_.erase(file);
     }
-    const std::scoped_lock lock(writing_);  // not between a state that was taken and its file
+    const std::scoped_lock lock(writing_);  // waits until a state that was taken is written
     std::error_code gone;
     fs::remove(file, gone);
 }

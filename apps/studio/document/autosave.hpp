@@ -74,7 +74,7 @@ class Autosave {
     ~Autosave();
 
     void keep(StatePtr state, AutosaveLabel label, std::filesystem::path file);
-    /// The document is saved, or given up: remove its file and forget the waiting state.
+    /// The document is saved, or given up: remove the autosave `file`, and forget the waiting state.
     void forget(const std::filesystem::path& file);
 
   private:

@@ -15,7 +15,7 @@ struct ProjectFile {
     std::filesystem::path path;
     std::optional<std::string> hash;
 };
-/// Nothing if there is no such file. Throws IoError if it cannot be read.
+/// The SHA-256; nothing if there is no such file. Throws IoError if it cannot be read.
 std::optional<std::string> hash_of_file(const std::filesystem::path& path);
 
 /// The document of a server: its history, its file, and the selected load case.
@@ -33,7 +33,7 @@ class Document {
 
     [[nodiscard]] const StatePtr& now() const { return history_.now(); }
     [[nodiscard]] const std::optional<std::filesystem::path>& path() const { return path_; }
-    /// The file's content when it was read or written last.
+    /// The SHA-256 of the file when it was read or written last.
     [[nodiscard]] const std::optional<std::string>& file_hash() const { return file_hash_; }
     [[nodiscard]] std::int64_t revision() const { return revision_; }
     [[nodiscard]] bool is_saved() const { return now() == saved_; }

@@ -53,7 +53,7 @@ Json lists_of_numbers(const std::vector<std::vector<Index>>& lists) {
     return all;
 }
 
-/// Which nodes each entry is on, and what they bear, so that no page has to work it out.
+/// The nodes of each entry of a load case, and their loads, so that no page has to compute them.
 Json marks_json(const simulation::EntryMarks& marks) {
     Json loads = Json::array();
     for (const simulation::EntryMarks::Load& load : marks.loads)

@@ -22,7 +22,7 @@ struct DocumentStatus {
     std::optional<std::string> redo{};
 };
 
-/// Where the nodes of a layout lie on the base triangle: barycentric, v0 v1 v2.
+/// The places of a layout's nodes on the base triangle, as barycentric coordinates for v0, v1, v2.
 base::Json layout_nodes_json(const pattern::NodeLayout& layout);
 /// The event `document`: everything.
 base::Json document_event(const State& state, const DocumentStatus& status);

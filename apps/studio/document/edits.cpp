@@ -81,7 +81,7 @@ Edited set_tile_model(const State& state, const JsonReader& request) {
     return edit;
 }
 
-/// With another setting the library's calibrations are those of other tiles: the document leaves it.
+/// With another setting the library's calibrations do not fit: then the document has no library any more.
 Edited set_setting(const State& state, const JsonReader& request) {
     request.allow_only({"id", "do", "merge", "setting"});
     Edited edit{state, "material and section"};
@@ -97,13 +97,13 @@ std::size_t read_index(const JsonReader& json, std::size_t last) {
     return json.integer(0, static_cast<long long>(last));
 }
 
-/// All that combinations name must be there.
+/// Checks that all load cases in combinations exist.
 void check_combinations(const std::vector<LoadCase>& cases) {
     for (const LoadCase& load_case : cases) (void)simulation::combined(load_case, cases);
 }
 
-/// Formats are of files: a message has the newest one, unless it names another. Marks are the server's to
-/// say: who sends a load case back as it came need not take them out.
+/// A message has the newest format of files, unless it names another. Marks are left out: a page may send a
+/// load case back with the marks that the server has added.
 LoadCase read_load_case(const JsonReader& json) {
     base::Json value = base::Json::parse(json.text());
     if (value.is_object() && !value.contains("format")) value["format"] = simulation::kLoadCaseFormat;

@@ -77,7 +77,7 @@ Painted tile_by_tile(const State& state, const JsonReader& request) {
     return result;
 }
 
-/// All tiles where none are named; in the order in which the command takes them, since chance depends on it.
+/// The named tiles, or all if none are named, in the order of the command: random choices depend on it.
 std::vector<TileIndex> chosen_tiles(const State& state, const JsonReader& request) {
     std::vector<std::size_t> numbers(state.tile_count());
     std::iota(numbers.begin(), numbers.end(), std::size_t{0});
@@ -100,7 +100,7 @@ bool looks_up(const PaintingChoice& choice) {
     return field != nullptr && (is_open(field->palette) || !field->property.empty());
 }
 
-/// Only where something is looked up in it: to see whether it has changed takes as long as it is large.
+/// The library, only if something is looked up in it: to check it for changes takes long if it is large.
 std::optional<library::Library> library_for(const PaintingChoice& choice, const State& state) {
     if (!looks_up(choice)) return std::nullopt;
     auto library = open_library(state);
@@ -108,7 +108,7 @@ std::optional<library::Library> library_for(const PaintingChoice& choice, const 
     return library;
 }
 
-/// One that a tile has already, if it says the same: to paint twice alike changes nothing.
+/// The recipe of a tile that equals the wanted one, else a new one: to paint the same again changes nothing.
 std::shared_ptr<const PaintingChoice> known_or_new(const Painting& painting, const PaintingChoice& wanted) {
     std::set<const PaintingChoice*> seen;  // many tiles share one recipe, which may hold an image
     for (const auto& recipe : painting.recipes) {

@@ -32,8 +32,8 @@ Json stiffness_json(const Eigen::Matrix3d& tensor) {
             {"poisson", number_or_null(-compliance(0, 1) / compliance(0, 0))}};
 }
 
-/// The conditions for a pattern to have properties: a polygon that tiles the plane, interface nodes with
-/// beams.
+/// The properties of a pattern; none unless the polygon has four or six sides and each interface node a
+/// beam.
 std::optional<EffectiveProperties> properties_of(const pattern::NodeLayout& layout,
                                                  const pattern::Pattern& pattern,
                                                  const reduction::Setting& setting) {

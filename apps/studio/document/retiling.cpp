@@ -24,7 +24,7 @@ std::optional<pattern::NodeLayout> read_other_layout(const JsonReader& json, con
     const auto name = json.find("layout");
     if (!name) return std::nullopt;
     const std::string text = read_name_or_path(*name);
-    // The document's own may be known by a file that lies elsewhere.
+    // The document's own layout is known, even if its file lies elsewhere.
     if (text == state.ground->layout.name()) return std::nullopt;
     pattern::NodeLayout layout = pattern::find_node_layout(text);
     if (layout == state.ground->layout) return std::nullopt;
@@ -51,7 +51,7 @@ void find_pattern(const State& state, Retiling& made, const base::Control& contr
     if (made.remark.empty()) made.pattern = project.tessellation.patterns.front();
 }
 
-/// The recipes, which lie where they lay, are followed again.
+/// Follows the recipes again, each on its new tiles.
 State painted_by_place(State next) {
     next.painting = std::make_shared<const Painting>(painted_again(next));
     return next;

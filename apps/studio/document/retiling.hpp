@@ -23,7 +23,7 @@ struct RetileRequest {
     std::string patterns = "keep";
     Preview preview = Preview::No;
 };
-/// Throws InputError if the request is malformed, or asks to keep patterns of another layout.
+/// Throws InputError if the request is malformed, or asks to keep the patterns with another layout.
 RetileRequest read_retile(const base::JsonReader& json, const State& state);
 
 /// The result of the slow part of a request: the tiles and, with "made:one", the pattern that can be made on

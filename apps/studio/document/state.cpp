@@ -53,7 +53,7 @@ std::vector<Recipe> recipes_by_tile(const Project& project) {
     return recipes;
 }
 
-/// The inverse: in the order of their first tiles.
+/// The inverse, in the order of the recipes' first tiles.
 std::vector<simulation::PaintingRecipe> recipes_with_tiles(const Painting& painting) {
     std::vector<simulation::PaintingRecipe> recipes;
     std::map<const simulation::PaintingChoice*, std::size_t> places;

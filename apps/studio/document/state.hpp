@@ -15,7 +15,7 @@ namespace fretwork::studio {
 struct Painting {
     std::vector<pattern::NamedPattern> palette;
     std::vector<int> patterns;  ///< of each tile: an index into the palette; -1: not painted
-    std::vector<int> turns;     ///< for each tile: the vertices by which it is turned relative to `ground`
+    std::vector<int> turns;     ///< by how many vertices each tile is turned relative to `ground`
     /// For each tile the choice by place or by chance that painted it, as simulation::recipe_of() has it;
     /// null: it was painted by hand.
     std::vector<std::shared_ptr<const simulation::PaintingChoice>> recipes;

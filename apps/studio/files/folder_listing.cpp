@@ -18,7 +18,7 @@ constexpr std::size_t kMostListed = 2000;
 struct ListedEntry {
     std::string name;
     bool is_folder = false;
-    std::int64_t seconds = 0;  ///< since 1970, of its last change
+    std::int64_t seconds = 0;  ///< time of the last change, s since 1970
 };
 
 std::int64_t time_of(const fs::directory_entry& entry) {
@@ -29,7 +29,7 @@ std::int64_t time_of(const fs::directory_entry& entry) {
     return std::chrono::duration_cast<std::chrono::seconds>(since).count();
 }
 
-/// Names that a message cannot hold are left out, too.
+/// Hidden entries are left out, and names that a message cannot hold.
 bool is_shown(const std::string& name) {
     return !name.empty() && name.front() != '.' && base::printable(name) == name;
 }

@@ -18,7 +18,7 @@ double width_of(const std::vector<geometry::Point2>& points) {
     return right.x - left.x;
 }
 
-/// The changes of the drawing by the tiling.
+/// Adds what the tiling has changed in the drawing.
 void add_remarks(const simulation::NewProject& made, std::vector<std::string>& remarks) {
     if (made.report.negligible_points > 0)
         remarks.push_back(std::to_string(made.report.negligible_points) +
@@ -38,7 +38,7 @@ void scale(tiling::Tessellation& tessellation, double factor) {
     scale_all(tessellation.interface_nodes);
 }
 
-/// The faces of a mesh are read from its file, and scaled as its outline was.
+/// Makes the project. A mesh's faces are read from its file, and scaled as its outline was.
 simulation::NewProject make_from(const SentOutline& sent, const outlines::OutlineFile& file,
                                  simulation::NewProjectOptions options) {
     if (options.tiles == simulation::TilesFrom::Outline)
@@ -52,7 +52,7 @@ simulation::NewProject make_from(const SentOutline& sent, const outlines::Outlin
     return made;
 }
 
-/// A choice of patterns that the studio makes; the other words are the command line's.
+/// A choice of patterns that only the studio has; all others are those of the command line.
 constexpr std::string_view kToBeMade = "made:one";
 
 }  // namespace

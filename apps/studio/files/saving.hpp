@@ -22,15 +22,15 @@ struct Conflict {
     std::filesystem::path path;
     Reason reason;
     std::string hash{};  ///< of the file that is there
-    std::string kind;    ///< "project"
+    std::string kind;    ///< "project", ..
     /// Why it is not replaced, in one line.
     [[nodiscard]] std::string text() const;
     /// The key `conflict` of the refusal.
     [[nodiscard]] base::Json json() const;
 };
 
-/// The lock that the commands take, too: a program that changes a file locks it, and one that makes it locks
-/// its folder. Throws InputError if another program has it.
+/// Take the lock that the commands take, too: on the file if it exists, else on its folder. Throws InputError
+/// if another program has this lock.
 base::FileLock lock_for_writing(const std::filesystem::path& path);
 
 }  // namespace fretwork::studio

@@ -45,7 +45,7 @@ std::optional<std::size_t> face_at(const NodeLayoutDescription& description, con
     return static_cast<std::size_t>(found - description.face.begin());
 }
 
-// ---- where a hand means ----
+// ---- places on the grid ----
 
 /// The share along a side of the regular triangle at which the perpendicular through a place meets it.
 double share_of(const HandPlace& place, Region region) {
@@ -112,7 +112,7 @@ void move_radial(NodeLayoutDescription& description, std::size_t number, double 
     if (place) description.radial[number] = *place;
 }
 
-/// A node of the upper half moves as its twin does. One in the middle is its own twin, and stays.
+/// A node and its twin move as mirror images. A node in the middle is its own twin, and stays.
 void move_interface(NodeLayoutDescription& description, std::size_t number, double share,
                     const LayoutHand& hand) {
     std::vector<Rational>& shares = description.interface;
@@ -198,7 +198,7 @@ ChangedLayout with_interface(NodeLayoutDescription next, const LayoutChange& cha
         change.to ? share_of(*change.to, Region::Interface) : middle_of_gap(lower, {Rational(0), kMiddle});
     const Rational share = grid_share(wanted, hand);
     if (share != kMiddle) insert_share(shares, Rational(1) - share);
-    const std::size_t number = insert_share(shares, share);  // the last, so that the twin moves it no more
+    const std::size_t number = insert_share(shares, share);  // after the twin, which would shift it
     NodeLayout layout(std::move(next));
     const LayoutNodeIndex node = node_of(layout, Region::Interface, number);
     return {std::move(layout), node};
@@ -214,7 +214,8 @@ HandPlace to_doubles(const ExactPlace& place) {
     return {place[0].to_double(), place[1].to_double(), place[2].to_double()};
 }
 
-/// The place inside of the triangle that is farthest from all nodes and from the sides, about every 24th.
+/// The place inside of the triangle that is farthest from all nodes and from the sides, of a grid of about a
+/// 24th of a side.
 ExactPlace most_room(const NodeLayout& layout, const LayoutHand& hand) {
     constexpr std::int64_t kTried = 24;
     const std::int64_t stride = std::max<std::int64_t>(1, hand.steps / kTried);
@@ -224,7 +225,7 @@ ExactPlace most_room(const NodeLayout& layout, const LayoutHand& hand) {
         for (std::int64_t second = stride; first + second < hand.steps; second += stride) {
             const ExactPlace exact = face_place(first, second, hand.steps);
             const HandPlace place = to_doubles(exact);
-            // The height over a side is the coordinate times that of the triangle, whose square is 3/4.
+            // The height over a side is the coordinate times the triangle's height, whose square is 3/4.
             double room = 0.75 * std::pow(std::min({place[0], place[1], place[2]}), 2);
             for (const auto& node : layout.nodes())
                 room = std::min(room, squared_distance(place, to_doubles(node.place)));

@@ -29,7 +29,7 @@ struct LayoutChange {
     Kind kind = Kind::Move;
     pattern::LayoutNodeIndex node{};                   ///< the node that is moved or removed
     pattern::Region region = pattern::Region::Center;  ///< of the node that is added
-    std::optional<Place> to{};  ///< of a node that is added: none lets it go where there is most room
+    std::optional<Place> to{};  ///< new place; none: an added node goes where there is most room
 };
 
 /// A layout after a change.

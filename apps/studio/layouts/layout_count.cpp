@@ -13,7 +13,7 @@ using Clock = std::chrono::steady_clock;
 using pattern::Pattern;
 
 /// Draws some of a stream of patterns, each of those seen with the same chance [Vitter1985, algorithm R]. The
-/// same stream gives the same ones.
+/// same stream gives the same sample.
 class Drawn {
   public:
     explicit Drawn(std::size_t most) : most_(most) {}
@@ -81,7 +81,7 @@ CountedPatterns counted(const pattern::NodeLayout& layout, const CountLimits& li
             teller.see(drawn.seen());
         });
     } catch (const base::Stopped&) {
-        // What was found by then is kept, unless the caller wants none of it.
+        // The patterns found so far are kept, unless the caller has stopped the count.
         control.check();
         result.is_complete = false;
     }

@@ -16,14 +16,14 @@ namespace fretwork::studio {
 struct CountLimits {
     std::uint64_t patterns = 50'000'000;
     std::chrono::milliseconds time{20'000};
-    std::size_t samples = 12;  ///< of the patterns that are found, each equally likely
+    std::size_t samples = 12;  ///< number drawn from the patterns found, each equally likely
 };
 
 /// Valid patterns of a layout.
 struct CountedPatterns {
     std::uint64_t patterns = 0;
     bool is_complete = true;                  ///< false: a limit was met, and there are more
-    std::vector<pattern::Pattern> samples{};  ///< in the order of pattern::for_each_pattern, of those found
+    std::vector<pattern::Pattern> samples{};  ///< some of them, in the order of pattern::for_each_pattern
 };
 
 /// Count the valid patterns of a layout, with the rules that `fretwork enumerate` has without options, and

@@ -54,7 +54,7 @@ Region read_region(const JsonReader& json) {
 
 LayoutChange::Place read_place(const JsonReader& json) {
     const std::vector<double> numbers = json.numbers(3);
-    constexpr double kFarAway = 1e3;  // of a hand beside the triangle
+    constexpr double kFarAway = 1e3;  // far beside the triangle
     if (!std::ranges::all_of(numbers, [](double one) { return std::abs(one) <= kFarAway; }))
         json.fail("must have three barycentric coordinates from -1000 to 1000");
     return {numbers[0], numbers[1], numbers[2]};

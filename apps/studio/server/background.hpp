@@ -16,21 +16,21 @@ namespace fretwork::studio {
 /// A thread that does one piece of work after the other.
 class Background {
   public:
-    /// A piece of work. It may throw base::Error and std::bad_alloc: `failed` then receives, on the thread,
-    /// words for people.
+    /// A piece of work. If it throws base::Error, filesystem_error or std::bad_alloc, `failed` receives words
+    /// for people, on the thread.
     struct Job {
         std::function<void(const base::Control&)> work;
         std::function<void(const std::string& error)> failed;
-        /// How far it is, 0 to 1; may be empty.
+        /// Receives the share done, 0 to 1; may be empty.
         std::function<void(double share)> progress{};
     };
-    /// The most waiting jobs; more are refused.
+    /// The largest number of waiting jobs; more are refused.
     static constexpr std::size_t kMostWaiting = 16;
 
     Background();
     Background(const Background&) = delete;
     Background& operator=(const Background&) = delete;
-    /// Stops what is under way.
+    /// Stops the running job.
     ~Background();
 
     /// Throws InputError if too many are waiting.

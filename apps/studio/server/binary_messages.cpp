@@ -17,7 +17,6 @@ constexpr std::uint32_t kMagic = 0x46575254;  // "FWRT"
 
 using Rows = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-/// Writes one message.
 class Writer {
   public:
     Writer(MessageKind kind, const FrameStamp& stamp, const std::array<std::size_t, 4>& counts) {

@@ -22,7 +22,7 @@ struct FrameStamp {
 
 std::string beams_message(const simulation::SurfaceBeams& beams, const FrameStamp& stamp);
 
-/// Which of simulation::kBeamFields are wanted.
+/// The wanted ones of simulation::kBeamFields.
 using BeamFields = std::bitset<simulation::kBeamFields.size()>;
 inline const BeamFields kAllBeamFields = BeamFields().set();
 std::vector<std::string> names_of(const BeamFields& fields);
@@ -32,7 +32,7 @@ BeamFields read_beam_fields(const base::JsonReader& json);
 /// The message has all wanted fields, or none if the state has no forces.
 std::string solution_message(const simulation::BeamState& state, const FrameStamp& stamp,
                              const BeamFields& fields);
-/// Without beam fields.
+/// Has no beam fields.
 ///
 /// @param node_fields  a row for each node, a column for each field
 std::string motion_message(const mechanics::NodeValues& nodes, const FrameStamp& stamp,

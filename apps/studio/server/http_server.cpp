@@ -16,7 +16,7 @@
 #include <deque>
 #include <map>
 #include <optional>
-#include <utility>  // Boost.Asio 1.74 needs it and does not say so
+#include <utility>  // Boost.Asio 1.74 needs it and does not include it
 
 namespace fretwork::studio {
 namespace {
@@ -31,13 +31,13 @@ using ErrorCode = beast::error_code;
 constexpr int kUsualPort = 8080;
 constexpr int kPortsTried = 100;
 constexpr std::size_t kMostConnections = 64;
-/// The connections among them whose request has not come yet: any program on this machine can open them,
+/// The largest number of these whose request has not come yet. Any program on this machine can open them,
 /// without the token.
 constexpr std::size_t kMostWaiting = 32;
 constexpr std::size_t kMostHeaderBytes = 16384;
-/// A file of 64 MB in Base64, and what stands around it.
+/// A file of 64 MB in Base64, and the rest of its message.
 constexpr std::size_t kMostMessageBytes = 90'000'000;
-/// After the system refused a connection, such as where all descriptors are taken.
+/// The pause after the system has refused a connection, such as when all descriptors are taken.
 constexpr std::chrono::milliseconds kAcceptPause{200};
 
 /// The response to a request that is not even read.
@@ -108,7 +108,7 @@ class HttpServer::Impl {
     }
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
-    ~Impl() { clients_.clear(); }  // the service hears of nobody's leaving any more
+    ~Impl() { clients_.clear(); }  // so that disconnected() is not called any more
 
     [[nodiscard]] int port() const { return acceptor_.local_endpoint().port(); }
     void run() { context_.run(); }
@@ -132,10 +132,10 @@ class HttpServer::Impl {
     std::string token_;
     std::chrono::milliseconds request_time_;
     std::size_t connections_ = 0;
-    std::deque<std::weak_ptr<Connection>> waiting_;  ///< whose request has not come yet, the oldest first
+    std::deque<std::weak_ptr<Connection>> waiting_;  ///< connections without a request yet, the oldest first
     std::int64_t last_client_ = 0;
     std::map<ClientId, std::weak_ptr<Client>> clients_;
-    // Running requests hold connections, which report to the members above when they end: so they go first.
+    // Pending operations hold connections, which use the members above when they end: the context goes first.
     asio::io_context context_{1};
     tcp::acceptor acceptor_;
     asio::steady_timer pause_;
@@ -200,7 +200,7 @@ class HttpServer::Impl::Client : public std::enable_shared_from_this<Client> {
                             });
     }
 
-    /// A running request ends with an error, and then nobody holds this any more.
+    /// Closes the socket. Pending operations then end with an error, and release this object.
     void leave() { beast::get_lowest_layer(socket_).close(); }
 
     Impl& server_;
@@ -272,7 +272,7 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
         });
     }
 
-    /// This, for copies of an answer that other threads may keep: whichever thread drops the last copy, the
+    /// A pointer to this for callbacks that other threads may keep. Whichever thread drops the last copy, the
     /// connection is released on the server's thread.
     std::shared_ptr<Connection> released_on_server_thread() {
         return {this, [owner = shared_from_this()](Connection*) mutable {
@@ -353,7 +353,7 @@ void HttpServer::Impl::accept_later() {
     });
 }
 
-/// A connection counts from here on, whether or not it ever sends a request.
+/// Called before each connection, which counts even if it never sends a request.
 void HttpServer::Impl::make_room() {
     std::erase_if(waiting_, [](const std::weak_ptr<Connection>& one) {
         const auto connection = one.lock();
@@ -368,7 +368,7 @@ void HttpServer::Impl::take(tcp::socket socket) {
     ErrorCode ignored;
     make_room();
     if (connections_ >= kMostConnections) {
-        socket.non_blocking(true, ignored);  // who does not take the answer gets none
+        socket.non_blocking(true, ignored);  // a client that does not read gets no answer
         socket.write_some(asio::buffer(kTooMany), ignored);
         return;
     }

@@ -21,7 +21,7 @@ struct HttpAnswer {
     unsigned status = 200;
     std::string type = "text/plain; charset=utf-8";
     std::string body;
-    std::string download_name{};  ///< of a file to be stored; empty: to be shown
+    std::string download_name{};  ///< name of a file to be stored; empty: the answer is shown
     std::string remark{};         ///< one line about the file, for the person who stores it
 };
 
@@ -55,8 +55,8 @@ struct ServerOptions {
 /// another path or method gets a status of 4xx and one line.
 class HttpServer {
   public:
-    /// It listens when this returns. Throws IoError if the port is taken or the address is not this
-    /// machine's.
+    /// Listens at once. Throws InputError if the address is malformed, IoError if the port is taken or the
+    /// address is not this machine's.
     HttpServer(const ServerOptions& options, Service& service);
     HttpServer(const HttpServer&) = delete;
     HttpServer& operator=(const HttpServer&) = delete;
@@ -69,7 +69,7 @@ class HttpServer {
     void stop();
     /// Do something on the server's thread soon. From any thread.
     void post(std::function<void()> work);
-    /// On the server's thread. Nothing happens if the client has gone.
+    /// Call only on the server's thread. Nothing happens if the client has gone.
     void send(ClientId client, const Outgoing& outgoing);
 
   private:

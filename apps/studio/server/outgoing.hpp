@@ -18,8 +18,8 @@ struct Part {
     std::shared_ptr<const std::string> bytes;
 };
 Part text_part(std::string text);
-/// An event or an answer. Bytes that are not UTF-8, as an error may quote them from a file, are replaced: no
-/// text of a stranger can keep a message from being sent.
+/// An event or an answer. Bytes that are not UTF-8, which an error may quote from a file, are replaced, so
+/// that every message can be sent.
 Part json_part(const base::Json& json);
 Part binary_part(std::string bytes);
 
@@ -31,9 +31,9 @@ struct Outgoing {
     std::string stream{};
 };
 
-/// The messages that wait to be sent to one client. Bounded: if a client does not read, newer solutions
-/// replace older ones; a client that does not read the other messages in time is too far behind, and has to
-/// come back.
+/// The messages that wait to be sent to one client. Their size is bounded: newer solutions replace older
+/// ones, and a client with more than kMostBytes of unsent messages is too far behind. It is disconnected, and
+/// has to come back.
 class OutgoingQueue {
   public:
     /// The limit of waiting messages. A document of 10,000 tiles with its beams takes some 10 MB.
@@ -43,7 +43,7 @@ class OutgoingQueue {
     [[nodiscard]] bool is_empty() const { return waiting_.empty(); }
     [[nodiscard]] bool is_too_far_behind() const { return bytes_ > kMostBytes; }
     [[nodiscard]] std::size_t bytes() const { return bytes_; }
-    /// The next message. A message that was begun is sent to its end.
+    /// The next part. Messages that were begun are sent to their end.
     Part take();
 
   private:

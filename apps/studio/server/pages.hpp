@@ -27,7 +27,7 @@ struct Request {
 base::Json warning_event(const std::string& text, std::int64_t revision);
 
 /// The pages that have said hello, with the fields of bars that each shows; and what is sent to them. Used on
-/// the server's thread, except in_background().
+/// the server's thread, except the work of in_background().
 class Pages {
   public:
     explicit Pages(HttpServer& server) : server_(server) {}
@@ -54,8 +54,8 @@ class Pages {
     void refuse(ClientId client, const base::Json& id, const std::string& error,
                 const base::Json& more = base::Json::object());
 
-    /// Do work on another thread. It returns a function, which the server's thread then calls; an error
-    /// becomes a refusal.
+    /// Do work on another thread. The work returns a function, which the server's thread then calls; an
+    /// error becomes a refusal.
     void in_background(Background& thread, const Request& request,
                        std::function<std::function<void()>(const base::Control&)> work);
 

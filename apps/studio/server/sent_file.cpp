@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// No kind of file has a longer ending, and with it the name must fit.
+/// The longest ending that is kept: no kind of file has a longer one, and names have a limit.
 constexpr std::size_t kLongestEnding = 32;
 
 std::filesystem::path folder_for_a_while() {

@@ -12,7 +12,7 @@ namespace {
 
 struct KeyRow {
     std::string_view key;
-    std::string_view words;  ///< with a number behind it where the key is that of a list
+    std::string_view words;  ///< a number follows if the key names a list
 };
 constexpr KeyRow kKeys[] = {
     {"load_cases", "load case"},
@@ -69,7 +69,7 @@ std::vector<std::string> split(std::string_view pointer) {
 }
 
 /// "/load_cases/0/supports/1" is "load case 1, support 2": people count from one. Nothing if the text is no
-/// place in a project or a request, such as the path of a file.
+/// place in a project or a request, but for example the path of a file.
 std::optional<std::string> place_in_words(std::string_view pointer) {
     if (!pointer.starts_with('/')) return std::nullopt;
     const auto parts = split(pointer);

@@ -30,7 +30,7 @@ class ErrorWatch {
     HttpServer& server_;
     Pages& pages_;
     std::function<Situation()> now_;
-    Situation looked_at_;  ///< its error was estimated, or is
+    Situation looked_at_;  ///< its error was or is being estimated
     Outgoing report_;
     Background thread_;
 };

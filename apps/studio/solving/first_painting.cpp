@@ -19,7 +19,7 @@ namespace {
 using pattern::NamedPattern;
 using simulation::Project;
 
-/// Patterns with few bars have the widest gaps: if this many of them cannot be made, none with more bars can.
+/// Patterns with few bars have the widest gaps: if this many cannot be made, one with more bars hardly can.
 constexpr std::size_t kMostTried = 200;
 
 /// Fewest bars first, then by name.
@@ -42,7 +42,7 @@ void paint(Project& project, const NamedPattern& pattern) {
     for (tiling::Tile& tile : project.tessellation.tiles) tile.pattern = 0;
 }
 
-/// The bars of some tiles alone.
+/// The surface with the bars of two tiles.
 simulation::Surface only_tiles(simulation::Surface surface, const std::array<tiling::TileIndex, 2>& kept) {
     std::vector<tiling::Tile>& tiles = surface.tessellation.tiles;
     for (std::size_t t = 0; t < tiles.size(); ++t) {
@@ -58,14 +58,14 @@ class Trials {
 
     bool can_be_made(const Project& project, double clearance) {
         const simulation::Surface surface = simulation::make_surface(project, nullptr);
-        // Bars that are too near are found in a hundredth of the time that gaps take.
+        // Bars that overlap are found in a hundredth of the time that gaps take.
         if (do_bars_overlap(surface)) return false;
         return making_doubts(surface, {.control = control_}, clearance).words.empty();
     }
 
   private:
-    /// Where bars of the last pattern overlapped, those of the next one often do, too. They do so whatever
-    /// lies around them, so these tiles are looked at first, and alone.
+    /// Bars of the next pattern often overlap in the same tiles as those of the last one. Overlaps do not
+    /// depend on other tiles, so these two tiles are looked at first, and alone.
     bool do_bars_overlap(const simulation::Surface& surface) {
         if (worst_ && !simulation::close_bars(only_tiles(surface, *worst_), 0.0, control_).empty())
             return true;

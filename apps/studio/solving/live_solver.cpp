@@ -13,13 +13,13 @@
 namespace fretwork::studio {
 namespace {
 
-// While somebody drags, input comes faster than solves end: a solve that ends soon is not stopped, or nothing
-// would ever be seen. One that takes longer is, but not again and again.
+// While somebody drags, input comes faster than solves end. A solve is stopped only if it has taken longer
+// than the patience, or nothing would ever be seen; and never after kLongestSilence without an answer.
 constexpr std::chrono::milliseconds kLeastPatience{100};
 constexpr std::chrono::milliseconds kMostPatience{400};
 constexpr std::chrono::milliseconds kLongestSilence{1000};
-/// During this time newer input may replace a solution whose positions were shown, if only its first iterate
-/// was. Then an equilibrium is due: first iterates become worse the farther they are from the last one.
+/// During this time without an answer, newer input stops a solve whose first iterate is shown. Then an
+/// equilibrium is due: first iterates become worse the farther they are from the last equilibrium.
 constexpr std::chrono::milliseconds kLongestApproximation{200};
 /// Loads that have not moved for so long are at rest.
 constexpr std::chrono::milliseconds kRest{150};

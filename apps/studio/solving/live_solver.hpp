@@ -53,7 +53,7 @@ struct ShownBeams {
 /// The receiver of the solver's results, on the solver's thread.
 struct SolverListener {
     std::function<void(const ShownBeams&)> beams;
-    /// The first iterate of an input may come before its answer, or, if newer input came, instead.
+    /// The first iterate of an input may come before its answer or, if newer input came, instead of it.
     std::function<void(SolvedPtr)> solved;
     std::function<void(const SolverInput&, const std::string& error)> failed;
     std::function<void(const SolverInput&, double share)> progress;
@@ -98,10 +98,10 @@ class LiveSolver {
     std::condition_variable_any changed_;
     std::optional<SolverInput> waiting_;
     std::stop_source stop_;
-    std::optional<Clock::time_point> began_{};             ///< the solve under way
-    bool is_shown_ = false;                                ///< true: its answer or its first iterate is
-    std::optional<Clock::time_point> unanswered_since_{};  ///< the first input that has no answer yet
-    Clock::duration last_took_{};                          ///< the last solve that was not stopped
+    std::optional<Clock::time_point> began_{};             ///< start of the present solve
+    bool is_shown_ = false;                                ///< true: its answer or first iterate is shown
+    std::optional<Clock::time_point> unanswered_since_{};  ///< time of the first input without an answer
+    Clock::duration last_took_{};                          ///< duration of the last solve not stopped
 
     // For the thread alone:
     SyncedSession session_;

@@ -15,7 +15,7 @@ struct AnswerToExport {
     std::string missing;  ///< the reason for a missing answer
 };
 
-/// The event and the message of a solution. With `more` in the event, newer ones do not replace it.
+/// The event and the message of a solution. With `more` in the event, newer solutions do not replace it.
 Outgoing solved_message(const SolvedSurface& solved, const BeamFields& fields, const base::Json& more = {});
 
 /// The newest results of the live solver for the document that is shown: it sends them to the pages, and

@@ -17,13 +17,13 @@ struct LongJob {
     ShownBeams beams;
     std::string model;  ///< as events name it
 };
-/// The messages to the pages.
+/// Makes the messages to pages.
 using JobWork = std::function<std::vector<Outgoing>(const LongJob&, const base::Control&)>;
 
 JobWork solve_work();
 JobWork path_work(int steps);
 JobWork modes_work(simulation::ModeKind kind, int count);
-/// The job's model against the live solution.
+/// Compares the job's model with the live solution.
 JobWork compare_work(SolvedPtr live);
 
 /// Jobs that take long, one after the other on their own thread: other models, modes, the load path,

@@ -16,7 +16,7 @@ struct MakingDoubts {
     struct Place {
         const char* kind = "";  ///< overlap, gap or opening
         geometry::Point2 at;
-        double width = 0.0;  ///< m, below zero of an overlap
+        double width = 0.0;  ///< m; negative for an overlap
     };
     /// How many there are, also beyond those that are listed.
     struct Counts {
@@ -24,7 +24,7 @@ struct MakingDoubts {
         std::size_t gaps = 0;
         std::size_t openings = 0;
     } counts;
-    std::vector<std::string> words;  ///< a line of each kind; none: nothing stands in the way
+    std::vector<std::string> words;  ///< a line for overlaps, one for all else; none: no obstacle
     std::vector<Place> places;       ///< overlaps first, the worst of each kind first; at most kMostPlaces
     static constexpr std::size_t kMostPlaces = 200;
 };

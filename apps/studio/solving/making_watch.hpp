@@ -30,7 +30,7 @@ class MakingWatch {
     HttpServer& server_;
     Pages& pages_;
     std::function<StatePtr()> now_;
-    StatePtr looked_at_;  ///< its surface was looked at, or is
+    StatePtr looked_at_;  ///< its surface was or is being looked at
     Outgoing report_;     ///< on that surface
     Background thread_;
 };

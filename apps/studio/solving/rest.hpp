@@ -8,7 +8,7 @@
 
 namespace fretwork::studio {
 
-/// Wait until nothing newer can be expected: strokes and drags follow each other faster. Throws Stopped.
+/// Wait until no newer edit is expected: those of a stroke or drag follow each other faster. Throws Stopped.
 inline void rest(const base::Control& control) {
     constexpr std::chrono::milliseconds kQuiet{300};
     constexpr std::chrono::milliseconds kLook{10};

@@ -14,7 +14,7 @@ namespace {
 
 using tiling::TileIndex;
 
-/// Tiles by what is to become of them.
+/// The tiles of each change.
 template <class Change>
 using TilesBy = std::map<Change, std::vector<TileIndex>>;
 

@@ -45,7 +45,7 @@ struct JsonReader::Access {
     }
 
   private:
-    /// The value itself, unless it is too much for a message.
+    /// The value, shortened; for long arrays and objects, the size.
     static std::string description(const JsonValue& json) {
         constexpr std::size_t kMostShown = 60;
         constexpr std::size_t kFew = 8;
@@ -94,7 +94,7 @@ void JsonReader::expect_format(std::string_view kind, int newest, int oldest) co
 
 void JsonReader::require_format(std::string_view needed, std::string_view lacking) const {
     const std::string given = at("format").string();
-    if (given >= needed) return;  // numbers have one digit
+    if (given >= needed) return;  // as texts: numbers have one digit
     fail("is of " + given + ", which has " + std::string(lacking) + "; " + std::string(needed) + " has");
 }
 
@@ -176,7 +176,7 @@ std::vector<double> JsonReader::numbers(std::size_t count) const {
     std::vector<double> list;
     list.reserve(count);
     for (const JsonValue& element : Access::array(*this, count)) {
-        // Most of a large document: a reader is made only where there is something to complain about.
+        // A large document consists mostly of such values, so a reader is made only for an error.
         const double value = element.is_number() ? element.get<double>() : std::nan("");
         list.push_back(std::isfinite(value) ? value : Access::child(*this, element).number());
     }

@@ -17,8 +17,8 @@ namespace fretwork::base {
 
 /// A value in a JSON document, together with its place in the document.
 ///
-/// Reading is strict: an unknown key is an error, a key that appears twice is an error, and numbers are
-/// finite. Every error is an InputError that names the source and the place: the JSON pointer or, in
+/// Reading is strict: allow_only() refuses unknown keys, a key that appears twice is an error, and numbers
+/// are finite. Every error is an InputError that names the source and the place: the JSON pointer or, in
 /// malformed JSON, line and column.
 ///
 /// A JsonReader is cheap to copy and keeps the document alive. The JSON pointer is searched only when a
@@ -36,7 +36,7 @@ class JsonReader {
     void expect_format(std::string_view kind, int newest = 1, int oldest = 1) const;
     /// Check that the number in the document's `"format"` is at least the number in `needed`. Throws
     /// InputError. Pre: expect_format() has checked the kind.
-    /// @param lacking  what older numbers lack of the document, such as "no circle"
+    /// @param lacking  the part of the document that older formats do not have, such as "no circle"
     void require_format(std::string_view needed, std::string_view lacking) const;
     /// Throw InputError unless the value is an object with no other keys than `keys`.
     void allow_only(std::initializer_list<std::string_view> keys) const;

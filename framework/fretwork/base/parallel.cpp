@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMostThreads = 256;
 
-/// The first failure by index, whichever thread meets it first.
+/// Keeps the exception of the call with the smallest index.
 class FirstFailure {
   public:
     void record(std::size_t index) {
@@ -34,7 +34,7 @@ class FirstFailure {
     std::size_t index_ = 0;
 };
 
-/// The nodes of a tree, from its leaves to its roots.
+/// Calls the body for the nodes of a tree, children before parents.
 class TreeWork {
   public:
     TreeWork(std::span<const int> parent, const std::function<void(std::size_t)>& body)
@@ -94,7 +94,7 @@ class TreeWork {
     std::span<const int> parent_;
     const std::function<void(std::size_t)>& body_;
     std::vector<int> waits_for_;
-    std::vector<bool> is_spoiled_;  ///< it, or a node below it, has thrown
+    std::vector<bool> is_spoiled_;  ///< a call for it or one below has thrown
     std::vector<std::size_t> ready_;
     std::size_t unfinished_;
     std::mutex mutex_;
@@ -102,8 +102,8 @@ class TreeWork {
     FirstFailure failure_;
 };
 
-/// Threads that are kept from one call to the next: to start one takes as long as to factorize a small
-/// matrix. They help whoever has work to share, and a caller does not wait for help that has not begun.
+/// Threads that are kept from one call to the next, because starting a thread takes as long as factorizing a
+/// small matrix. Every caller may share its work with them, and waits only for threads that have begun it.
 class Helpers {
   public:
     Helpers() = default;
@@ -135,11 +135,11 @@ class Helpers {
   private:
     struct Offer {
         const std::function<void()>& work;
-        std::size_t wanted;  ///< helpers that have not come yet
+        std::size_t wanted;  ///< number of threads that may still join
         std::size_t helping = 0;
     };
 
-    /// As many as are wanted and not there.
+    /// Start the wanted threads beyond the idle ones.
     void start_threads() {
         std::size_t wanted = 0;
         for (const Offer* offer : offers_) wanted += offer->wanted;
@@ -147,7 +147,7 @@ class Helpers {
             for (; idle_ < wanted && threads_.size() < kMostThreads; ++idle_)
                 threads_.emplace_back([this] { help(); });
         } catch (const std::system_error&) {
-            // The machine gives no more threads: those that there are do all of the work.
+            // The system starts no more threads, so the present threads do all of the work.
         }
     }
 
@@ -170,10 +170,10 @@ class Helpers {
     std::mutex mutex_;
     std::condition_variable offered_;
     std::condition_variable ended_;
-    std::vector<Offer*> offers_;  ///< that want helpers
-    std::size_t idle_ = 0;        ///< threads that wait for an offer, or are on their way there
+    std::vector<Offer*> offers_;  ///< open offers
+    std::size_t idle_ = 0;        ///< number of threads that wait for an offer or will do so next
     bool is_ending_ = false;
-    std::vector<std::jthread> threads_;  ///< the last member: they end before the others do
+    std::vector<std::jthread> threads_;  ///< last member, so the threads end before the other members
 };
 
 /// Run `work` on this thread and on as many others as are useful for `count` pieces.
@@ -188,7 +188,7 @@ void run_on_threads(std::size_t count, int threads, const std::function<void()>&
 }  // namespace
 
 int resolved_thread_count(int wanted) {
-    // The library asks the system, by opening a file, at each call.
+    // hardware_concurrency() opens a file at each call, so it is called once.
     static const int present = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     return std::min(wanted > 0 ? wanted : present, static_cast<int>(kMostThreads));
 }
@@ -199,8 +199,8 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
     FirstFailure failure;
     const auto work = [&] {
         for (;;) {
-            // Indices are handed out in order, so all below a failed one have been started: the smallest
-            // failure is met.
+            // Indices are handed out in order, so all calls below a failed index have begun. The failure with
+            // the smallest index is therefore recorded.
             if (failed.load()) return;
             const std::size_t index = next.fetch_add(1);
             if (index >= count) return;

@@ -15,14 +15,15 @@ namespace {
 struct Unit {
     std::string_view name;
     double factor = 1.0;
-    int power = 0;  ///< of ten, besides the factor
+    int power = 0;  ///< power of ten; 0: the factor counts
 };
 
 constexpr Unit kLengths[] = {{""}, {"um", 1.0, -6}, {"mm", 1.0, -3}, {"cm", 1.0, -2}, {"m"}};
 constexpr Unit kAngles[] = {{"", std::numbers::pi / 180}, {"deg", std::numbers::pi / 180}, {"rad", 1.0}};
 constexpr Unit kNone[] = {{""}};
 
-/// The number times a power of ten, rounded once: 26mm is exactly 0.026, which 26 * 0.001 is not.
+/// The number times a power of ten, rounded once: 26mm gives the double nearest to 0.026, and 26 * 0.001
+/// does not.
 double shifted(std::string_view number, int power) {
     const std::size_t mark = std::min(number.find_first_of("eE"), number.size());
     int exponent = 0;

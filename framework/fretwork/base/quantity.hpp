@@ -9,8 +9,8 @@
 
 namespace fretwork::base {
 
-/// Parse a length as a person types it: "26mm", "2.6 cm", "0.026m" or "0.026" (metres). Returns metres.
-/// Throws InputError on anything else, NaN and infinity included.
+/// Parse a length as a person types it: "500um", "26mm", "2.6 cm", "0.026m" or "0.026" (metres). Returns
+/// metres. Throws InputError on anything else, NaN and infinity included.
 double parse_length(std::string_view text);
 
 /// Parse a length above zero that a person typed as the option or entry `name`. Returns metres. Throws

@@ -29,15 +29,15 @@ using detail::Trials;
 using mechanics::NodeValues;
 
 constexpr int kDefectRounds = 6;
-/// Solutions that other starts leave for one more round.
+/// The number of solutions that other starts leave for one more round.
 constexpr int kLeftForLastRound = 3;
-/// Uniform paintings that are checked in full until one has an equilibrium.
+/// The largest number of uniform paintings that are checked in full until one has an equilibrium.
 constexpr std::size_t kUniformChecks = 3;
 /// A defect round that gains less than this share is the last one without other starts.
 constexpr double kLeastDefectGain = 0.02;
-/// Where no painting comes half of the way from flat, none is searched for.
+/// The target is unreachable if the bound is at least this share of the flat surface's misfit.
 constexpr double kHopeless = 0.5;
-/// Solutions besides those of the search that single patterns may take for their own unknowns.
+/// The fits of single patterns may exceed the limit of the search by this number of solutions.
 constexpr int kMostFitting = 40;
 
 /// The course of one design.
@@ -53,7 +53,7 @@ class Designer {
           report_(report),
           search_(trials_, options_, time, report) {}
 
-    /// Leaves the best point in best(); throws Stopped, and then that is the best so far.
+    /// Leaves the best point in best(); after Stopped, the best one of the finished steps, or none.
     void run() {
         require_enough_solutions();
         Search::Beginning beginning = begin();
@@ -81,17 +81,17 @@ class Designer {
     }
 
     [[nodiscard]] const std::optional<Point>& best() const { return best_; }
-    /// After a stop: what the search had come to is better than where it began.
+    /// After a stop, take the best point of the search, which is better than its start.
     void take_best_of_search() {
         if (!is_correcting_ && search_.best_point()) best_ = search_.best_point();
     }
     [[nodiscard]] const Trials& trials() const { return trials_; }
-    /// What the full model says of the best point; null if it was not asked.
+    /// The full model's check of the best point; null if this point was not checked.
     [[nodiscard]] const FullCheck* check_of_best() const {
         return checked_ && best_ == checked_->point ? &checked_->check : nullptr;
     }
 
-    /// Fills in what is known of the shapes.
+    /// Fills in shapes, curvatures and close bars.
     void tell_shapes() const {
         report_.uniform_shapes = uniform_shapes_;
         if (const FullCheck* own = check_of_best()) report_.shapes = detail::shapes_of(trials_, *own);
@@ -102,8 +102,8 @@ class Designer {
   private:
     [[nodiscard]] const std::vector<std::size_t>& palette() const { return choice_.palette; }
 
-    /// A painting that is worth showing, before the whole palette is condensed and all single patterns are
-    /// tried. With other unknowns these are to be fitted before.
+    /// Makes a first painting to show early, then condenses the rest of the palette. There is no early
+    /// painting if unknowns are free (they must be fitted first), with max_patterns, or with few solutions.
     Search::Beginning begin() {
         Search::Beginning beginning;
         const bool has_solutions =
@@ -114,7 +114,7 @@ class Designer {
         return beginning;
     }
 
-    /// A painting that is better than the best start is where the search goes on.
+    /// Puts a painting before the starts if it is better than the best of them: the search begins there.
     void put_in_front(std::optional<Solved> painted, std::vector<Solved>& starts) const {
         if (!painted) return;
         painted->trial.objective = trials_.objective_of(painted->trial.displacements);
@@ -160,7 +160,8 @@ class Designer {
                "load may have one, or a search with more solutions may find one";
     }
 
-    /// Uniform paintings, the best first; those with the best chances have their own best unknowns.
+    /// Solves uniform paintings, and checks the best one, which comes first. The most promising ones get
+    /// their own best unknowns.
     std::vector<Solved> solve_uniform(std::vector<Solved> known) {
         std::vector<Solved> starts = search_.try_uniform(palette(), choice_.coordinates, std::move(known));
         if (starts.empty()) throw base::InputError(no_equilibrium());
@@ -209,7 +210,7 @@ class Designer {
         }
     }
 
-    /// Whoever finds it: a painting of one pattern is a single pattern to compare with.
+    /// A checked painting of one pattern is a single pattern to compare with, also if the search found it.
     void take_uniform(const Point& point, const FullCheck& found) {
         if (std::ranges::adjacent_find(point.patterns, std::ranges::not_equal_to{}) != point.patterns.end())
             return;
@@ -219,7 +220,7 @@ class Designer {
         uniform_shapes_ = detail::shapes_of(trials_, found);
     }
 
-    /// Aim beside the target by what the reduced model is off at the uniform painting that was checked.
+    /// Moves the aim by the error of the reduced model at the checked uniform painting, and sorts the starts.
     void aim_beside(std::vector<Solved>& starts) {
         const auto known = std::ranges::find_if(
             starts, [this](const Solved& start) { return checked_ && start.point == checked_->point; });
@@ -230,7 +231,7 @@ class Designer {
         search_.forget_best();
     }
 
-    /// By how much the reduced model is off.
+    /// The displacements, reduced minus full model.
     static std::vector<NodeValues> defect(const Trial& trial, const FullCheck& full) {
         std::vector<NodeValues> difference;
         for (std::size_t c = 0; c < trial.displacements.size(); ++c)
@@ -252,9 +253,9 @@ class Designer {
         return keeps_utilization(options_, check.largest_utilization, check.utilization_error);
     }
 
-    /// Checks a point, and goes back to the best one that was checked if it is no better.
+    /// Checks a point. The best checked point, if any, becomes the best point.
     void check_and_keep_best(const Solved& solved) {
-        if (!is_correcting_) best_ = solved.point;  // if the check is stopped; else the checked one stays
+        if (!is_correcting_) best_ = solved.point;  // in case the check is stopped
         FullCheck found = check(solved.point);
         if (found.has_converged) take_uniform(solved.point, found);
         Checked own{solved.point, std::move(found)};
@@ -278,8 +279,8 @@ class Designer {
         return sum / count / trials_.largest_wanted();
     }
 
-    /// Aim beside the target by what the reduced model is off, and search on. Where that gains little, other
-    /// starts have the solutions that are left.
+    /// Defect correction: moves the aim by the error of the reduced model, and searches on. After a round
+    /// that gains little, the search continues from other starts.
     void correct_defect() {
         is_correcting_ = true;
         bool has_gained = true;
@@ -299,12 +300,12 @@ class Designer {
         }
     }
 
-    /// The best that mixtures of patterns are predicted to reach, from the painting that is written.
+    /// Predicts the misfit of the best mixtures of patterns, from a table at the best painting.
     void relax() {
         if (!best_ || !time_.has_left(reserve())) return;
         const int before = trials_.solutions();
         const Trial trial = trials_.solve(*best_, options_.control);
-        trials_.count_solutions(before - trials_.solutions());  // none of the search
+        trials_.count_solutions(before - trials_.solutions());  // they are not counted
         if (!trial.is_found) return;
         report_.relaxed = search_.relaxed_misfit({*best_, trial});
     }
@@ -331,7 +332,7 @@ class Designer {
     std::optional<Checked> checked_;  ///< the best of those that were checked
     std::vector<CaseShape> uniform_shapes_;
     double check_seconds_ = 0.0;
-    bool is_correcting_ = false;  ///< what the search says is of moved aims
+    bool is_correcting_ = false;  ///< true: only checked points may be the best
 };
 
 }  // namespace

@@ -16,10 +16,11 @@ using tiling::TileIndex;
 
 /// A quadric has six coefficients.
 constexpr Eigen::Index kFewestNodes = 6;
-/// Wanted curvatures farther from all reached ones than this share of the largest are outside.
+/// A wanted curvature is outside if its distance from every reached one exceeds this share of the largest
+/// reached curvature.
 constexpr double kOutside = 0.1;
 
-/// The interface nodes of a tile and of those that share one with it.
+/// The interface nodes of a tile and of the tiles that share a node with it.
 std::vector<int> nodes_around(const tiling::Tessellation& tessellation,
                               const std::vector<std::vector<TileIndex>>& tiles_of, TileIndex tile) {
     std::set<int> nodes;
@@ -32,7 +33,7 @@ std::vector<int> nodes_around(const tiling::Tessellation& tessellation,
     return {nodes.begin(), nodes.end()};
 }
 
-/// The normal of the plane that fits best, on the side on which these nodes run around as at rest.
+/// The normal of the plane that fits the nodes best. Seen against it, the nodes run around as at rest.
 Eigen::Vector3d normal_of(const Places& own, const Eigen::Matrix<double, Eigen::Dynamic, 2>& rest) {
     Eigen::Vector3d normal = Eigen::JacobiSVD<Places>(own, Eigen::ComputeFullV).matrixV().col(2);
     // The map from rest to space keeps the sense of turning.

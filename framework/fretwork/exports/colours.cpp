@@ -22,8 +22,8 @@ std::string hex(const Rgb& rgb) {
     return buffer;
 }
 
-/// OKLCH (Ottosson 2020): lightness and chroma as the eye sees them; hue in turns. Values out of the screen's
-/// range are clamped.
+/// OKLCH (Ottosson 2020): lightness and chroma as the eye sees them; hue in turns. The result may be out of
+/// the screen's range; hex() clamps it.
 Rgb from_oklch(double lightness, double chroma, double hue) {
     constexpr double kTwoPi = 6.283185307179586;
     const double a = chroma * std::cos(kTwoPi * hue);
@@ -40,7 +40,7 @@ Rgb from_oklch(double lightness, double chroma, double hue) {
             gamma(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s)};
 }
 
-using Samples = std::array<Rgb, 9>;  // of a scale, at equal distances; between them it goes straight
+using Samples = std::array<Rgb, 9>;  // of a scale, at equal distances; the scale is linear between them
 
 // The viridis map (CC0).
 constexpr Samples kScale = {{{0.267, 0.005, 0.329},

@@ -47,8 +47,8 @@ ValueRange value_range(std::span<const double> values);
 inline constexpr const char* kBeyondColour = "#f018b4";
 /// The largest absolute value beyond a range; nothing if no value is beyond it.
 std::optional<double> largest_beyond(std::span<const double> values, const ValueRange& range);
-/// The colour of a value by scale_colour(), or by signed_colour() if the range has negative values. The
-/// colour of NaN is grey.
+/// The colour of a value by scale_colour(), or by signed_colour() if the range has negative values. Values
+/// beyond the range have kBeyondColour; NaN is grey.
 std::string value_colour(double value, const ValueRange& range);
 
 }  // namespace fretwork::exports

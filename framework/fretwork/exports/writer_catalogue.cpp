@@ -23,7 +23,7 @@ LineSet main_lines(const Scene& scene) {
                                  : result_lines(scene.surface, scene.results.front().result);
 }
 
-/// The paper's colours: the full model grey, the reduced one blue; the palette distinguishes further models.
+/// The paper's colours of the full model (grey) and the reduced model (blue), for the layers in their order.
 std::string layer_colour(std::size_t index) {
     constexpr std::array<const char*, 4> kColours = {"#8a8f94", "#2166ac", "#d6604d", "#1b7837"};
     return kColours[index % kColours.size()];
@@ -38,8 +38,8 @@ bool is_calibrated(const simulation::Surface& surface, const std::string& model)
            std::ranges::all_of(used, [&](std::size_t p) { return has_model(surface.calibrations[p]); });
 }
 
-/// The beams of a result's tiles at rest, if its model is one of small displacements with beams of its own,
-/// as the paper's is, and the surface knows its calibrations.
+/// The beams of a reduced model at rest. None unless the result's model has parameters and small
+/// displacements, as the paper's has, and the surface has its calibrations.
 std::optional<mechanics::Frame> own_beams(const Scene& scene, const Scene::LabelledResult& entry) {
     if (!entry.result.subject) return std::nullopt;
     const auto model =
@@ -51,7 +51,7 @@ std::optional<mechanics::Frame> own_beams(const Scene& scene, const Scene::Label
     return simulation::tile_beams(scene.surface, choice, scene.control.silent());
 }
 
-/// A result as it is drawn: a reduced model by its own beams.
+/// The lines of a result: bent `beams` if they are given, or result_lines().
 LineSet drawn_lines(const Scene& scene, const Scene::LabelledResult& entry,
                     const std::optional<mechanics::Frame>& beams) {
     if (!beams) return result_lines(scene.surface, entry.result);
@@ -80,7 +80,7 @@ std::string svg_text(const Scene& scene) {
     return layers.size() == 1 ? displacement_svg(layers.front(), options) : deformed_svg(layers, options);
 }
 
-/// Files for making do not depend on results, but given results must belong to the surface.
+/// The options for making. Throws InputError if a result does not belong to the surface.
 fabrication::ShapeOptions making(const Scene& scene) {
     for (const Scene::LabelledResult& entry : scene.results)
         require_same_surface(scene.surface, entry.result);
@@ -113,7 +113,8 @@ fabrication::Facts scene_facts(const Scene& scene) {
     return facts(scene.surface, making(scene), loads, options);
 }
 
-/// Chords of a print may be off by a twentieth of a nozzle: files are a third as large as with 5 micrometres.
+/// Chords of a print may be off by a twentieth of a nozzle. Files are then a third as large as with the
+/// default of 5 micrometres.
 constexpr double kPrintTolerance = 2e-5;  // m
 
 Written solid(const Scene& scene, std::string (*text)(const fabrication::Solid&)) {

@@ -23,7 +23,7 @@ using namespace detail;
 /// Nodes nearer than this are one node.
 constexpr double kSamePlace = 1e-8;  // m
 
-/// For each point the first one at its place.
+/// For each point, the index of the first point at its place.
 std::vector<std::size_t> first_at_place(const std::vector<Point2>& points) {
     std::vector<std::size_t> order(points.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -59,7 +59,7 @@ void join_coincident_nodes(BarPlan& plan) {
     }
 }
 
-/// A bar along every side of the rim, from vertex to interface node to vertex.
+/// Add bars along every side of the rim, from its vertex over its interface nodes to its next vertex.
 void add_frame(BarPlan& plan, const tiling::Tessellation& tessellation, double width) {
     const std::size_t first_vertex = plan.nodes.size();
     plan.nodes.insert(plan.nodes.end(), tessellation.vertices.begin(), tessellation.vertices.end());

@@ -29,7 +29,8 @@ struct BarPlan {
     double width = 0.0;               ///< width of the surface's beams, m
     double height = 0.0;              ///< thickness of the sheet or print, m
     std::size_t interface_nodes = 0;  ///< number of interface nodes; these come first
-    /// Two nodes at the same place, such as a corner of three tiles. All bars there end at the node `taken`.
+    /// Two nodes at the same place, for example at a corner of three tiles. All bars there end at the node
+    /// `taken`.
     /// The model's beams are not connected at this place, but the material is one piece.
     struct Coincidence {
         TessellationNodeIndex node;   ///< the unused node
@@ -38,7 +39,7 @@ struct BarPlan {
     std::vector<Coincidence> coincidences{};  ///< pairs of nodes at the same place
 };
 
-/// The width and height of the rectangle with a section's area and second moments, m.
+/// The rectangle with a section's radii of gyration: the section itself, if it is a rectangle.
 struct Rectangle {
     double width = 0.0;   ///< width, in the plane of the surface, m
     double height = 0.0;  ///< height, across the plane, m
@@ -48,8 +49,9 @@ Rectangle equivalent_rectangle(const mechanics::Section& section);
 
 /// The bars of a surface. If `frame_width` (m) is not zero, bars of that width along the rim form a border.
 ///
-/// Throws InputError or GeometryError that names the tile if a tile is not painted or not closed, if a beam's
-/// width or length is zero, if beams cross or lie over each other, or if a bar lies along the border.
+/// Throws InputError or GeometryError if a tile is not painted or not closed, if a beam's width or length is
+/// zero, if beams cross or lie over each other, or if a bar lies along the border. Messages about tiles name
+/// them.
 BarPlan bar_plan(const simulation::Surface& surface, double frame_width = 0.0);
 
 }  // namespace fretwork::fabrication

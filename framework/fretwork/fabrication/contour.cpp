@@ -19,7 +19,7 @@ void each_segment(const Contour& contour, const Visit& visit) {
         visit(contour[i], contour[(i + 1) % contour.size()].place);
 }
 
-/// The directions along the axes that an arc passes.
+/// Grow a box to hold an arc, except for the arc's ends.
 void include_arc(Box& box, const ContourPoint& from, const Point2& to) {
     const Arc arc = arc_between(from, to);
     const double start = std::atan2(from.place.y - arc.center.y, from.place.x - arc.center.x);
@@ -35,7 +35,7 @@ void include_arc(Box& box, const ContourPoint& from, const Point2& to) {
 Arc arc_between(const ContourPoint& from, const Point2& to) {
     const double b = from.bulge;
     const double chord = distance(from.place, to);
-    const double to_center = (1.0 - b * b) / (4.0 * b);  // from the chord's middle to its left, in chords
+    const double to_center = (1.0 - b * b) / (4.0 * b);  // from the chord's middle to the left, in chords
     return {.center = {0.5 * (from.place.x + to.x) - to_center * (to.y - from.place.y),
                        0.5 * (from.place.y + to.y) + to_center * (to.x - from.place.x)},
             .radius = chord * (1.0 + b * b) / (4.0 * std::abs(b)),

@@ -6,7 +6,7 @@ namespace fretwork::fabrication {
 using geometry::Box;
 
 std::vector<Label> tile_labels(const tiling::Tessellation& tessellation) {
-    constexpr double kHeight = 0.12;  // of a tile's side
+    constexpr double kHeight = 0.12;  // share of a tile's side
     std::vector<Label> labels;
     for (std::size_t t = 0; t < tessellation.tiles.size(); ++t) {
         const geometry::Polygon polygon = tiling::tile_polygon(tessellation, TileIndex(t));

@@ -28,9 +28,9 @@ using namespace detail;
 using simulation::LoadCase;
 using simulation::Surface;
 
-/// Warnings of one kind that are listed one by one; further ones are counted.
+/// The largest number of warnings of one kind that are listed. Further warnings are only counted.
 constexpr std::size_t kMostOfOneKind = 30;
-/// Thin sheets move far under their load cases, and hang far under their own weight.
+/// This model follows large rotations: thin sheets bend far under their loads and their own weight.
 const std::string kModel = "corotational";
 
 void require_positive(double value, const char* what) {
@@ -44,7 +44,7 @@ std::string where(TileIndex tile, TessellationNodeIndex node, const geometry::Po
            ": ";
 }
 
-/// The surface's supports and its weight, and nothing else.
+/// A load case with the same supports, and with gravity as the only load.
 LoadCase own_weight(const LoadCase& load_case) {
     LoadCase weight;
     weight.name = load_case.name;
@@ -109,7 +109,7 @@ class FactFinder {
     void warn(std::string message, const std::optional<Point2>& place = std::nullopt) {
         facts_.warnings.push_back({std::move(message), place});
     }
-    /// Sag and stress are as good as the result from which they come.
+    /// Repeat the warnings of the result from which sag or stress comes.
     void warn_of_result(const std::string& value, const simulation::SurfaceResult& result) {
         for (const std::string& warning : simulation::result_warnings(result)) warn(value + ": " + warning);
     }
@@ -158,7 +158,7 @@ class FactFinder {
         warn_of_more(count, "sharp angles");
     }
 
-    /// They are one piece in what is made, and two bars in the model: a slit may be closed so.
+    /// Warn of bars that overlap: the material makes them one piece, but the model has two separate bars.
     void judge_overlaps() {
         const auto close = simulation::close_bars(surface_, 0.0, options_.control);
         if (!close.empty()) warn(simulation::close_bars_text(close));
@@ -180,7 +180,7 @@ class FactFinder {
                  "joined there, but the model is not");
     }
 
-    /// Gravity as it pulls on the outline: beams count the material of joints more than once.
+    /// Solve with gravity scaled to the mass of the outline, because beams count joints more than once.
     [[nodiscard]] simulation::SurfaceResult estimate_outline(LoadCase load_case) const {
         if (facts_.beam_mass > 0.0) load_case.gravity *= facts_.mass / facts_.beam_mass;
         return estimate(surface_, load_case, options_.control);
@@ -230,7 +230,7 @@ class FactFinder {
         take_stress(result, "load case " + load_case.name);
     }
 
-    /// Of all load steps and load stages: a load that is taken off again leaves its largest stress behind.
+    /// Take the largest stress of all load steps and load stages, because loads may be taken off again.
     void take_stress(const simulation::SurfaceResult& result, const std::string& source) {
         const simulation::SurfaceBeams beams = simulation::surface_beams(surface_);
         const auto sections = simulation::beam_sections(beams, surface_.setting);

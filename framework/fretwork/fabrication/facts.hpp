@@ -70,14 +70,14 @@ struct Facts {
     struct Sag {
         std::string load_case;    ///< name of the load case with the supports
         double weight = 0.0;      ///< load on the supports, N: `mass` times 9.80665 m/s2
-        double deflection = 0.0;  ///< largest deflection, m
+        double deflection = 0.0;  ///< largest deflection of an interface node, m
         geometry::Point2 place;   ///< place of the largest deflection, m, at rest
     };
     std::optional<Sag> sag{};  ///< sag under the surface's own weight
     /// The largest von Mises stress of a beam, at the end of any load step or load stage.
     struct Stress {
-        /// "load case" and its name, or "the result"; of a result with load steps or load stages also the
-        /// number of the load step or the name of the load stage with the stress.
+        /// "load case" and its name, or "the result". If there are load stages or load steps, then also the
+        /// name of the load stage, or the number of the load step, with the stress.
         std::string source;
         double value = 0.0;          ///< stress, Pa
         TileIndex tile;              ///< tile of the beam

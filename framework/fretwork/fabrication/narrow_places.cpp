@@ -41,14 +41,14 @@ struct Cell {
     bool operator<(const Cell& other) const { return most() < other.most(); }
 };
 
-/// A corner of the material, or a place on its arcs, that points into what is empty.
+/// A corner of the material, or a place on its arcs, that points into empty space.
 struct Tip {
     Point2 place;
     Point2 in;   ///< direction of the contour before
-    Point2 out;  ///< and behind
+    Point2 out;  ///< direction behind
 };
 
-/// Throats between all contours of a shape.
+/// Finds the gaps between all contours of a shape.
 class ThroatFinder {
   public:
     ThroatFinder(const Shape& shape, double reach) : reach_(reach) {
@@ -92,7 +92,7 @@ class ThroatFinder {
         }
     }
 
-    /// Whether the tip is the place of its contour that is nearest to a point: no step along it comes nearer.
+    /// True if no step along the contour from the tip comes nearer to a point in the direction `to`.
     static bool points_at(const Tip& tip, const Point2& to) {
         constexpr double kRightAngle = 1e-6;
         return dot(to, tip.in) >= -kRightAngle && dot(to, tip.out) <= kRightAngle;
@@ -100,7 +100,7 @@ class ThroatFinder {
 
     void consider(const Tip& tip, const Edge& edge, std::optional<NarrowPlace>& narrowest) const {
         const Point2 along = edge.to - edge.from;
-        if (cross(along, tip.place - edge.from) >= 0.0) return;  // the tip sees the edge's material
+        if (cross(along, tip.place - edge.from) >= 0.0) return;  // the tip is not on the empty side
         const double share = dot(tip.place - edge.from, along) / dot(along, along);
         if (share < 0.0 || share > 1.0) return;
         const Point2 foot = edge.from + share * along;
@@ -116,7 +116,7 @@ class ThroatFinder {
     std::vector<Tip> tips_;
 };
 
-/// Openings whose largest circle is smaller than `clearance`.
+/// Openings whose largest inner circle has a diameter below `clearance`.
 std::vector<NarrowPlace> narrow_openings(const Shape& shape, double clearance, const base::Control& control) {
     std::vector<const Contour*> openings;
     for (const Piece& piece : shape.pieces)
@@ -134,7 +134,7 @@ std::vector<NarrowPlace> narrow_openings(const Shape& shape, double clearance, c
     return narrow;
 }
 
-/// Say which bar and node are nearest.
+/// Set the nearest bar's tile and the nearest node.
 void name_places(std::vector<NarrowPlace>& places, const BarPlan& plan, const base::Control& control) {
     if (places.empty()) return;
     std::vector<Box> boxes;

@@ -22,7 +22,7 @@ struct NarrowPlace {
 };
 
 /// All places narrower than `clearance` (m), the narrowest first. Corners of openings between bars are not
-/// gaps, because fillets round them. Throws Stopped.
+/// gaps, because they do not widen in both directions. Throws Stopped.
 std::vector<NarrowPlace> narrow_places(const Shape& shape, const BarPlan& plan, double clearance,
                                        const base::Control& control = {});
 

@@ -36,7 +36,8 @@ double eye_diameter(const ShapeOptions& options) {
     return options.eye_diameter > 0.0 ? options.eye_diameter : 2.0 * options.bolt_diameter;
 }
 
-/// A length above the surface's own is a slip of units: "5" are metres. Fillets are as large as they can be.
+/// Refuse lengths above the surface's size: they were probably meant in millimetres. Fillets need no check,
+/// because they shrink until they fit.
 void require_below_surface(const BarPlan& plan, const ShapeOptions& options) {
     const Box box = geometry::box_of(std::span<const Point2>(plan.nodes));
     const auto require = [&](double value, const char* what) {
@@ -52,8 +53,9 @@ void require_below_surface(const BarPlan& plan, const ShapeOptions& options) {
     require(options.eye_diameter, "the diameter of eyes");
 }
 
-/// The contours around the material, region by region of the bars' lines. In each region what is empty is
-/// found by itself: so the Booleans have some ten edges each, however large the surface is.
+/// Makes the contours around the material, region by region; the lines of the bars bound the regions. The
+/// empty part of each region is computed separately, so that most Boolean operations have some ten edges, in
+/// large surfaces, too.
 class ShapeMaker {
   public:
     ShapeMaker(const BarPlan& plan, const ShapeOptions& options)
@@ -63,7 +65,7 @@ class ShapeMaker {
         const std::vector<Face> faces = planar_faces(plan_);
         std::vector<std::vector<Contour>> contours(faces.size());
         base::parallel_for(faces.size(), 0, [&](std::size_t i) {
-            const std::size_t f = faces.size() - 1 - i;  // the region without end takes longest
+            const std::size_t f = faces.size() - 1 - i;  // the unbounded region takes longest
             options_.control.check();
             contours[f] = contours_in(faces[f]);
         });
@@ -109,8 +111,8 @@ class ShapeMaker {
         return contours;
     }
 
-    /// The patches that may reach into a region: each has a place on a bar's line, so it meets the bars
-    /// around the region.
+    /// The patches that may reach into a region. Every patch holds a place on a bar's line, so a patch that
+    /// reaches in meets the lines around the region.
     [[nodiscard]] std::vector<std::size_t> near(const Face& face) const {
         std::vector<std::size_t> found;
         add_near(found, face.outer);

@@ -50,7 +50,7 @@ struct ShapeOptions {
 /// and free ends are round. Boolean operations are exact on a grid of a nanometre, and arcs stay arcs. Throws
 /// as bar_plan(), InputError for invalid options and holes that meet, and Stopped.
 Shape make_shape(const simulation::Surface& surface, const ShapeOptions& options = {});
-/// Make the outline of a plan. The plan contains its border, so `options.frame_width` is ignored.
+/// Make the outline of a plan. The plan contains its border, so `options.frame_width` is only validated.
 Shape make_shape(const BarPlan& plan, const ShapeOptions& options);
 
 /// The number of openings between bars and for bolts.

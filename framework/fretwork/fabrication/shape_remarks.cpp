@@ -8,7 +8,7 @@
 namespace fretwork::fabrication {
 namespace {
 
-/// Fillets lie on the grid of the Booleans: this much smaller is as asked.
+/// A fillet that lacks at most this share of its radius counts as full: corners lie on a grid.
 constexpr double kRounding = 0.01;
 
 std::string share_text(std::size_t part, std::size_t all) {

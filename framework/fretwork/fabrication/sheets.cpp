@@ -35,7 +35,7 @@ std::string part_name(std::size_t part) {
     return "P" + std::to_string(part + 1);
 }
 
-/// Turned by a quarter or not, then moved.
+/// A motion: a quarter turn or none, then a shift.
 struct Motion {
     bool turned = false;
     Point2 shift;
@@ -93,13 +93,13 @@ class SheetCutter {
         return farthest;
     }
 
-    /// The sides that two parts share.
+    /// Add connectors to sides between two parts.
     void find_connectors() {
         for (const tiling::SharedSide& side : tiling::shared_sides(surface_.tessellation))
             if (part_of_tile_[side.tiles[0]] != part_of_tile_[side.tiles[1]]) add_connectors(side);
     }
 
-    /// In the direction of the first tile's polygon, which is against that of the side.
+    /// The first tile's polygon gives the order of the connectors; `side` runs in the opposite direction.
     void add_connectors(const tiling::SharedSide& side) {
         const tiling::Tessellation& tessellation = surface_.tessellation;
         const Point2& from = tessellation.vertices[side.to];
@@ -115,7 +115,7 @@ class SheetCutter {
         }
     }
 
-    /// A connector's plate must end before the ends of its side, and before the next connector's.
+    /// Check that a connector's plate ends before its side's ends, and before the next connector's plate.
     void require_room(const Point2& place, const std::array<Point2, 2>& ends, int node) const {
         double room = std::min(distance(place, ends[0]), distance(place, ends[1]));
         for (const Connector& connector : connectors_)
@@ -137,7 +137,7 @@ class SheetCutter {
         std::set<int> nodes;
         for (const Bar& bar : plan.bars) nodes.insert({bar.nodes[0], bar.nodes[1]});
         ShapeOptions options = options_;
-        options.fillet = 0.0;  // connectors come first
+        options.fillet = 0.0;  // fillets come after connectors
         std::erase_if(options.bolts, [&](TessellationNodeIndex node) { return !nodes.contains(node); });
         const Shape shape = make_shape(plan, options);
         Part part{joined_pieces(shape, number, plan), {}, {}};
@@ -160,7 +160,7 @@ class SheetCutter {
         return side == ConnectorSide::Knob ? connector.knob_part : connector.socket_part;
     }
 
-    /// Cut the connectors of a part into its contours; those away from connectors stay as they are.
+    /// Cut the connectors of a part into its contours. Contours away from connectors keep their arcs.
     [[nodiscard]] std::vector<Piece> joined_pieces(const Shape& shape, std::size_t number,
                                                    const BarPlan& plan) const {
         ConnectorCut cut;
@@ -198,7 +198,7 @@ class SheetCutter {
         return assembled(contours);
     }
 
-    /// Eyes and holes are circles to be found again.
+    /// Add eyes and holes to the circles for with_arcs().
     void add_bolts(ConnectorCut& cut) const {
         if (options_.bolt_diameter == 0.0) return;
         for (const TessellationNodeIndex node : options_.bolts) {
@@ -227,7 +227,7 @@ class SheetCutter {
         return cut.sockets.empty() ? all : without(all, united(cut.sockets));
     }
 
-    /// Corners of knobs and sockets must stay as they fit; so contours with a connector keep their corners.
+    /// Contours with a connector get no fillets, because the corners of knobs and sockets must fit.
     [[nodiscard]] Contour fillets_away_from_connectors(const Contour& contour) const {
         for (const ContourPoint& point : contour) {
             for (const Connector& connector : connectors_)
@@ -274,7 +274,7 @@ class SheetCutter {
         return drawing;
     }
 
-    static constexpr double kChordShare = 5e-4;  // of a bar's width: chords as short as those of discs
+    static constexpr double kChordShare = 5e-4;  // share of a bar's width; chords become as short as in discs
     const simulation::Surface& surface_;
     const ShapeOptions& options_;
     const Bed& bed_;

@@ -46,7 +46,7 @@ class SolidMaker {
         return std::max(1e-7, std::ldexp(size, -22));
     }
 
-    /// Chords on the grid; corners that fall together are one.
+    /// The ends of chords, rounded to the grid. Ends that fall together are one.
     [[nodiscard]] Polygon corners(const Contour& contour) const {
         Polygon line;
         for (const Point2& point : flattened(contour, options_.chord_tolerance)) {

@@ -27,9 +27,9 @@ struct SolidOptions {
 /// or, if a coordinate is above 0.42 m, of 2^-22 of the largest coordinate. Vertices thus still differ as
 /// 32-bit numbers in millimetres.
 ///
-/// Every edge of the solid belongs to two triangles, in opposite directions. Throws GeometryError, with the
-/// place if it is known, if the shape touches itself, because it has no such solid. Throws InputError if an
-/// option is invalid. Throws Stopped.
+/// Every edge of the solid belongs to two triangles, in opposite directions. A shape that touches itself has
+/// no such solid: throws GeometryError, with the place if it is known. Throws InputError if an option is
+/// invalid. Throws Stopped.
 Solid make_solid(const Shape& shape, const SolidOptions& options = {});
 
 /// The volume of a solid, m3.

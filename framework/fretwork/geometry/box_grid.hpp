@@ -9,7 +9,7 @@
 
 namespace fretwork::geometry {
 
-/// A grid of equal cells that finds the boxes, among many, that meet a given box. Const functions are
+/// A grid of equal cells that finds, among many boxes, those that meet a given box. Const functions are
 /// thread-safe.
 class BoxGrid {
   public:

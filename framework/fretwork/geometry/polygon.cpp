@@ -42,7 +42,8 @@ double signed_area(const Polygon& polygon) {
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const Point2& a = polygon[i];
         const Point2& b = polygon[(i + 1) % polygon.size()];
-        // Relative to the first vertex: a small polygon far from the origin keeps its digits.
+        // Coordinates are relative to the first vertex, so a small polygon far from the origin keeps its
+        // digits.
         doubled += (a.x - polygon[0].x) * (b.y - polygon[0].y) - (b.x - polygon[0].x) * (a.y - polygon[0].y);
     }
     return doubled / 2.0;
@@ -66,7 +67,7 @@ Point2 centroid(const Polygon& polygon) {
 bool is_convex(const Polygon& polygon) {
     if (polygon.size() < 3) return false;
     bool turns = false;
-    int reversals = 0;  // of the lexicographic direction: a star that goes round twice has four
+    int reversals = 0;  // changes of direction in x (or y): two if convex, four in a star with two turns
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const auto a = kernel_point(polygon[i]);
         const auto b = kernel_point(polygon[(i + 1) % polygon.size()]);

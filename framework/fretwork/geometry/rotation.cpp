@@ -82,7 +82,7 @@ Eigen::Vector3d logarithm_near(const Eigen::Quaterniond& rotation, const Eigen::
     const double reference_angle = reference.norm();
     if (reference_angle < 1.0) return least;
     const double angle = least.norm();
-    // At whole turns the axis is undefined and the reference keeps its own.
+    // At whole turns, the rotation has no axis, and the reference's axis is used.
     const Eigen::Vector3d axis = angle > std::numeric_limits<double>::epsilon()
                                      ? Eigen::Vector3d(least / angle)
                                      : Eigen::Vector3d(reference / reference_angle);

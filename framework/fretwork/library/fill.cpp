@@ -71,8 +71,8 @@ class Filling {
   private:
     static constexpr auto kProgressPause = std::chrono::milliseconds(100);
 
-    /// A guard that makes the threads drop further results when the calling thread leaves, such as after
-    /// storing has failed.
+    /// A guard that makes the threads skip the remaining tasks when the calling thread leaves run(), for
+    /// example because storing has failed.
     struct Abandonment {
         std::atomic<bool>& flag;
         ~Abandonment() { flag = true; }
@@ -170,7 +170,7 @@ class Filling {
 
     Library& library_;
     const FillOptions& options_;
-    /// Options for one pattern; a stop of the whole call stops it.
+    /// Options for each calibration. A stop of fill() also stops running calibrations.
     reduction::CalibrationOptions calibration_options_;
     const reduction::TileModel& model_;
     CalibrationKey key_;

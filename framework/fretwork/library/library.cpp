@@ -134,8 +134,8 @@ Library Library::open(const std::filesystem::path& path, Access access) {
 Library Library::open_or_create(const std::filesystem::path& path, const pattern::NodeLayout& layout,
                                 const reduction::Setting& setting, std::span<const pattern::Pattern> patterns,
                                 const base::Control& control) {
-    // The file may be empty, because a process was killed while it made the file. Another process may also
-    // make the file at the same time.
+    // An existing file may be empty. Another process may make the file, or the tables in it, at the same
+    // time.
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored)) {
         (void)make_file(path, [&](const auto& draft) {

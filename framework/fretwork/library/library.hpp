@@ -36,7 +36,7 @@ struct CalibrationKey {
     std::string model;       ///< name of the tile model
     std::string optimizer;   ///< name of the method
     std::uint64_t seed = 0;  ///< seed of the search, below 2^63
-    int starts = 0;          ///< number of descents from different points
+    int starts = 0;          ///< number of starts; see reduction::CalibrationOptions
     int budget = 0;          ///< largest cost; see reduction::CalibrationOptions
     friend bool operator==(const CalibrationKey&, const CalibrationKey&) = default;
 };
@@ -98,8 +98,8 @@ std::string calibration_computation(const CalibrationKey& key);
 /// nothing, and to store a different value throws InputError. Only one thread at a time may use a Library.
 /// Several processes may have one file open, also on a network disk (rollback journal and file locks).
 ///
-/// Reading calls throw InputError if an id is unknown or the file is damaged. Writing calls also throw
-/// IoError (disk full, no permission, file locked by another process for longer than ten seconds).
+/// Reading calls throw InputError if an id is unknown or the file is damaged. All calls throw IoError if
+/// the file cannot be used (disk full, no permission, locked by another process for longer than ten seconds).
 class Library {
   public:
     /// Create a library in a new or an empty file. Throws InputError if the file exists and is not empty,
@@ -111,7 +111,8 @@ class Library {
     /// schema.
     static Library open(const std::filesystem::path& path, Access access = Access::ReadOnly);
     /// Open an existing file for writing and check its layout and setting, or create a new file with these
-    /// patterns. If not all patterns can be written, no new file is left.
+    /// patterns. If not all patterns can be written, no new file is left. An empty file becomes a library
+    /// without patterns.
     static Library open_or_create(const std::filesystem::path& path, const pattern::NodeLayout& layout,
                                   const reduction::Setting& setting,
                                   std::span<const pattern::Pattern> patterns = {},
@@ -126,13 +127,14 @@ class Library {
     [[nodiscard]] const pattern::NodeLayout& layout() const;
     /// The material, section and scenarios of all responses.
     [[nodiscard]] const reduction::Setting& setting() const;
-    /// Check that the library has this setting. Throws InputError that names the first difference.
+    /// Check the setting, except strength and section shape. Throws InputError that names the first
+    /// difference.
     void check_setting(const reduction::Setting& wanted) const;
     /// Check that the library has this layout. Throws InputError that states the difference.
     void check_layout(const pattern::NodeLayout& wanted) const;
-    /// Replace the library's setting by `wanted` if nothing has been computed under it. Otherwise replace
-    /// only the strength and the shape of the section, which computed values do not depend on, if `wanted`
-    /// has them; check all other values as check_setting() does.
+    /// Replace the library's setting by `wanted` if nothing has been computed with the old setting. Otherwise
+    /// check the setting as check_setting() does, and replace only the strength and the section's shape, if
+    /// `wanted` has them. Computed values do not depend on these two.
     void adopt_setting(const reduction::Setting& wanted);
 
     /// Add patterns that the library lacks. Returns the number of patterns added. If the call is stopped, no
@@ -143,7 +145,7 @@ class Library {
     /// All patterns, sorted by number of edges and then by their edges.
     [[nodiscard]] std::vector<pattern::NamedPattern> patterns() const;
     /// Up to `size` of patterns(), spread over the numbers of edges as by reduction::stratified_sample().
-    /// Only the chosen patterns are read.
+    /// Only the chosen ids are parsed.
     [[nodiscard]] std::vector<pattern::NamedPattern> sample(std::size_t size) const;
     /// One summary for each pattern, in the order of patterns().
     [[nodiscard]] std::vector<PatternSummary> summaries() const;
@@ -152,9 +154,9 @@ class Library {
         std::span<const pattern::NamedPattern> patterns) const;
     /// The patterns with a calibration of a model that has parameters, in the order of patterns().
     [[nodiscard]] std::vector<pattern::NamedPattern> fitted_patterns() const;
-    /// Find patterns by their behaviour. Patterns without properties, which fill() computes, are not found.
-    /// Throws InputError with the place if an expression of the query is invalid; its source is "where" or
-    /// "sort".
+    /// Find patterns by their behaviour. Only patterns with properties are found; fill() computes properties.
+    /// Throws InputError if an expression of the query is invalid. The error names "where" or "sort" as its
+    /// source, and the place.
     [[nodiscard]] FoundPatterns find(const PatternQuery& query) const;
     /// The objectives of all calibrations of a key, ascending.
     [[nodiscard]] std::vector<double> objectives(const CalibrationKey& key) const;
@@ -206,11 +208,11 @@ class Library {
     /// properties, failures. The hash does not depend on the setting's strength and section shape, on the
     /// order of storing, on times, hosts and program versions, or on SQLite's layout of the file.
     [[nodiscard]] std::string content_hash() const;
-    /// True if `hash` is the hash of the content by this or an older version of the program.
+    /// True if `hash` is the content hash that this or an older version of the program computes.
     [[nodiscard]] bool has_content(std::string_view hash) const;
-    /// Write each table of content and the view `behaviour` as one CSV file, but the layout and the setting
-    /// as layout.json and setting.json, into a folder, which is created if missing. Rows are sorted; times
-    /// and hosts are left out, so equal contents give equal files.
+    /// Write the content into a folder, which is created if missing: layout.json, setting.json, and one CSV
+    /// file for each other table of content and for the view `behaviour`. Rows are sorted; times and hosts
+    /// are left out, so equal contents give equal files.
     void export_csv(const std::filesystem::path& folder, const base::Control& control = {}) const;
 
   private:

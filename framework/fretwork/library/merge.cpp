@@ -86,7 +86,7 @@ void attach_and_copy(Database& output, const std::filesystem::path& input) {
     {
         Transaction transaction(output, Transaction::Kind::Write);
         for (const Table& table : detail::content_tables()) {
-            // Checked by common_setting().
+            // common_setting() checks settings.
             if (table.name != "setting") check_agreement(output, table, input);
             copy_rows(output, table);
         }
@@ -120,7 +120,7 @@ void merge_into(const std::filesystem::path& path, std::span<const std::filesyst
     transaction.commit();
 }
 
-/// Set the strength from another library, if the setting has none.
+/// Take over another library's strength. Throws InputError if two strengths differ.
 void adopt_strength(reduction::Setting& setting, const Library& other) {
     const auto strength = other.setting().strength;
     if (!strength) return;

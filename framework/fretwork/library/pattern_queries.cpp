@@ -84,7 +84,7 @@ std::vector<pattern::NamedPattern> Library::patterns() const {
 std::vector<pattern::NamedPattern> Library::sample(std::size_t size) const {
     const Transaction snapshot(impl_->database, Transaction::Kind::Read);
     const std::map<int, std::size_t> counts = edge_counts(impl_->database);
-    std::vector<int> strata;  // strata of patterns(), which are sorted by the number of edges first
+    std::vector<int> strata;  // the number of edges of each of patterns(), in their order
     for (const auto& [edges, count] : counts) strata.insert(strata.end(), count, edges);
     const std::vector<std::size_t> chosen = reduction::stratified_sample(strata, size);
     std::vector<pattern::NamedPattern> entries;

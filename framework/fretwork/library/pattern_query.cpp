@@ -30,8 +30,8 @@ std::string searched() {
            "AS c ON c.pattern_id = p.id) ";
 }
 
-/// The authorizer of expressions from users. It permits reading the searched columns, and forbids everything
-/// else: other tables, changes of the file, and functions that read files.
+/// The authorizer of expressions from users. It permits reading the tables of the search, and all functions
+/// but load_extension(). It forbids everything else, such as other tables and changes of the file.
 int allow_search(void*, int action, const char* first, const char* second, const char*, const char*) {
     constexpr std::array<std::string_view, 5> kTables = {"pattern", "property", "calibration", "found", ""};
     if (action == SQLITE_SELECT) return SQLITE_OK;
@@ -42,7 +42,7 @@ int allow_search(void*, int action, const char* first, const char* second, const
     return SQLITE_DENY;
 }
 
-/// The length of the longest text that an expression may make.
+/// The length of the longest text that an expression may make, bytes.
 constexpr int kLongestValue = 1'000'000;
 
 /// Restricts a database to searches as long as this object exists: statements are checked by allow_search(),

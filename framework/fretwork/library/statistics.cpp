@@ -31,7 +31,7 @@ double far_above_limit(std::vector<double> objectives) {
     constexpr std::size_t kFewest = 20;
     constexpr double kDeviations = 4.0;
     constexpr double kLeastRatio = 10.0;
-    // Standard deviation of a normal distribution over its median absolute deviation.
+    // Ratio of the standard deviation of a normal distribution to its median absolute deviation.
     constexpr double kDeviationOfNormal = 1.4826;
     if (objectives.size() < kFewest) return std::numeric_limits<double>::infinity();
     const double median = median_of(objectives);

@@ -11,8 +11,9 @@ namespace {
 
 using elements::BeamElement;
 
-/// The releases at each end of a beam. If both ends release the torsion (or the axial force), the beam
-/// transmits none of it; so a single release is kept, because two releases would let the beam move freely.
+/// The releases at each end of a beam. If both ends release the torsion (or the axial force), only the
+/// release at the first end is kept. It has the same effect, and with both the beam could turn (or slide)
+/// freely.
 std::array<DofSet, 2> released_dofs(const Beam& beam) {
     std::array<DofSet, 2> free;
     for (const Release& release : beam.releases) {
@@ -120,9 +121,9 @@ class Assembler {
         }
     }
 
-    /// Add a load on a beam's end to the hinge, whose motions the load also does work along. In this way, a
-    /// released moment acts through the beam on its other end, and not on the frame's node. The hinge's
-    /// motions are in the beam's axes.
+    /// Add a load on a beam's end also to the hinge, because the load does work along the hinge's motions,
+    /// too. In this way, a released moment acts through the beam on the other end, and not on the frame's
+    /// node. The hinge's motions are in the beam's axes.
     void add_to_hinge(NodeIndex hinge, const Eigen::Matrix3d& axes, const NodeLoad& load) {
         load_of(hinge).head<3>() += axes.transpose() * load.head<3>();
         load_of(hinge).tail<3>() += axes.transpose() * load.tail<3>();

@@ -10,7 +10,7 @@
 namespace fretwork::mechanics {
 namespace {
 
-/// The same share of the difference from a solution with half of the divisions: 1 / (2^2 - 1).
+/// A solution's error over its difference from the solution with half the divisions: 1 / (2^2 - 1).
 constexpr double kErrorFromCoarser = 1.0 / 3.0;
 
 /// The relative difference above which two solutions lie on different branches of a buckled path, or are too
@@ -29,8 +29,8 @@ double extent(const Frame& frame) {
 }
 
 /// The error estimated from two solutions.
-/// @param length  length over which a displacement counts as a rotation, so that rounding is not taken for an
-/// error in structures such as trusses, whose nodes hardly turn
+/// @param length  a displacement over this length counts as a rotation. Otherwise, rounding would be taken
+/// for an error in structures such as trusses, whose nodes hardly turn
 DiscretizationError error_between(const Solution& solution, const Solution& other, double error_of_difference,
                                   double length) {
     DiscretizationError error;

@@ -83,9 +83,9 @@ class Element {
     /// owns the buffers. If the given stresses are the element's own stresses, or if stress_count() is zero,
     /// the response equals that of evaluate(), and given_force is the force.
     ///
-    /// Newton's method can take far longer steps with stresses s + K B dx that are extrapolated from the last
-    /// iteration, because membrane stiffness makes the stresses at the current displacements huge
-    /// [Magisano2017].
+    /// With stresses s + K B dx, which are extrapolated from the last iteration, Newton's method can take far
+    /// longer steps [Magisano2017]. The stresses at the current displacements can be huge, because the
+    /// membrane stiffness is high.
     virtual void evaluate_mixed(std::span<const NodeState> states, Demand demand,
                                 const ElementStresses& stresses, MixedResponse& response) const = 0;
 

@@ -24,7 +24,7 @@ constexpr int kMostRefinements = 3;
 /// The largest residual that rounding of the displacements explains, as a share of the forces that cancel at
 /// the nodes.
 constexpr double kRoundingShare = 8.0 * std::numeric_limits<double>::epsilon();
-/// The share from which rounding explains all forces, in a structure without loads.
+/// In a structure without loads, rounding explains all forces if its estimate is at least this share of them.
 constexpr double kRigidShare = 0.1;
 /// The largest residual of a converged solution. The error of the reactions is about the residual.
 constexpr double kLargestResidual = 1e-4;
@@ -139,7 +139,7 @@ class LinearSolver::Impl {
     [[nodiscard]] Iterate refined(Iterate iterate, const NodeValues& loads,
                                   const base::Control& control) const {
         for_each(iterate.parts, [&](Part& part) {
-            // The structure is loaded only in its plane, or only across it.
+            // A flat structure may be loaded only in its plane, or only across it.
             if (part.unbalanced.isZero(0.0)) return;
             part.system->solve(part.unbalanced, control);
             part.displacements += part.unbalanced;

@@ -19,9 +19,9 @@ struct LinearOptions {
 
 /// How an update has changed the factors.
 enum class FactorChange {
-    /// The factors stay. An earlier correction is dropped if all elements are factorized ones.
+    /// The factors stay. An earlier correction is dropped if all elements are those of the factors.
     Kept,
-    /// The factors get a low-rank correction for elements that are not factorized.
+    /// The factors get a low-rank correction for elements that differ from those of the factors.
     Updated,
     Refactorized,  ///< all factors are recomputed, with the same bits as in a new solver
 };

@@ -83,7 +83,7 @@ VectorXd element_displacements(const Element& element, const NodeValues& displac
 }
 
 /// True if supports move the structure as a rigid body, so that all forces are rounding of terms that cancel.
-/// Displacements by a factorization leave about ten units of rounding.
+/// The displacements come from a factorization, and leave forces of about ten units of rounding.
 bool is_moved_rigidly(const Assembly& assembly, const NodeValues& displacements) {
     constexpr double kRounding = 1e3 * std::numeric_limits<double>::epsilon();
     if (!assembly.loads.isZero(0.0)) return false;

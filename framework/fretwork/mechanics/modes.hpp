@@ -27,8 +27,8 @@ struct ModeOptions {
 
 /// The modes of the lowest natural frequencies, ascending, with consistent masses. Prescribed components are
 /// held. The number of modes is at most the number of free components with mass. Throws InputError if `count`
-/// is below one, or if no element has mass or one has an unknown mass; NumericalError as LinearSolver, or if
-/// the search does not settle; Stopped.
+/// is below one, if no element has mass, or if the mass of an element is not known; NumericalError as
+/// LinearSolver, or if the search does not settle; Stopped.
 std::vector<Mode> vibration_modes(const Assembly& assembly, int count, const ModeOptions& options = {});
 
 /// The modes of linearized buckling, ascending in their load factor. If the loads are multiplied by this

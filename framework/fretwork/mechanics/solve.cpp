@@ -14,8 +14,8 @@
 namespace fretwork::mechanics {
 namespace {
 
-/// The number of equilibria on the way to the full load if the options ask for none: enough to follow the
-/// path without a jump.
+/// The number of equilibria on the way to the full load if the options give no number. It is enough to follow
+/// the path without a jump.
 constexpr int kDefaultSteps = 10;
 
 using NamedSolver = std::pair<Solver, std::string_view>;
@@ -71,7 +71,7 @@ void add_modes(const Assembly& assembly, const SolveOptions& options, Result& re
 }
 
 /// The result of a path of solutions.
-/// @param watch  runs since the path was begun
+/// @param watch  started before any assembly and the path
 Result result_of(const Assembly& assembly, Solver solver, std::vector<Solution> path,
                  const base::Stopwatch& watch) {
     Result result;

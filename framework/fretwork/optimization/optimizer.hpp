@@ -13,7 +13,7 @@ enum class OptimizerClass {
     Local,  ///< the method descends from each of `starts` points to a minimum nearby
     /// The method searches the whole box by a deterministic plan and ignores `starts` and the seed.
     Global,
-    Random,  ///< the method draws points at random; most methods repeat this `starts` times
+    Random,  ///< the method draws points at random; most of these methods make `starts` runs
 };
 /// The word for a class in tables.
 std::string_view optimizer_class_name(OptimizerClass kind);
@@ -22,7 +22,7 @@ std::string_view optimizer_class_name(OptimizerClass kind);
 enum class Ending {
     Converged,    ///< the method's own criterion was met
     BudgetSpent,  ///< an evaluation was refused because the rest of the budget did not cover it
-    Stalled,      ///< the method made no further progress before its criterion was met
+    Stalled,      ///< the method's progress or iterations ended before its criterion was met
     /// No start gave a descent: the objective was not finite at the start, or the first step failed.
     Invalid,
     /// An outside program (OutsideCommand) went on after the budget was spent, and was stopped.

@@ -20,7 +20,7 @@ namespace {
 using Made = std::unique_ptr<Optimizer>;
 using Options = const OptimizerOptions&;
 
-/// Annealing that differs from the published defaults.
+/// Simulated annealing with these options, but with `common`.
 Made annealing(SimulatedAnnealingOptions options, Options common) {
     options.common = common;
     return make_simulated_annealing(options);
@@ -31,8 +31,8 @@ Made ceres_residuals(CeresResidualsOptions options, Options common) {
     return make_ceres_residuals(options);
 }
 
-/// The smoothing of ceres-multistart's continuation stages. With equal stages, the two methods differ only in
-/// the model that Ceres gets.
+/// The smoothing of ceres-multistart's continuation stages. The rows ceres-smoothed.. have the same stages,
+/// so a comparison with ceres-multistart does not depend on the stages.
 std::vector<double> stages() {
     return ContinuationOptions{}.smoothing;
 }
@@ -50,8 +50,8 @@ Made nlopt_descents(Options common) {
     return detail::make_nlopt_runs(kMethod, {.common = common, .scale = detail::ObjectiveScale::Compressed});
 }
 
-/// One search of the whole box by a method of NLopt that ends by patience. If `kLocal` is given, the method
-/// descends by `kLocal`, which follows gradients.
+/// One search of the whole box by a method of NLopt. The search ends by NloptOptions::patience. If `kLocal`
+/// is given, the method descends by `kLocal`, which follows gradients.
 template <nlopt_algorithm kMethod, nlopt_algorithm... kLocal>
 Made nlopt_search(Options common) {
     std::optional<nlopt_algorithm> local;

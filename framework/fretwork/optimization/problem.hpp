@@ -80,8 +80,8 @@ class Problem {
     /// True if the objective has kinks that `smoothing` > 0 rounds. A problem without kinks ignores
     /// smoothing.
     [[nodiscard]] virtual bool has_kinks() const { return false; }
-    /// True if a variable is the natural logarithm of the quantity that is fitted. A method that is sensitive
-    /// to scales can then move in the quantity itself, to show the effect.
+    /// True if a variable is the natural logarithm of the quantity that is fitted. A method can then move in
+    /// the quantity itself, which shows how sensitive the method is to scales.
     [[nodiscard]] virtual bool is_logarithm(int /*variable*/) const { return false; }
 
     /// The objective at a point within the bounds.

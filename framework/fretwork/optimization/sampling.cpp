@@ -14,7 +14,7 @@ double generalized_golden_ratio(int dimension) {
     return ratio;
 }
 
-/// The random stream of the shift, far from the streams of the methods, which count from zero.
+/// The number of the shift's random stream. The streams of methods are numbered from zero, so they differ.
 constexpr std::uint64_t kShiftStream = 0x5A3D'1E70'0000'0000U;
 
 }  // namespace

@@ -86,7 +86,7 @@ bool clash(const Side& a, const Side& b) {
     return CGAL::do_intersect(Kernel::Segment_2(a.from, a.to), Kernel::Segment_2(b.from, b.to));
 }
 
-/// Call found(a, b) for each pair of sides that clash. Pairs whose boxes meet are tested exactly.
+/// Call found(pair) for each pair of sides that clash. Pairs whose boxes meet are tested exactly.
 template <class Found>
 void for_each_clash(const std::vector<Side>& sides, const base::Control& control, const Found& found) {
     using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 2, const Side*>;
@@ -129,7 +129,7 @@ std::vector<geometry::Box> boxes_of_holes(const std::vector<Polygon>& loops) {
 }
 
 /// The nesting of loops whose sides do not meet, so one point of a hole decides for the whole hole. Drawings
-/// have thousands of holes, so only loops whose boxes meet are compared.
+/// have thousands of holes, so only holes whose boxes contain this point are tested.
 class Nesting {
   public:
     explicit Nesting(const std::vector<Polygon>& loops)
@@ -138,7 +138,7 @@ class Nesting {
     [[nodiscard]] bool is_in_boundary(std::size_t hole) const {
         return is_inside(loops_[hole].front(), boundary_);
     }
-    /// The first hole that contains another given hole.
+    /// The first hole that contains a given hole.
     [[nodiscard]] std::optional<std::size_t> hole_around(std::size_t hole) const {
         const Point2 point = loops_[hole].front();
         for (const std::size_t near : holes_.meeting({point.x, point.y, point.x, point.y})) {

@@ -30,7 +30,7 @@ struct Tally {
     }
 };
 
-/// Walk every graph of the layout, in pieces of neighbouring numbers.
+/// Walk every graph. The bit set of its edges is a number; a piece is a range of numbers.
 Tally tally_all_graphs(const NodeLayout& layout, const std::vector<Filter>& filters,
                        const EnumerationOptions& options) {
     constexpr Word64 kPiece = 1 << 12;
@@ -61,7 +61,7 @@ void fill(Census& census, const Tally& tally) {
     }
 }
 
-/// The numbers that are known for the filters of a layout with too many graphs to walk.
+/// Fill the columns of the filters that can be counted although there are too many graphs to walk.
 void fill_without_walking(Census& census, const std::vector<Filter>& filters, int edge_count,
                           const base::Control& control) {
     for (const Filter& filter : filters) {

@@ -95,8 +95,8 @@ class Judge {
         return {false, filter_.name, std::move(reason), std::move(guilty)};
     }
 
-    /// The beams of all components are guilty, except those of the component of the fan's first beam, which
-    /// begins at the first used interface node if there is one.
+    /// The beams in the component of the fan's first beam are not guilty; all other beams are. The first
+    /// beam begins at the first used interface node, if there is one.
     [[nodiscard]] Verdict judge_components(const Fan& fan) const {
         const detail::FanComponents components = detail::fan_components(fan);
         if (components.count <= 1) return {};

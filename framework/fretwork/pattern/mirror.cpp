@@ -16,8 +16,8 @@ std::optional<LayoutNodeIndex> twin_of(const NodeLayout& layout, LayoutNodeIndex
     return LayoutNodeIndex(twin - nodes.begin());
 }
 
-/// Move an edge along the right radial side, which is not a candidate, to the left side, where it gives the
-/// same fan.
+/// If an edge lies on the right radial side, where it is not a candidate, move it to the left side. The fan
+/// stays the same.
 Edge moved_to_left_side(const NodeLayout& layout, const Edge& edge) {
     const auto is_on_right_side = [&](LayoutNodeIndex node) {
         return layout.nodes()[node].place[1] == Rational(0);
@@ -33,8 +33,8 @@ std::optional<EdgeIndex> edge_image(const NodeLayout& layout, const Edge& edge) 
     const Edge image = moved_to_left_side(layout, {std::min(*first, *second), std::max(*first, *second)});
     const auto& candidates = layout.candidate_edges();
     const auto found = std::lower_bound(candidates.begin(), candidates.end(), image);
-    // A face node whose mirror image is not in the layout may lie on the image of the edge, but not on the
-    // edge.
+    // The image is not a candidate if a face node lies on it. The edge may still be a candidate, because the
+    // layout need not be symmetric.
     if (found == candidates.end() || *found != image) return std::nullopt;
     return EdgeIndex(found - candidates.begin());
 }

@@ -30,7 +30,8 @@ bool for_each_of_size(int edge_count, int size, const Visit& visit) {
     }
 }
 
-/// For each rule, the graphs that break this rule alone, from the smallest sizes with enough such graphs.
+/// For each rule, the graphs that break this rule alone, size after size. A rule with enough graphs gets none
+/// of a larger size.
 class Collector {
   public:
     Collector(const NodeLayout& layout, const std::vector<Filter>& filters, std::size_t wanted)

@@ -63,9 +63,9 @@ struct CoverRule {
 };
 
 /// The fan in the hexagon has a graph property. Boost.Graph defines the property; the search uses an
-/// equivalent bit-parallel test. Pruning: if both properties are required, the search turns back once no
-/// available edge meets a loose end, an inner node where one beam ends. Cost: a few graph searches with bit
-/// sets.
+/// equivalent bit-parallel test. Pruning: if both properties are required, the search turns back once some
+/// loose end (an inner node where one beam ends) meets no available edge. Cost: a few graph searches with
+/// bit sets.
 struct GraphRule {
     /// The property that the fan's graph must have.
     enum class Property {

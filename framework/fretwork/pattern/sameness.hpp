@@ -11,10 +11,10 @@
 
 namespace fretwork::pattern {
 
-/// The symmetries of a pattern's fan beside its rotations. Every fan in a regular polygon has the rotations
-/// of that polygon.
+/// The symmetries of a pattern's fan other than its rotations. Every fan in a regular polygon has the
+/// rotations of that polygon.
 enum class Symmetry {
-    None,   ///< the fan has no symmetry beside its rotations
+    None,   ///< the fan has no symmetry other than its rotations
     Mirror  ///< the pattern is its own mirror image
 };
 

@@ -23,7 +23,7 @@ constexpr std::uint64_t kPiecesInABatch = 16;
 /// The largest number of parts that the count stores, which take a few hundred megabytes at most.
 constexpr std::size_t kMostParts = 1'000'000;
 
-/// All pairs of edges that a rule forbids.
+/// The conflicts of each edge, under all rules.
 std::vector<Word128> all_conflicts(const std::vector<Filter>& filters, std::size_t edge_count) {
     std::vector<Word128> conflicts(edge_count);
     for (const Filter& filter : filters) {
@@ -67,8 +67,8 @@ struct PatternSampler::Impl {
         return sets.draw(size, random);
     }
 
-    /// Call visit(piece, graph) for every valid graph among the trials first .. first + count. Pieces run in
-    /// parallel; within a piece, the graphs come in their order.
+    /// Call visit(piece, graph) for every valid graph of `count` trials, the first of which is trial `first`.
+    /// Pieces run in parallel; within a piece, the graphs come in the order of the trials.
     template <class Visit>
     void try_all(std::uint64_t first, std::uint64_t count, const Visit& visit) const {
         base::parallel_for((count + kPiece - 1) / kPiece, options.threads, [&](std::size_t piece) {
@@ -82,8 +82,8 @@ struct PatternSampler::Impl {
         });
     }
 
-    /// The number of valid graphs among the trials from trial 0 on. The trials are made in parts, and
-    /// progress is reported after each part.
+    /// The number of valid graphs of the first `trials` trials. The trials are made in parts, and progress is
+    /// reported after each part.
     [[nodiscard]] std::uint64_t count_hits(std::uint64_t trials) const {
         constexpr std::uint64_t kPart = 64 * kPiece;
         const base::Task task(options.control, "trials", trials);

@@ -34,9 +34,9 @@ Matrix3d curved(const Vector3d& x) {
                     {-x.x(), 0.0, -x.y() / 2.0}};
 }
 
-/// The matrix that gives the displacements of all nodes (three components each) from the displacements of the
-/// nodes on the first half of the sides. A node and its opposite node move equally, because the opposite node
-/// is the same node of the neighbouring tile.
+/// The matrix that gives the fluctuations of all nodes (three components each) from the fluctuations of the
+/// nodes on the first half of the sides. A node and its opposite node have the same fluctuation, because the
+/// node coincides with the opposite node of the neighbouring tile.
 MatrixXd periodic_fluctuations(int nodes, int nodes_a_side) {
     const int half = nodes / 2;
     MatrixXd result = MatrixXd::Zero(3 * nodes, 3 * half);

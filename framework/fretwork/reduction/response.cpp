@@ -21,7 +21,7 @@ Response::Sample to_sample(const mechanics::Solution& solution, int interface_no
     return sample;
 }
 
-/// A solution for each of the setting's magnitudes.
+/// The response that has these solutions, one for each magnitude.
 Response to_response(std::span<const mechanics::Solution> solutions, const Scenario& scenario,
                      int interface_nodes) {
     const std::vector<double> factors = mechanics::even_load_factors(static_cast<int>(solutions.size()));

@@ -9,10 +9,9 @@
 
 namespace fretwork::reduction {
 
-/// Choose up to `size` items: from each stratum the same number (the first strata may give one more), or all
-/// items of a stratum with fewer items.
-/// The chosen items are evenly spread within their stratum. Returns ascending indices. The choice is
-/// deterministic.
+/// Choose up to `size` items. Each stratum gives the same number of items (the first strata may give one
+/// more); a stratum with fewer items gives all of them. The chosen items are evenly spread within their
+/// stratum. Returns ascending indices. The choice is deterministic.
 /// @param strata  the stratum of each item
 std::vector<std::size_t> stratified_sample(std::span<const int> strata, std::size_t size);
 

@@ -8,7 +8,7 @@
 namespace fretwork::simulation {
 
 std::vector<tiling::TileIndex> worst_tiles(std::span<const TileDeformation> tiles, double share) {
-    constexpr double kRounding = 1e-9;  // 0.07 of 100 tiles are 7
+    constexpr double kRounding = 1e-9;  // so that 0.07 of 100 is 7, not 8
     const auto product = [&](tiling::TileIndex tile) {
         const TileDeformation& deformation = tiles[tile];
         return deformation.energy * deformation.rotation;

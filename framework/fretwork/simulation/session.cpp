@@ -36,14 +36,14 @@ Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 Session::~Session() = default;
 
-/// If the first refuses an edit, the second never sees it.
+/// If the corotational tiles refuse an edit, the mixture does not get it.
 template <class Edit>
 void Session::edit(const Edit& edit) {
     edit(*impl_);
     if (mixture_) edit(mixture_->impl());
 }
 
-/// The surface of the last solution.
+/// The data that belong to the last solution.
 Session::Impl& Session::answering() const {
     return mixture_ && !mixture_->full_tiles().empty() ? mixture_->impl() : *impl_;
 }

@@ -34,12 +34,12 @@ struct TileDeformation {
 /// the tiles, the assembled structure, the order of elimination, the factors, and the last nonlinear
 /// equilibrium.
 ///
-/// Edits compute nothing. The comment of each edit states the results that become invalid; the next solve()
-/// computes only these again. A linear solution equals that of a new session on the edited surface: bit by
-/// bit after a new factorization, within rounding after an update of the factors. A nonlinear solution agrees
-/// with that of a new session within the solver's tolerance if there is only one stable equilibrium. If there
-/// are several, it is the equilibrium reached by the edits (mechanics::EquilibriumSolver). An edit that
-/// throws changes nothing.
+/// Edits build no tiles and solve nothing. The comment of each edit states the results that become invalid;
+/// the next solve() computes only these again. A linear solution equals that of a new session on the edited
+/// surface: bit by bit after a new factorization, within rounding after an update of the factors. A nonlinear
+/// solution agrees with that of a new session within the solver's tolerance if there is only one stable
+/// equilibrium. If there are several, the earlier equilibria determine which one is found
+/// (mechanics::EquilibriumSolver). An edit that throws changes nothing.
 ///
 /// The model `mixed:SHARE` (mixed_model.hpp) takes two solutions: one of corotational tiles only, and one in
 /// which the worst tiles have all of their beams. A session keeps both and continues from both after an edit.

@@ -62,7 +62,7 @@ class Simulation {
         return result;
     }
 
-    /// The error of a result against a better solution than `turned`, which the session has just given.
+    /// Estimate the error of a result from a better solution than `turned`, the session's last solution.
     void estimate(Session& session, const SurfaceResult& turned, const ModelDoubt& doubt,
                   SurfaceResult& result) const {
         add_subject(result);

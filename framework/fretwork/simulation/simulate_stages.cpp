@@ -23,7 +23,7 @@ namespace {
 
 using tiling::TileIndex;
 
-/// The load cases that stages name, as files, in the order of their names.
+/// The texts of the load cases that load stages name, in the order of the load cases' names.
 std::vector<std::string> named_cases(const StagePlan& plan) {
     std::map<std::string, std::string> texts;
     for (const LoadStage& stage : plan.stages) {
@@ -35,14 +35,14 @@ std::vector<std::string> named_cases(const StagePlan& plan) {
     return result;
 }
 
-/// The ends of the stages as one surface reaches them.
+/// The solutions of one surface at the ends of the load stages.
 struct FollowedStages {
     SurfaceResult result;
     std::vector<TileDeformation> tiles;  ///< each at the end where its energy times its rotation is largest
     ModelDoubt doubt;                    ///< the largest of all ends
 };
 
-/// Surface after surface through the same stages.
+/// Follows the same load stages with one surface after another.
 class StagedSimulation {
   public:
     StagedSimulation(const Surface& surface, const StagePlan& plan, const SimulationOptions& options,
@@ -109,7 +109,7 @@ class StagedSimulation {
         }
     }
 
-    /// With the worst tiles in full through all stages.
+    /// Follow all load stages again, with the worst tiles in full.
     void estimate(FollowedStages& own) {
         SurfaceResult& result = own.result;
         const double share = better_share(options_.model, own.doubt);
@@ -128,7 +128,8 @@ class StagedSimulation {
         for (const TileIndex tile : tiles) surface.tile_models[tile] = reference_choice(options_).name;
     }
 
-    /// The stages are followed again until the tiles around the most stressed beam of each end are in full.
+    /// Follow the load stages again until the tiles around the most stressed beam are in full, at the end of
+    /// each load stage.
     [[nodiscard]] std::optional<double> stress_error(Surface better, FollowedStages reference,
                                                      const SurfaceResult& result) {
         const std::vector<BeamTable> tables = step_beam_tables(surface_, result, options_.models);
@@ -162,7 +163,7 @@ class StagedSimulation {
     detail::TileBuilder builder_;
 };
 
-/// Stages are simulated with full and corotational tiles.
+/// Refuse load stages and options that cannot be simulated.
 void check(const Surface& surface, const StagePlan& plan, const SimulationOptions& options) {
     options.validate(surface);
     if (plan.stages.empty()) throw base::InputError("there is no load stage to simulate");

@@ -40,7 +40,7 @@ struct SimulationOptions {
     /// model that is not mixed, and exclude `estimate_error` and `estimate_model_error`.
     mechanics::Branch branch = mechanics::Branch::Primary;
     int vibration_modes = 0;  ///< number of natural frequencies of the surface at rest, with all of its beams
-    /// Number of critical load factors by linearized buckling, with all of its beams.
+    /// Number of critical load factors of the surface by linearized buckling, with all of its beams.
     int buckling_modes = 0;
     bool estimate_linear_range = false;  ///< true: fill SurfaceResult::linear_range; for linear solutions
     /// Number of threads; 0: one for each processor. The result is bitwise the same for every number of
@@ -69,7 +69,7 @@ ModelChoice reference_choice(const SimulationOptions& options);
 /// is then sought in the deformed state. Throws InputError if a model is unknown.
 bool is_nonlinear(const Surface& surface, const SimulationOptions& options);
 
-/// True if every tile has all of its beams.
+/// True if the model of every tile is a reference.
 bool is_reference(const Surface& surface, const SimulationOptions& options);
 
 }  // namespace fretwork::simulation

@@ -19,7 +19,7 @@ namespace fretwork::simulation {
 /// A load stage: changes of loads and held components. Everything else stays as at the end of the previous
 /// load stage. A load stage may name a component in only one of `prescribed`, `keep` and `free`.
 struct LoadStage {
-    std::string name;  ///< name in reports, of this load stage alone
+    std::string name;  ///< name in reports; no other load stage has it
     /// Load cases with the new factors on their loads and prescribed displacements. 0 removes the loads, and
     /// holds the prescribed components at 0. Supports of these load cases are ignored.
     std::vector<LoadCase::Share> loads{};

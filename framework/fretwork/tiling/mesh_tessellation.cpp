@@ -73,7 +73,7 @@ class MeshTiles {
             fail(face_with(rim.knots.front()),
                  "touches another face at " + place_of(rim.knots.front()) + " in this vertex alone");
         for (std::size_t line = 0; line < rim.lines.size(); ++line) {
-            // Any valid loop marks a vertex on the rim.
+            // A valid loop, no matter which, marks a rim vertex.
             for (const detail::DualVertexIndex v : rim.lines[line])
                 dual_.vertices[v].loop = detail::LoopIndex(line);
         }

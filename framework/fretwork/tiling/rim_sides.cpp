@@ -7,8 +7,8 @@
 namespace fretwork::tiling {
 namespace {
 
-/// All sides: those that two tiles share, and those of one tile, by the vertex where they begin. Where two
-/// parts of the rim touch in a vertex, two begin there.
+/// All sides: those that two tiles share, and those of one tile alone (the rim), by the vertex at which they
+/// begin. Where two parts of the rim touch in a vertex, two sides of the rim begin there.
 struct Sides {
     std::vector<SharedSide> shared;
     std::multimap<VertexIndex, RimSide> rim;

@@ -30,13 +30,13 @@ using geometry::metres;
 using geometry::short_number;
 
 constexpr int kMostTiles = 100000;
-/// The largest number of refined tiles; with refinement everywhere, all work is repeated up to eight times.
+/// The largest number of tiles with refinement, in which all work is repeated up to kAttempts times.
 constexpr double kMostRefinedTiles = 20000;
 constexpr int kAnglesOfMany = 2;  // number of lattices that are sketched if there are many refined tiles
 constexpr double kBytesPerTile = 8000;  // measured, rounded up
-/// The approximate number of tiles made in all attempts, so a small outline is tried in more ways.
+/// The largest sum of the tiles of all starts that are tried in full. A small outline is tried in more ways.
 constexpr double kTilesInFinal = 1600;
-constexpr double kTilesInGraded = 500;   // the same if further attempts may follow
+constexpr double kTilesInGraded = 500;   // the same if the wanted side varies
 constexpr double kSketchingShare = 0.2;  // share of the remaining progress
 constexpr double kAttemptShare = 0.8;    // share of the progress that then remains
 constexpr int kAttempts = 8;
@@ -45,16 +45,16 @@ constexpr double kFiner = 0.7;        // factor on the wanted side from an attem
 constexpr double kFinest = 0.1;       // smallest share of the wanted side
 constexpr double kBarsInSide = 1.5;   // smallest ratio of the wanted side to the smallest side allowed
 constexpr double kSideInBand = 0.55;  // wanted side over a band's width: tiles about as long as wide
-constexpr double kSliver = 0.5;       // share of the side that would fit the mean width
-constexpr double kSideAtHole = 0.16;  // wanted side over a hole's length: at least three tiles around it
+constexpr double kSliver = 0.5;       // largest side that fits a sliver, over the smallest wanted side
+constexpr double kSideAtHole = 0.16;  // wanted side over a hole's perimeter: at least three tiles around it
 constexpr double kLimbArea = 0.01;    // share of the outline's area that may be lost where no tile fits
 constexpr int kSidesTried = 5;        // number of smaller sides tried before an outline is refused
 constexpr double kNextSide = 0.7;     // factor from one tried side to the next
-constexpr double kFewTiles = 4;       // smallest number tried, because a drawing may be smaller than a tile
+constexpr double kFewTiles = 4;       // smallest number of tiles tried: an outline may be smaller than a tile
 constexpr double kMostTilesTried = 400;   // with all tried sides together, which takes seconds
 constexpr double kTipArea = 1e-3;         // share of the outline's area that a sharp tip may lose
 constexpr double kTipsArea = 8e-3;        // share that all tips together may lose
-constexpr double kNegligibleArea = 4e-4;  // share of the outline's area that a narrow part may lose
+constexpr double kNegligibleArea = 4e-4;  // share of the outline's area; smaller narrow parts are ignored
 /// The largest distance from the origin, in tile sides; beyond it, rounding destroys the smallest details.
 constexpr double kFarthest = 1e9;
 constexpr double kHexagonArea = 1.5 * std::numbers::sqrt3;  // area of a hexagon with side 1
@@ -77,7 +77,7 @@ std::vector<double> sketched_angles(const TilingProblem& problem, double turned_
     return angles;
 }
 
-/// The starts with the best sketches, best first, as many as the number of tiles allows.
+/// The starts with the best sketches, best first, as many as the number of tiles allows, and often remeshing.
 std::vector<Start> best_starts(const TilingProblem& problem, double turned_by, SharedTask& task) {
     const bool is_graded = !problem.field.is_uniform();
     const std::vector<double> angles = sketched_angles(problem, turned_by);
@@ -112,7 +112,6 @@ Candidate best_candidate(const TilingProblem& problem, const std::vector<Start>&
     return std::move(*std::min_element(candidates.begin(), candidates.end(), detail::is_better));
 }
 
-/// The smallest wanted side of tiles.
 double smallest_wanted(const TessellationOptions& options) {
     return std::max(kFinest * options.edge_length, kBarsInSide * options.smallest_side);
 }
@@ -139,12 +138,12 @@ bool is_sliver(const outlines::Outline& outline, double side) {
 
 struct WantedSides {
     SizeField field;
-    /// A place at which the outline is too narrow for any tile and cuts off more than a limb.
+    /// A place that is too narrow for any tile, and that cuts off more than kLimbArea of the outline.
     std::optional<detail::NarrowPlace> too_narrow;
 };
 
 /// The approximate number of tiles with the sides that holes and narrow places want; 0 if all tiles have the
-/// same wanted side, and for outlines without holes. Samples lie in the box around the outline, and are
+/// same wanted side, and for outlines without holes. Samples lie in the box around the outline; their sum is
 /// scaled by the outline's share of the box.
 double refined_tiles(const outlines::Outline& outline, const SizeField& field, const base::Control& control) {
     if (field.is_uniform() || outline.holes.empty()) return 0.0;
@@ -191,7 +190,7 @@ detail::BluntLimits blunt_limits(const outlines::Outline& outline, const Tessell
     return {std::min(kTipArea * all, 0.25 * options.edge_length * options.edge_length), kTipsArea * all};
 }
 
-/// An outline with blunt tips, the wanted sides of its tiles, and the limits by which they are judged.
+/// An outline with blunt tips, the wanted sides of its tiles, and the limits by which tilings are judged.
 struct Subject {
     const detail::BluntOutline& blunt;
     const SizeField& field;
@@ -211,7 +210,7 @@ Candidate best_attempt(const Subject& subject, const TessellationOptions& option
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
         const TilingProblem problem{subject.blunt.outline, field, options, subject.limits,
                                     subject.refined_tiles};
-        // Wanted sides that were uniform before may need other and more starts.
+        // Wanted sides that are no longer uniform may need other starts.
         if (attempt == 0 || (attempt == 1 && !known_factor)) starts = best_starts(problem, turned_by, task);
         if (known_factor) starts.front().factor = *known_factor;
         Candidate candidate = best_candidate(problem, starts, task);
@@ -268,8 +267,8 @@ Candidate best_tiling(const outlines::Outline& outline, const TessellationOption
     return best;
 }
 
-/// Refuse sizes that would fill the memory, such as by a slip of units. A needle without area still has a
-/// long rim.
+/// Refuse sizes that would fill the memory, for example after a slip of units. The length of the rim counts,
+/// too, because a needle has hardly any area.
 void check_size(const outlines::Outline& outline, const TessellationOptions& options) {
     const double rim = length_of_loops(outline);
     const double tiles = std::max(0.5 * rim / options.edge_length, estimated_tiles(outline, options));

@@ -37,8 +37,8 @@ struct TessellationOptions {
     int remeshing_iterations = 10;   ///< number of iterations of the isotropic remeshing
     int relaxation_iterations = 40;  ///< number of iterations towards a centroidal tessellation
     /// Number of triangular lattices that are sketched; the best are tried in full. With smaller tiles at
-    /// some places, half as many are sketched, and at most two if there are thousands of tiles. 0: only the
-    /// remeshed triangles are tried.
+    /// some places, half as many are sketched, and at most two if the outline has holes and needs more than
+    /// about 3,000 tiles. 0: only the remeshed triangles are tried.
     int lattice_angles = 12;
     /// The angle of the rows of tiles to the x axis, rad. Only one lattice at this angle is tried, and no
     /// remeshing. Angles repeat after 60 degrees. None: the most regular of several tilings.

@@ -27,7 +27,7 @@ using InterfaceIndex = base::Index<struct InterfaceTag>;
 /// orientation.
 struct Tile {
     std::vector<VertexIndex> vertices;  ///< counterclockwise
-    /// Side by side, on each side from vertex t to t + 1, as in pattern::Fan.
+    /// One side after the other, and on side t from vertex t to t + 1, as in pattern::Fan.
     std::vector<InterfaceIndex> interface_nodes;
     int pattern = -1;  ///< index into Tessellation::patterns; -1: not painted
 };

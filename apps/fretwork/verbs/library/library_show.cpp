@@ -24,8 +24,8 @@ struct ScenarioSummary {
     std::size_t converged = 0;
     std::size_t samples = 0;
     int first_unstable_step = 0;                   ///< 0: none
-    double largest_magnitude = 0.0;                ///< N, that converged
-    double largest_displacement = 0.0;             ///< m, at it
+    double largest_magnitude = 0.0;                ///< N, of the samples that converged
+    double largest_displacement = 0.0;             ///< m, at that magnitude
     std::optional<double> discretization_error{};  ///< share, the largest that is known
     bool meets_limit_load = false;                 ///< what did not converge lies beyond a limit load
 };
@@ -143,7 +143,7 @@ void print_calibration(const CalibrationRecord& record) {
     std::printf("\n");
 }
 
-/// Only for the properties that reduction::property_values names.
+/// The unit of a property that reduction::property_values() names.
 std::string_view unit_of(std::string_view property) {
     if (property == "mass_per_area") return " kg/m^2";
     if (property.ends_with("_poisson") || property.ends_with("_anisotropy")) return "";

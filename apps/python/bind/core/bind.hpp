@@ -38,7 +38,7 @@ void bind_exports(py::module_& module);
 /// Sets fields of a struct by keywords. Throws TypeError that names the nearest field.
 void fill_record(py::object record, const py::dict& named);
 
-/// Takes a keyword out of the others; None if it is not there.
+/// Takes a keyword out of `named`; None if it is not there.
 py::object taken(py::dict& named, const char* name);
 
 /// Keywords of a call: the fields of an options struct, and `progress`.
@@ -46,13 +46,13 @@ template <class Options>
 class Keywords {
   public:
     explicit Keywords(const py::kwargs& named) : Keywords(py::dict(named.attr("copy")()), 0) {}
-    /// The keywords that are left after others were taken out of `named`, which is used up.
+    /// The keywords that are left in `named` after others were taken out. `progress` is taken out of it, too.
     static Keywords rest(py::dict named) { return Keywords(std::move(named), 0); }
 
     Options options{};
     py::object progress;
 
-    /// Runs work(options) as long work: its control is that of the call.
+    /// Runs work(options) as a long call; `options.control` stops it and reports its progress.
     template <class Work>
     auto run(const Work& work) {
         return run_long(progress, [&](const base::Control& control) {

@@ -22,7 +22,7 @@ std::string member_name(std::string word) {
     return word;
 }
 
-/// The words of a set of dofs: of a text those between blanks, of anything else its elements.
+/// The words of a set of dofs: a text is split at blanks, anything else gives its elements.
 std::vector<std::string> dof_words(py::handle object) {
     const py::object words = py::isinstance<py::str>(object) ? object.attr("split")() : py::iter(object);
     std::vector<std::string> found;

@@ -36,8 +36,8 @@ concept Worded = std::is_enum_v<Enum> && requires {
     Words<Enum>::kName;
 };
 
-/// The place of a Python word among those of an enum. Throws InputError that names the nearest; -1 if the
-/// object is no text.
+/// The place of a Python word among those of an enum; -1 if the object is no text. Throws InputError that
+/// names the nearest word if the word is unknown.
 int place_of_word(py::handle object, const char* kind, std::span<const char* const> words);
 
 /// The component names of a set of dofs. Returns false if the object is neither a text nor iterable. Throws
@@ -45,8 +45,8 @@ int place_of_word(py::handle object, const char* kind, std::span<const char* con
 bool read_dofs(py::handle object, mechanics::DofSet& dofs);
 py::object dof_names(const mechanics::DofSet& dofs);
 
-/// An array of doubles with this many columns; an empty sequence is one without rows. Nothing if the object
-/// is no such array.
+/// An array of doubles with this many columns; an empty sequence gives an array without rows. A null array if
+/// the object is no such array.
 py::array_t<double, py::array::c_style | py::array::forcecast> read_rows(py::handle object,
                                                                          py::ssize_t columns, bool convert);
 
@@ -176,7 +176,7 @@ struct type_caster<fretwork::pattern::Pattern::Bits> {
     }
 };
 
-/// A view of elements, as a parameter: any sequence.
+/// A view of elements, for parameters: Python may pass any sequence.
 template <class T>
 struct type_caster<std::span<const T>> {
     using Owner = make_caster<std::vector<T>>;

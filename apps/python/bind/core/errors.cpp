@@ -33,7 +33,7 @@ PyObject* make_class(py::module_& module, const char* name, const py::tuple& bas
     return made;
 }
 
-/// A text that may quote a stranger's file, whose bytes need not be UTF-8, as one line.
+/// A text as one line. It may quote a file whose bytes are not UTF-8.
 py::str line(const std::string& text) {
     return base::printable(text);
 }
@@ -50,7 +50,7 @@ py::tuple facts_of(const base::ErrorData& data) {
     return py::tuple(facts);
 }
 
-/// The innermost source and place that are not empty.
+/// The innermost source that is not empty, and the place in it.
 std::pair<std::string, std::string> innermost(const base::ErrorData& data) {
     std::pair<std::string, std::string> found;
     for (const auto& [source, place] : data.where) {
@@ -61,7 +61,7 @@ std::pair<std::string, std::string> innermost(const base::ErrorData& data) {
 }
 
 void raise(PyObject* type, const base::Error& error) {
-    const py::object raised = py::handle(type)(line(base::text_of(error.data())));  // also with NUL
+    const py::object raised = py::handle(type)(line(base::text_of(error.data())));
     const auto [source, place] = innermost(error.data());
     raised.attr("problem") = line(error.data().problem);
     raised.attr("kind") = error.data().kind;
@@ -90,7 +90,7 @@ void translate(std::exception_ptr thrown) {
     } catch (const std::bad_function_call&) {
         PyErr_SetString(PyExc_TypeError, "a function is needed where None was passed");
     } catch (const py::cast_error&) {
-        // What pybind11 says of it is for who writes bindings.
+        // pybind11's own message is for people who write bindings.
         PyErr_SetString(PyExc_TypeError,
                         "a keyword, or the answer of a function that was passed, has another type than the "
                         "docstring says");

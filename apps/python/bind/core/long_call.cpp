@@ -54,7 +54,7 @@ bool is_main_thread() {
     return threading.attr("current_thread")().is(threading.attr("main_thread")());
 }
 
-/// Watches are not nested: a callback of one long call may begin another.
+/// A callback of a long call may begin another long call, and watches must not nest.
 thread_local int depth = 0;
 
 }  // namespace
@@ -104,7 +104,7 @@ class LongCall::Impl : public base::Progress {
     }
 
   private:
-    /// Whether the work is to stop. On whichever thread looks.
+    /// Whether the work is to stop. Runs on any of its threads.
     bool ask() {
         if (has_raised_.load()) return true;
         if (std::this_thread::get_id() != caller_) return watch_ && InterruptWatch::has_arrived();

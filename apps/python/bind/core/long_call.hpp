@@ -32,14 +32,14 @@ class LongCall {
     auto run(const Work& work) {
         try {
             auto result = without_gil(work);
-            raise_kept();  // work that keeps what is done does not throw Stopped
+            raise_kept();  // work that returns a part of its result throws no Stopped
             return result;
         } catch (const base::Stopped&) {
             raise_kept();
             raise_pending();
             throw;
         } catch (const py::error_already_set&) {
-            raise_kept();  // Stopped, if it passed through a function of Python's
+            raise_kept();  // the error may be a Stopped that passed through Python
             throw;
         }
     }
@@ -62,7 +62,7 @@ class LongCall {
         const py::gil_scoped_release released;
         return work(control());
     }
-    /// Raises what was raised on the way, if anything was.
+    /// Throws the first error that Python raised meanwhile, if any.
     void raise_kept();
     /// Runs the handlers of the signals that have arrived, then forgets KeyboardInterrupt if it was raised.
     /// Called without the GIL.

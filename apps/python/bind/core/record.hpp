@@ -26,7 +26,7 @@ void finish_record(py::object& type, Made made);
 py::object frozen(py::object value);
 
 /// A copy of a text that lives as long as the program, for members that are views. Rows of catalogues have
-/// them: there are few different ones.
+/// such members, with few different texts.
 std::string_view kept_text(std::string_view text);
 
 /// The value of a member, on its way to Python: frozen.
@@ -64,7 +64,7 @@ class Record {
         add_field(type_, name, set);
         return *this;
     }
-    /// A field that can be read.
+    /// A field that is read-only later.
     template <class Owner, class Member>
     Record& constant(const char* name, Member Owner::*member, const char* doc) {
         type_.def_property_readonly(name, getter<const Member&>(member), doc);

@@ -10,8 +10,8 @@
 
 namespace fretwork::python {
 
-/// An object that one thread may use at a time, and that can be closed. A second thread gets an error instead
-/// of a race, which is possible because calls run without the GIL.
+/// An object that one thread may use at a time, and that can be closed. Calls run without the GIL, so two
+/// threads could race; the second one gets an error instead.
 template <class T>
 class SharedObject {
   public:

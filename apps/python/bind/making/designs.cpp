@@ -253,7 +253,7 @@ std::vector<pattern::NamedPattern> palette_of(const PaletteGiven& given, const s
     return typed::read_palette({std::get<std::string>(given), seed}, project.layout, library);
 }
 
-/// A listener of Python's. A KeyboardInterrupt in it ends the search as one outside of it does.
+/// Wraps a Python listener. A KeyboardInterrupt in the listener ends the search as any other does.
 std::function<void(const DesignProgress&)> listener(const py::object& given) {
     return [call = given.cast<std::function<void(const DesignProgress&)>>()](const DesignProgress& progress) {
         const py::gil_scoped_acquire acquired;

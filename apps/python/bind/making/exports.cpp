@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Drawings, pages and files of all that is above.
+// Drawings, pages and files of what the other stages make.
 #include "core/bind.hpp"
 #include "reduction/library_object.hpp"
 #include "reduction/tile_builds.hpp"
@@ -24,7 +24,7 @@ using simulation::LoadCase;
 using simulation::Surface;
 using simulation::SurfaceResult;
 
-/// A text or None.
+/// A text; '' for None.
 std::string text_of(const py::object& given) {
     return given.is_none() ? std::string() : given.cast<std::string>();
 }
@@ -71,7 +71,7 @@ std::vector<Scene::LabelledResult> results_of(const py::object& given) {
     return results;
 }
 
-/// Results must be of the surface; those without a subject at least of its nodes.
+/// Results must belong to the surface; without a subject, they must at least have its nodes.
 void check_results(const Scene& scene) {
     std::optional<simulation::SurfaceIdentity> own;
     for (const Scene::LabelledResult& shown : scene.results) {
@@ -140,7 +140,7 @@ constexpr const char* kSceneKeywords =
     "(['tiles', 'nodes']); how the surface is made: fillet, kerf, frame, bolts, eye, bed, fit, clearance, "
     "layer, as texts with units ('2mm').\n";
 
-/// The files that an export writes, all of them or none. Returns the remarks.
+/// Writes the files of an export, all of them or none. Returns the remarks.
 std::vector<std::string> export_files(const Surface& surface, const std::vector<std::filesystem::path>& paths,
                                       const py::object& results, const std::optional<LoadCase>& load_case,
                                       const std::optional<Content>& content, const py::kwargs& named) {

@@ -112,7 +112,7 @@ void bind_frame_parts(py::module_& m) {
         .done();
 }
 
-/// Rows of whole numbers as an array that is made at once.
+/// The two nodes of each beam, as one array.
 Eigen::Matrix<int, Eigen::Dynamic, 2, Eigen::RowMajor> beam_nodes(const Frame& frame) {
     Eigen::Matrix<int, Eigen::Dynamic, 2, Eigen::RowMajor> pairs(std::ssize(frame.beams), 2);
     for (Eigen::Index b = 0; b < pairs.rows(); ++b)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Equilibria of frames: results, modes, paths, and what is condensed.
+// Equilibria of frames: results, modes, paths, and condensed matrices.
 #include "core/bind.hpp"
 
 #include <fretwork/base/error.hpp>
@@ -75,7 +75,7 @@ void bind_solution(py::module_& m) {
         .done(Made::ByFunctions);
 }
 
-/// A view of the rows of the solution that its owner holds.
+/// The getter of rows of a result's solution, as a view of the result.
 py::cpp_function rows_view(NodeValues Solution::*rows) {
     return py::cpp_function([rows](const Result& self) -> const NodeValues& { return self.solution.*rows; },
                             py::return_value_policy::reference_internal);

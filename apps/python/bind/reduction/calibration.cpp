@@ -16,7 +16,7 @@ namespace {
 
 using namespace reduction;
 
-/// All that the problem of a calibration refers to; it lives as long as the problem. Its address stays.
+/// All that the problem of a calibration refers to. It lives as long as the problem, and is never moved.
 struct CalibrationTask {
     TileModel model;
     pattern::NodeLayout layout;

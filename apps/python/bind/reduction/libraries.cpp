@@ -20,7 +20,7 @@ LibraryPointer shared(Library library) {
     return std::make_shared<LibraryObject>(std::move(library), "library");
 }
 
-/// The patterns of some ids; of None all.
+/// The patterns with these ids; for None, all patterns.
 std::vector<pattern::NamedPattern> patterns_of(const Library& library, const std::optional<Names>& ids) {
     if (!ids) return library.patterns();
     std::vector<pattern::NamedPattern> found;

@@ -12,7 +12,7 @@ namespace fretwork::python {
 using LibraryObject = SharedObject<library::Library>;
 using LibraryPointer = std::shared_ptr<LibraryObject>;
 
-/// Calls work(pointer to the library), which is null without one. The library is in use meanwhile.
+/// Calls work(pointer), where the pointer is null without a library. The library is in use meanwhile.
 template <class Work>
 auto with_library(const LibraryPointer& library, const Work& work) {
     if (!library) return work(static_cast<const library::Library*>(nullptr));

@@ -31,7 +31,7 @@ using RunFunction = std::function<py::object(const RunningEvaluator&, const opti
 optimization::OptimizerRow make_method(std::string name, RunFunction run, std::string summary,
                                        optimization::OptimizerClass kind, optimization::Evaluation needs);
 
-/// The methods of optimization::optimizer_catalogue(), followed by further ones.
+/// The own methods, followed by those of optimization::optimizer_catalogue().
 std::vector<optimization::OptimizerRow> rows_and_all(const std::vector<optimization::OptimizerRow>& own);
 
 /// Takes the methods of a call, `optimizers`, out of its keywords: they are added to those of the catalogue.

@@ -8,7 +8,7 @@ namespace {
 
 using namespace optimization;
 
-/// An array of Python's must have the size that it stands for: nothing is read beyond its end.
+/// Throws InputError unless an array from Python has the wanted size, so that no read passes its end.
 void require_size(Eigen::Index found, Eigen::Index wanted, const std::string& what) {
     if (found != wanted)
         throw base::InputError(what + " has " + std::to_string(found) + " numbers, where " +

@@ -30,13 +30,13 @@ using BuildFunction = std::function<py::object(const OwnedTileInput&)>;
 std::shared_ptr<const reduction::TileStructure> build_in_python(const BuildFunction& build,
                                                                 const reduction::TileInput& input);
 
-/// Takes the tile models of a call, `models`, out of its keywords; without this keyword, all models of the
-/// framework.
+/// Takes `models` out of the keywords of a call. Returns all models of the framework, with these added, or in
+/// the place of those with the same name.
 std::vector<reduction::TileModel> taken_models(py::dict& named);
 std::vector<reduction::TileModel> models_or_all(
     const std::optional<std::vector<reduction::TileModel>>& models);
 
-/// A tile model itself, or that of a name.
+/// A tile model, or its name.
 using ModelOrName = std::variant<std::string, reduction::TileModel>;
 reduction::TileModel model_of(const ModelOrName& given);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tile models: those of the framework, those of Python functions, and tiles of a stiffness that was given.
+// Tile models: those of the framework, and those of Python functions. Tiles with a given stiffness.
 #include "core/bind.hpp"
 #include "reduction/tile_builds.hpp"
 
@@ -142,7 +142,7 @@ struct TileCase {
     const std::vector<double>& parameters;
 };
 
-/// What a tile model answers to a setting's scenarios.
+/// Calls answer(tile) for a tile of a model. Checks the input.
 template <class Answer>
 auto ask_model(const ModelOrName& given, const TileCase& tile, const Answer& answer) {
     check(tile.layout, tile.pattern);
@@ -155,7 +155,7 @@ auto ask_model(const ModelOrName& given, const TileCase& tile, const Answer& ans
     return answer(ModelTile(model, tile.layout, tile.pattern, tile.setting));
 }
 
-/// The first nodes of a frame as interface nodes. Throws InputError if there are not as many.
+/// The number of interface nodes, the first nodes of a frame. Throws InputError if it has fewer.
 int checked_interface(const mechanics::Frame& frame, int interface_nodes) {
     if (interface_nodes < 1 || interface_nodes > std::ssize(frame.nodes))
         throw base::InputError("the frame has " + std::to_string(frame.nodes.size()) + " nodes, and " +

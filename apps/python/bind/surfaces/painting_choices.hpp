@@ -29,8 +29,8 @@ struct type_caster<fretwork::simulation::FileContent> {
 
 namespace fretwork::python {
 
-/// How tiles are painted, as Python gives it: a text as the command line has it, ids to choose from at
-/// random, a painting, or one of the structs.
+/// How tiles are painted, as Python gives it: None, a text as on the command line, ids to choose from at
+/// random, or one of the structs.
 using PaintingGiven =
     std::variant<std::monostate, std::string, std::vector<std::string>, simulation::PaintOnePattern,
                  simulation::PaintFromFile, simulation::PaintAtRandom, simulation::PaintByField,

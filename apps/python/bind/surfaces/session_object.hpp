@@ -14,7 +14,7 @@ namespace fretwork::python {
 struct OwnedSession {
     std::vector<reduction::TileModel> models;
     simulation::Session session;
-    Eigen::Index rows = -1;  ///< of the last solution
+    Eigen::Index rows = -1;  ///< rows of the last solution; -1: none
 };
 
 using SessionObject = SharedObject<OwnedSession>;

@@ -36,7 +36,7 @@ struct SimulationKeywords {
     }
 };
 
-/// Calibrations of patterns that come in by painting, from a library.
+/// A library as the source of calibrations of patterns that are painted later.
 CalibrationSource source_of(const LibraryPointer& library) {
     if (!library) return {};
     return [library](const std::string& id) { return library->use()->best_calibrations(id); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stresses of sessions: a smooth largest one with its gradient, and one whose place is computed in full.
+// Stresses of sessions: a smooth largest stress with its gradient, and the largest with its tiles in full.
 #include "core/bind.hpp"
 #include "surfaces/session_object.hpp"
 

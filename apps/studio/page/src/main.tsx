@@ -49,7 +49,7 @@ const forTests = {
   scene: currentScene,
   cut,
   ask,
-  /** The surface in space is not drawn but now, where a test has paused it. */
+  /** Draws the 3D view, which does not draw by itself in a test that has paused it. */
   drawFine: (samples: number) => currentScene.value?.stage.drawFine(samples),
   /** The middle of a bar on the canvas of the surface in space. */
   barPlace: (bar: number) => currentScene.value?.placeOnCanvas(probedPlace({ kind: 'beam', index: bar })) ?? null,

@@ -21,14 +21,14 @@ std::string escaped(const std::string& key) {
     return text;
 }
 
-/// The message of nlohmann without its name, number and place: "[json.exception.parse_error.101] parse error
-/// at line 1, column 2: syntax error ...".
+/// The message of nlohmann without the exception's name, number and place. A whole message is
+/// "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error ...".
 std::string parse_complaint(const std::string& what) {
     const std::size_t start = what.find(": ");
     return shortened(start == std::string::npos ? what : what.substr(start + 2), 2 * kMostShown);
 }
 
-/// A key of an object that has it twice. Few keys are compared with each other, many are sorted.
+/// A key that appears twice in an object, if any. Many keys are sorted, because that is faster.
 std::optional<std::string> repeated_key(const JsonValue::object_t& object) {
     constexpr std::size_t kFew = 8;
     if (object.size() <= kFew) {
@@ -76,7 +76,7 @@ class Builder final : public nlohmann::json_sax<JsonValue> {
     bool parse_error(std::size_t byte, const std::string& token,
                      const nlohmann::detail::exception& error) override {
         error_byte_ = byte;
-        // The parser knows two faults: numbers that are out of range, and what is no JSON.
+        // The parser reports two kinds of errors: numbers out of range, and malformed JSON.
         return complain("", dynamic_cast<const JsonValue::out_of_range*>(&error) != nullptr
                                 ? "the number " + shortened(token, kMostShown) +
                                       " is too large for double precision (above 1.8e308)"
@@ -85,8 +85,8 @@ class Builder final : public nlohmann::json_sax<JsonValue> {
 
     JsonValue root_;
     std::optional<std::string> complaint_{};
-    std::string place_;                        ///< of the complaint, as a JSON pointer
-    std::optional<std::size_t> error_byte_{};  ///< of the complaint, where the parser found it
+    std::string place_;                        ///< place of the complaint, as a JSON pointer
+    std::optional<std::size_t> error_byte_{};  ///< byte of the complaint, if the parser found it
 
   private:
     bool complain(std::string place, std::string message) {
@@ -125,8 +125,9 @@ class Builder final : public nlohmann::json_sax<JsonValue> {
         return true;
     }
 
-    std::vector<JsonValue*>
-        open_;  ///< the arrays and objects around the place; a parent does not grow meanwhile
+    /// The open arrays and objects, outermost first. No parent grows while a child is open, so they stay in
+    /// place.
+    std::vector<JsonValue*> open_;
     std::string key_;
 };
 

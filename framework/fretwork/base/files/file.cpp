@@ -15,7 +15,7 @@
 namespace fretwork::base {
 namespace {
 
-/// Neither a folder nor a device that gives no end; a terminal is somebody who writes.
+/// Refuse folders and devices, which may have no end. A terminal is allowed, because a person types there.
 void check_readable(const std::filesystem::path& path, int descriptor, const struct stat& status) {
     if (S_ISDIR(status.st_mode)) throw InputError(path.string(), "", "is a folder, where a file is needed");
     if (S_ISBLK(status.st_mode) || (S_ISCHR(status.st_mode) && ::isatty(descriptor) == 0))
@@ -47,7 +47,8 @@ std::string read_to_end(int descriptor, const std::filesystem::path& path, std::
 }  // namespace
 
 std::string read_text_file(const std::filesystem::path& path) {
-    // A named pipe that nobody writes to is opened at once, and is empty; what is slow to come is waited for.
+    // With O_NONBLOCK, a named pipe without a writer opens at once, and is empty. Without the flag, reading
+    // then waits for a slow writer.
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor < 0)
         throw InputError(path.string(), "", std::string("cannot be read: ") + std::strerror(errno));
@@ -66,13 +67,13 @@ std::string read_text_file(const std::filesystem::path& path) {
 }
 
 std::filesystem::path link_target(std::filesystem::path path) {
-    constexpr int kMostLinks = 40;  // as in the kernel: beyond it they are taken to run in a circle
+    constexpr int kMostLinks = 40;  // as in the kernel: a longer chain counts as a circle
     std::error_code fault;
     for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(path, fault); ++i) {
         const std::filesystem::path target = std::filesystem::read_symlink(path, fault);
         if (fault) return path;
         std::filesystem::path next = path.parent_path() / target;
-        // Links of the kernel, such as /dev/stdout to a pipe, lead to what has no name.
+        // Links of the kernel, such as /dev/stdout to a pipe, may have a target without a path.
         if (std::filesystem::exists(path, fault) && !std::filesystem::exists(next, fault)) return path;
         path = std::move(next);
     }

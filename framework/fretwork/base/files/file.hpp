@@ -44,8 +44,8 @@ class AtomicFile {
     std::unique_ptr<Impl> impl_;
 };
 
-/// Files that are replaced together, all or none. Only a failure between two renamings can leave a part of
-/// them.
+/// Files that are replaced together, all or none. Only a failure between two renamings can leave some
+/// of them replaced.
 class FileBatch {
   public:
     /// Write content to the scratch file of one more file. Throws IoError.

@@ -16,7 +16,8 @@ namespace {
 
 enum class Wait { No, Yes };
 
-/// Network disks lock only what is open for writing; folders and read-only files cannot be opened so.
+/// Open for writing if possible, because network disks lock only such files. Folders and read-only files are
+/// opened for reading.
 int open_for_lock(const std::filesystem::path& path) {
     const int writable = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);
     const int descriptor = writable >= 0 ? writable : ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
@@ -37,7 +38,7 @@ bool lock(int descriptor, const std::filesystem::path& path, Wait wait) {
     return true;
 }
 
-/// A locked descriptor of what is at the path now; -1 if another holds the lock.
+/// A locked descriptor of the present file or folder at the path; -1 if another holds the lock.
 int locked_descriptor(const std::filesystem::path& path, Wait wait) {
     for (;;) {
         const int descriptor = open_for_lock(path);

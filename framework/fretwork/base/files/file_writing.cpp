@@ -34,21 +34,21 @@ bool is_device(const std::filesystem::path& path) {
     return std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored);
 }
 
-/// To wait for somebody who reads a pipe could take forever, and signals would not end it.
+/// Opens a pipe without waiting for a reader: the wait could take forever, and signals would not end it.
 int open_device(const std::filesystem::path& path) {
     const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor < 0 && errno == ENXIO)
         throw IoError(path.string(), "", "cannot be written: it is a pipe that no program reads");
     if (descriptor < 0) fail_to_write(path, errno);
-    // The rest may be written later.
+    // Writing waits for room in the pipe.
     (void)::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
     return descriptor;
 }
 
 }  // namespace
 
-/// Where the content of one file goes until it is whole. Devices and pipes (/dev/stdout) cannot be replaced,
-/// only written. A link stays a link: the file that it leads to is replaced.
+/// The scratch file of a file until its content is whole. Devices and pipes (/dev/stdout) cannot be replaced,
+/// and are written directly. A link stays a link: the file that it leads to is replaced.
 struct AtomicFile::Impl {
     explicit Impl(std::filesystem::path path) : named(std::move(path)), target(link_target(named)) {
         if (is_device(target)) {
@@ -87,7 +87,8 @@ struct AtomicFile::Impl {
         if (closed != 0) fail_to_write(named, errno);
     }
 
-    /// A scratch file is its owner's alone; a result is as open as the umask allows, or as it was.
+    /// The permissions of the replaced file, or else those that the umask allows. Only its owner can open a
+    /// scratch file.
     [[nodiscard]] mode_t wanted_mode() const {
         struct stat existing {};
         if (::stat(target.c_str(), &existing) == 0) return existing.st_mode & 0777U;
@@ -98,7 +99,7 @@ struct AtomicFile::Impl {
 
     static constexpr std::size_t kBufferSize = 1U << 16U;
     std::filesystem::path named;   ///< for messages
-    std::filesystem::path target;  ///< where its links lead
+    std::filesystem::path target;  ///< where `named` leads
     std::optional<Scratch> scratch;
     int device = -1;
     std::string buffer;
@@ -113,7 +114,7 @@ struct FolderBatch::Impl {
         scratch.emplace(base / target.filename(), Scratch::Kind::Folder);
     }
 
-    /// One wait for the disk, however many files there are.
+    /// Waits for the disk once, for all files together.
     void synchronize() const {
         if (::syncfs(scratch->descriptor()) != 0) fail_to_write(target, errno);
     }

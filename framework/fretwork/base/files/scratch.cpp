@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kStart = ".fretwork-";
-constexpr std::string_view kPlaceholder = "XXXXXX";  // of mkstemp and mkdtemp
+constexpr std::string_view kPlaceholder = "XXXXXX";  // for mkostemp, mkdtemp
 
 bool is_scratch_name(const fs::path& path) {
     const std::string name = path.filename().string();
@@ -45,7 +45,7 @@ void remove_abandoned(const fs::path& folder) {
     for (const fs::path& path : found) remove_if_abandoned(path);
 }
 
-/// A descriptor of the file or folder that it makes, and names in `path`; -1 with errno if it cannot.
+/// Make a file or folder, and put its name into `path`. Returns its descriptor, or -1 and sets errno.
 int make(std::string& path, Scratch::Kind kind) {
     if (kind == Scratch::Kind::File) return ::mkostemp(path.data(), O_CLOEXEC);
     const std::string pattern = path;
@@ -53,7 +53,7 @@ int make(std::string& path, Scratch::Kind kind) {
         path = pattern;
         if (::mkdtemp(path.data()) == nullptr) return -1;
         const int descriptor = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-        // Another process may have taken the new folder for abandoned.
+        // Another process may have removed the new folder as abandoned.
         if (descriptor >= 0 || errno != ENOENT) return descriptor;
     }
 }
@@ -70,8 +70,8 @@ Scratch::Scratch(const fs::path& target, Kind kind) {
         if (descriptor_ < 0)
             throw IoError(target.string(), "", std::string("cannot be written: ") + std::strerror(errno));
         path_ = name;
-        // Another process may have taken it for abandoned before it was locked; it holds the lock while it
-        // removes it. Where the file system has no locks, nobody removes it.
+        // Before this lock, another process may have taken the scratch for abandoned. That process holds the
+        // lock while it removes the scratch. Without locks in the file system, no process removes a scratch.
         while (::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
         }
     } while (!detail::is_still_at(path_, descriptor_, detail::Links::Themselves));

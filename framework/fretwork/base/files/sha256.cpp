@@ -23,7 +23,7 @@ void Sha256::update(std::string_view bytes) {
 
 std::string Sha256::hexadecimal() const {
     constexpr std::string_view kDigits = "0123456789abcdef";
-    sha256_ctx copy = state_->context;  // the digest ends a context
+    sha256_ctx copy = state_->context;  // sha256_digest() resets its context
     std::array<std::uint8_t, SHA256_DIGEST_SIZE> digest{};
     sha256_digest(&copy, digest.size(), digest.data());
     std::string text;

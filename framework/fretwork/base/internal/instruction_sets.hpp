@@ -8,7 +8,7 @@
 /// with them have one version. A function called from such a function needs FRETWORK_INLINE; without it, the
 /// called function is compiled for any machine. The first two versions fuse each product with its sum. Both
 /// give the same bits only if no sum has two products as terms. The first version needs more than avx512f,
-/// with which short strips would not be fused.
+/// because with avx512f alone, short strips would not be fused.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12 && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) &&                   \
     !defined(FRETWORK_ONE_INSTRUCTION_SET)

@@ -35,7 +35,7 @@ class Layout {
         text_ += value.dump();
     }
 
-    /// Nearly all texts are plain ASCII, which stands for itself.
+    /// Nearly all texts are plain ASCII and need no escapes.
     void append_quoted(const std::string& text) {
         const auto is_plain = [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; };
         if (std::ranges::all_of(text, is_plain)) {
@@ -46,7 +46,7 @@ class Layout {
         text_ += Json(text).dump(-1, ' ', !is_harmless, Json::error_handler_t::replace);
     }
 
-    /// The characters of Json::dump, which prepares for each value as for a whole document.
+    /// Writes as Json::dump() does, but Json::dump() makes a new serializer for each value.
     void append_double(double number) {
         if (!std::isfinite(number)) {
             throw NumericalError("a result holds a number that is not finite" +

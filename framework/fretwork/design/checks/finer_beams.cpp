@@ -18,7 +18,7 @@ using mechanics::Beam;
 using mechanics::Frame;
 using mechanics::NodeIndex;
 
-/// The frame with beams in place of the elements, so that results have their ends.
+/// The frame with one beam for each element, so that results include the ends of the elements.
 Frame with_elements(Frame frame, int elements) {
     const auto beams = std::exchange(frame.beams, {});
     for (const Beam& beam : beams) {

@@ -17,9 +17,9 @@ using mechanics::NodeValues;
 using tiling::InterfaceIndex;
 using tiling::Tessellation;
 
-/// Below this a node lies on its surface, whose normal then is the direction of its distance.
+/// Below this distance, m, a node lies on the mesh; the mesh's normal then replaces the direction to it.
 constexpr double kOnSurface = 1e-9;
-/// Of the size of a surface: displacements beyond it are slips of units.
+/// A wanted displacement above this multiple of the surface's size is an error of units.
 constexpr double kFarthest = 10.0;
 
 Eigen::Vector3d place_of(const Tessellation& tessellation, InterfaceIndex node) {

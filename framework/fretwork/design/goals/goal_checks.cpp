@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Goals against each other, against what is held, and against where a surface is.
+// Checks of goals against each other and against held components; comparison with a surface's displacements.
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/design/goals/case_goals.hpp>
@@ -17,7 +17,7 @@ using mechanics::NodeValues;
 
 /// Differences below this share of the largest displacement wanted are rounding.
 constexpr double kSameGoal = 1e-6;
-/// Goals that miss what is held by less than this share are no mistake of anybody's.
+/// A goal contradicts a held value if they differ by more than this share of the largest displacement wanted.
 constexpr double kFarFromHeld = 0.01;
 
 std::string component_name(std::size_t component) {

@@ -24,7 +24,7 @@ Eigen::Vector3d vector_of(const MeshPoint& point) {
     return {point.x(), point.y(), point.z()};
 }
 
-/// Faces of more than three sides become fans.
+/// Faces of more than three sides are split into triangles.
 Triangles triangles_of(const outlines::MeshFile& mesh) {
     const auto point = [&mesh](int vertex) {
         const auto& place = mesh.points[static_cast<std::size_t>(vertex)];

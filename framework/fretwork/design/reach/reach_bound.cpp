@@ -21,9 +21,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using tiling::TileIndex;
 
-/// Of the surface's size: larger displacements are none of linear theory.
+/// Linear theory holds for wanted displacements up to this share of the surface's size.
 constexpr double kLargestLinear = 0.02;
-/// Directions in which the distance is taken: the residual lies nearly in them.
+/// The largest number of directions for the distance: the residual lies nearly in the space of these.
 constexpr Index kDirections = 24;
 constexpr Index kSix = 6;
 
@@ -39,7 +39,7 @@ bool is_linear(const Trials& trials) {
     });
 }
 
-/// The enclosure of a tile's stiffness in its strains: of those patterns that it may have.
+/// The enclosure of a tile's stiffness in its strains, over all patterns that the tile may have.
 struct TileEnclosure {
     Enclosure in_plane;
     Enclosure out_of_plane;
@@ -56,7 +56,8 @@ TileEnclosure enclosure_of(const TileStrains& strains, std::size_t tile_class,
     return result;
 }
 
-/// The turn about z from the axes of a tile's class to the surface's: that which brings its nodes there.
+/// The rotation about z from the axes of a tile's class to the surface's. It brings the class's nodes to the
+/// tile's.
 Eigen::Matrix3d turn_of(const std::vector<Eigen::Vector3d>& own, const tiling::Tessellation& tessellation,
                         const tiling::Tile& tile) {
     Eigen::Vector2d middle_own = Eigen::Vector2d::Zero();
@@ -80,7 +81,7 @@ Eigen::Matrix3d turn_of(const std::vector<Eigen::Vector3d>& own, const tiling::T
     return Eigen::AngleAxisd(std::atan2(across, along), Eigen::Vector3d::UnitZ()).toRotationMatrix();
 }
 
-/// The surface's stiffness below and above, with what is held taken out.
+/// A lower and an upper bound of the surface's stiffness, without the held dofs.
 class LinearSurface {
   public:
     LinearSurface(const Trials& trials, const std::vector<std::size_t>& palette,
@@ -101,7 +102,7 @@ class LinearSurface {
         factors_[1].compute(matrix(above_));
     }
 
-    /// K_A^-1 and K_B^-1 times forces on all nodes, six rows each; held rows are zero.
+    /// K_A^-1 and K_B^-1 times forces. Vectors have six rows for each node; held rows are zero.
     [[nodiscard]] std::array<VectorXd, 2> answers(const VectorXd& forces) const {
         VectorXd free(free_count_);
         for (Index i = 0; i < forces.size(); ++i) {
@@ -179,7 +180,7 @@ class LinearSurface {
     }
 
     const Trials& trials_;
-    Eigen::Matrix<Index, Eigen::Dynamic, 1> place_;  ///< of each dof among the free ones; -1: held
+    Eigen::Matrix<Index, Eigen::Dynamic, 1> place_;  ///< index of each dof among the free ones; -1: held
     Index free_count_ = 0;
     std::vector<Eigen::Triplet<double>> below_;
     std::vector<Eigen::Triplet<double>> above_;
@@ -198,7 +199,7 @@ class Observations {
             result[i] = weight(i) * at(i).direction.dot(displacements.segment<kSix>(kSix * at(i).node));
         return result;
     }
-    /// The transposed: forces on all nodes.
+    /// C^T times a combination: forces on all nodes.
     [[nodiscard]] VectorXd forces_of(const VectorXd& combination) const {
         VectorXd forces = VectorXd::Zero(kSix * nodes_);
         for (Index i = 0; i < combination.size(); ++i)
@@ -220,8 +221,8 @@ class Observations {
     Index nodes_;
 };
 
-/// The distance from the wanted observations to those of an ellipsoid around `middle`, in the directions that
-/// the ellipsoid's shape makes of their difference, again and again (Lanczos).
+/// The distance from the wanted observations to the ellipsoid of the observations around `middle`. The first
+/// direction is the difference from `middle`, and the ellipsoid's shape makes each next one (Lanczos).
 double distance_along(const LinearSurface& surface, const Observations& observations, double radius,
                       const VectorXd& middle, const base::Control& control) {
     const VectorXd off = observations.wanted() - middle;

@@ -12,7 +12,7 @@ using Places = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 using tiling::Tessellation;
 
 constexpr double kMoreLoad = 10.0;
-/// Of what is wanted: smaller displacements are none.
+/// Displacements below this share of the largest wanted are none.
 constexpr double kNothing = 1e-9;
 
 double largest_displacement(const Trial& trial) {

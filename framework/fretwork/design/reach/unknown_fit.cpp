@@ -11,14 +11,14 @@ namespace {
 constexpr int kFirstSteps = 3;  // of each uniform painting
 constexpr int kMostSteps = 10;  // of the best of them
 constexpr int kMostHalvings = 3;
-/// Steps that gain less than this share of the objective end the fit: errors are compared to 1 %.
+/// A step that gains less than this share of the objective ends the fit. Errors are compared only to 1 %.
 constexpr double kSmallGain = 1e-3;
 /// Uniform paintings that get their own best unknowns.
 constexpr std::size_t kFitted = 4;
-/// The largest change of a factor that is guessed.
+/// The largest factor by which a guess scales displacements.
 constexpr double kMostGuessed = 5.0;
 
-/// Unknowns with which the displacements are about the multiple of what they are that comes nearest.
+/// A guess of the unknowns that scales the displacements so that they come nearest to the target.
 Point scaled_point(const Trials& trials, const Solved& own) {
     Point point = own.point;
     const FreeUnknowns& free = trials.parts().free;
@@ -31,7 +31,7 @@ Point scaled_point(const Trials& trials, const Solved& own) {
         all *= std::pow(multiple, 1.0 / static_cast<double>(own.trial.displacements.size()));
     }
     if (free.factor) return point;
-    // Bending goes with the width, and with the third power of the thickness.
+    // Bending stiffness grows with the width, and with the third power of the thickness.
     const Eigen::Index section = trials.first_unknown(own.trial.displacements.size());
     if (free.thickness)
         point.unknowns[section + (free.width ? 1 : 0)] /= std::cbrt(all);
@@ -41,7 +41,7 @@ Point scaled_point(const Trials& trials, const Solved& own) {
     return point;
 }
 
-/// From the guess, if it is nearer.
+/// The guess, or `own` if that is no worse.
 Solved guessed(Trials& trials, const Solved& own, const DesignOptions& options) {
     const Point point = scaled_point(trials, own);
     if (point == own.point) return own;
@@ -63,7 +63,7 @@ Eigen::VectorXd wanted_step(Trials& trials, const Solved& current, const DesignO
 
 Solved fit_unknowns(Trials& trials, Solved start, const DesignOptions& options, int steps) {
     Solved current = std::move(start);
-    current.trial = trials.solve(current.point, options.control);  // tables are of the last equilibrium
+    current.trial = trials.solve(current.point, options.control);  // tables need the last equilibrium
     for (int count = 0; count < steps && current.trial.is_found; ++count) {
         Eigen::VectorXd step = wanted_step(trials, current, options);
         double gained = 0.0;
@@ -82,7 +82,7 @@ Solved fit_unknowns(Trials& trials, Solved start, const DesignOptions& options, 
 }
 
 void fit_starts(Trials& trials, std::vector<Solved>& starts, const DesignOptions& options) {
-    // A multiple of the displacements is about what another factor or thickness makes of them.
+    // Another factor or thickness nearly scales the displacements.
     std::ranges::stable_sort(starts, {},
                              [&](const Solved& own) { return trials.scaled_objective(own.trial); });
     const auto sort_by_mass = [&] {

@@ -22,12 +22,12 @@ using simulation::TileLinearization;
 using tiling::TileIndex;
 
 constexpr Index kDofs = mechanics::kDofsPerNode;
-/// Different swaps of each tile, of which the random ones are made.
+/// The number of random swaps of each tile, of which superpositions are made.
 constexpr std::size_t kSwapsOfATile = 4;
-/// Directions whose answers are smaller than this share of the largest are rounding.
+/// Directions with responses below this share of the largest one are rounding.
 constexpr double kSmallDirection = 1e-9;
 
-/// The observed residuals, weighted, of motions given as displacements and rotation vectors.
+/// The weighted changes of the residuals by motions (displacements and rotation vectors), a column each.
 MatrixXd observed(const std::vector<Observation>& observations, double scale, const MatrixXd& motions) {
     MatrixXd result(std::ssize(observations), motions.cols());
     for (Index i = 0; i < result.rows(); ++i) {
@@ -38,7 +38,7 @@ MatrixXd observed(const std::vector<Observation>& observations, double scale, co
     return result;
 }
 
-/// The transposed of observed(): gradients of combinations of the residuals, a column each.
+/// The transpose of observed(): gradients of combinations of the residuals, a column each.
 MatrixXd gradients_of(const std::vector<Observation>& observations, double scale,
                       const MatrixXd& combinations, Index rows) {
     MatrixXd result = MatrixXd::Zero(rows, combinations.cols());
@@ -118,7 +118,7 @@ class CaseLinearizer {
         return sample_.strains.stiffness(class_of(tile), pattern);
     }
 
-    /// Forces on the structure of random superpositions of swaps, a column each; the loads are the last one.
+    /// Forces on the structure: a column for each random superposition of swaps; the last one has the loads.
     MatrixXd random_swaps(Index count) {
         std::vector<std::array<VectorXd, kSwapsOfATile>> forces(model_.tiles.size());
         base::parallel_for(forces.size(), sample_.threads, [&](std::size_t t) {
@@ -179,7 +179,7 @@ class CaseLinearizer {
         return units;
     }
 
-    /// Orthonormal combinations of residuals; all of them where they are few.
+    /// Orthonormal combinations of the residuals; the identity if there are few residuals.
     MatrixXd choose_basis() {
         const Index all = std::ssize(observations_);
         if (all <= sample_.directions) return MatrixXd::Identity(all, all);
@@ -190,7 +190,7 @@ class CaseLinearizer {
             motions.conservativeResize(Eigen::NoChange, before + units.cols());
             motions.rightCols(units.cols()) = linear_.tangent.motions_of_held(units, control_);
         }
-        // With the residuals themselves among them, all derivatives of the misfit are exact.
+        // With the residuals among the columns, all first derivatives of the misfit are exact.
         MatrixXd answers(all, motions.cols() + 1);
         answers.leftCols(motions.cols()) =
             observed(observations_, state_.scale, linear_.tangent.as_rotation_vectors(motions));

@@ -9,7 +9,7 @@
 namespace fretwork::design::detail {
 namespace {
 
-/// Sections in files have as many digits.
+/// A tolerance: files have about six digits.
 constexpr double kSameSection = 1e-6;
 
 bool is_near(double a, double b) {

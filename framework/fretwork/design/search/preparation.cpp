@@ -19,11 +19,11 @@ using simulation::CandidateTiles;
 using simulation::Surface;
 using tiling::TileIndex;
 
-/// Condensations that are worth their time and memory: a second or two, 50 MB.
+/// The largest number of condensations worth their time and memory: a second or two, 50 MB.
 constexpr std::size_t kMostCondensed = 8000;
 constexpr std::size_t kFewestCandidates = 24;
 
-/// One tile alone, as those of most sides are not: the first with six, else the first.
+/// A surface of one tile: the first hexagon, or the first tile if there is no hexagon.
 Surface reference_surface(const Surface& surface) {
     Surface reference = surface;
     auto& tiles = reference.tessellation.tiles;
@@ -33,14 +33,14 @@ Surface reference_surface(const Surface& surface) {
     return reference;
 }
 
-/// The palette in an order in which its first patterns differ the most, and the coordinates of these
-/// (leading_coordinates). The patterns that are candidates already are among those with coordinates.
+/// The palette with its most different patterns first, and the coordinates of these (leading_coordinates()).
+/// Patterns that are candidates already come next, and have coordinates, too.
 struct SpreadPalette {
     std::vector<NamedPattern> patterns;
     Eigen::MatrixXd coordinates;
 };
 
-/// So many patterns differ the most, and have coordinates.
+/// The largest number of patterns that are chosen as the most different.
 constexpr std::size_t kSpread = 128;
 
 SpreadPalette spread_palette(const Surface& surface, const std::vector<NamedPattern>& palette,
@@ -68,12 +68,12 @@ SpreadPalette spread_palette(const Surface& surface, const std::vector<NamedPatt
     return spread;
 }
 
-/// Candidates of a surface whose tiles form so many classes.
+/// The largest number of candidates that the number of tile classes allows.
 std::size_t most_candidates(const CandidateTiles& tiles) {
     return std::max(kFewestCandidates, kMostCondensed / tiles.class_count());
 }
 
-/// So many patterns, drawn at random, in their order.
+/// At most `count` patterns, drawn at random, in the palette's order.
 std::vector<NamedPattern> sampled(const std::vector<NamedPattern>& palette, std::size_t count,
                                   std::uint64_t seed) {
     if (palette.size() <= count) return palette;
@@ -106,7 +106,7 @@ std::size_t place_of(std::vector<NamedPattern>& patterns, const NamedPattern& wa
     return patterns.size() - 1;
 }
 
-/// Paints all tiles that are not kept with one pattern, so that there is a surface at all.
+/// Paints all tiles that are not kept with one pattern, because Trials needs a painted surface.
 void paint_whole(Surface& surface, const std::vector<TileGroup>& groups, const NamedPattern& pattern) {
     tiling::Tessellation& tessellation = surface.tessellation;
     const std::size_t place = place_of(tessellation.patterns, pattern);
@@ -117,7 +117,7 @@ void paint_whole(Surface& surface, const std::vector<TileGroup>& groups, const N
     surface.calibrations.resize(tessellation.patterns.size());
 }
 
-/// Those of a palette that have a mirror image in their layout.
+/// The patterns of a palette that have a mirror image in their layout.
 std::vector<NamedPattern> with_mirror_image(const pattern::NodeLayout& layout,
                                             const std::vector<NamedPattern>& palette) {
     const pattern::Mirror mirror(layout);
@@ -131,7 +131,7 @@ std::vector<NamedPattern> with_mirror_image(const pattern::NodeLayout& layout,
     return kept;
 }
 
-/// The mirror image of each candidate, which becomes a candidate itself.
+/// The index of each candidate's mirror image; missing images become candidates.
 std::vector<std::size_t> mirror_images(const pattern::NodeLayout& layout,
                                        std::vector<NamedPattern>& candidates) {
     const pattern::Mirror mirror(layout);
@@ -160,7 +160,7 @@ std::vector<std::string> kept_patterns(const Surface& surface, const DesignOptio
     return kept;
 }
 
-/// Where kept tiles have as many patterns as may be, others take these.
+/// If kept tiles already have max_patterns patterns, only these are left for other tiles.
 std::vector<NamedPattern> within_number(std::vector<NamedPattern> palette,
                                         const std::vector<std::string>& kept, const DesignOptions& options) {
     if (options.max_patterns == 0 || kept.size() < options.max_patterns) return palette;
@@ -174,7 +174,7 @@ std::vector<NamedPattern> within_number(std::vector<NamedPattern> palette,
     return palette;
 }
 
-/// Without those whose own bars come too near to each other.
+/// The patterns of a palette whose own bars keep the clearance.
 std::vector<NamedPattern> with_clearance(const Surface& surface, std::vector<NamedPattern> palette,
                                          const DesignOptions& options) {
     if (!options.clearance) return palette;
@@ -196,7 +196,7 @@ bool is_loaded(const DesignCase& own) {
     return !own.load_case.loads.empty() || !own.load_case.area_loads.empty();
 }
 
-/// A combination is solved as its parts are together. What is found could not be written into it.
+/// A combination has no factor or prescribed values of its own: found ones could not be written into it.
 void require_no_combination(const simulation::Project& project, const std::vector<std::string>& names,
                             const DesignOptions& options) {
     if (!options.free_factor && !options.free_prescribed) return;
@@ -244,7 +244,7 @@ std::vector<DesignCase> checked_cases(const simulation::Project& project, const 
     return cases;
 }
 
-/// Goals for nodes that are held. Values that are searched hold nothing yet.
+/// Warnings about goals for nodes that are held. Free prescribed values do not count as held.
 std::vector<DesignWarning> warnings_about(const std::vector<DesignCase>& cases, const Surface& surface,
                                           const DesignOptions& options) {
     std::vector<DesignWarning> warnings;

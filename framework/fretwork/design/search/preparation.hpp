@@ -36,8 +36,8 @@ struct ExtendedPalette {
     std::vector<std::size_t> palette;
     Eigen::MatrixXd coordinates;
 };
-/// Condense further candidates of the whole palette, within the same limit as prepare(). The indices of
-/// earlier candidates do not change. Throws Stopped.
+/// Condense further candidates of the whole palette: as many as prepare() allows, but at least the 128 most
+/// different and the earlier candidates. The indices of these do not change. Throws Stopped.
 ExtendedPalette extend_palette(Trials& trials, const std::vector<pattern::NamedPattern>& whole,
                                const DesignOptions& options);
 

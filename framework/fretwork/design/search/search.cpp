@@ -18,23 +18,24 @@ constexpr double kLargestRadius = 4.0;
 constexpr int kMostProposals = 4;
 /// Steps that gain less than this share of the objective are no gain.
 constexpr double kLeastGain = 0.005;
-/// Before the last steps, a gain of less is not worth a solution.
+/// A step from another start must be predicted to gain this, except on small surfaces.
 constexpr double kWorthwhileGain = 0.02;
-/// Uniform paintings from which the search begins, as long as there are solutions left; then the best
-/// painting, of which so much is painted at random.
+/// The number of solved paintings from which the search starts, with the first one; then the largest number
+/// of starts from the best painting, and the share of its groups that is painted at random.
 constexpr std::size_t kOtherStarts = 3;
 constexpr std::uint64_t kMostKicks = 100;
 constexpr double kKickedShare = 0.2;
-/// Of small surfaces, where all changes of two groups are near.
+/// The share on small surfaces, where search_nearby() covers changes of two groups.
 constexpr double kKickedShareOfSmall = 0.45;
-/// The share of the solutions that is left for the defect correction, and the most of them.
+/// The share of the solutions that is left for the defect correction, and their largest number.
 constexpr double kLeftForDefect = 0.35;
 constexpr int kMostLeftForDefect = 14;
-/// Surfaces of fewer tiles than this have as many more solutions as these are cheaper, up to a factor.
+/// Below kSmallSurface groups, the number of solutions grows in inverse proportion to that of the groups, at
+/// most by kMostFactor.
 constexpr double kSmallSurface = 44.0;
 constexpr double kMostFactor = 8.0;
 constexpr int kSolutions = 40;
-/// A start is given up if its table promises more than this many times the best objective.
+/// A start is given up if its table predicts more than this multiple of the best objective.
 constexpr double kHopelessPromise = 1.3;
 
 /// The radius of the next step: larger if this one gained what was promised, smaller if it gained little of
@@ -97,7 +98,8 @@ void Search::note(const Solved& solved) {
     if (options_.on_better) options_.on_better(progress);
 }
 
-/// The first round takes the shortlist; later ones take others at random, beside those that are used.
+/// The patterns of the painting, and in even rounds the shortlist, in odd rounds as many at random; or those
+/// of `limited_`.
 std::vector<std::size_t> Search::columns_for(const Point& point, int round) const {
     std::set<std::size_t> chosen(point.patterns.begin(), point.patterns.end());
     if (options_.max_patterns > 0) {
@@ -120,7 +122,7 @@ std::vector<std::size_t> Search::columns_for(const Point& point, int round) cons
     return {chosen.begin(), chosen.end()};
 }
 
-/// What is left for the groups of the most mass; zero: any.
+/// The part of the largest mass left for the groups, kg; zero: any mass.
 double Search::mass_for_groups(const Point& point, const SwapTable& table,
                                const std::vector<std::size_t>& start) const {
     if (options_.max_mass <= 0.0) return 0.0;
@@ -139,8 +141,7 @@ void Search::limit_patterns(const Point& point, const SwapTable& table, const st
                               .most_mass = mass_for_groups(point, table, start),
                               .seed = options_.seed,
                               .control = options_.control.silent()};
-    // The patterns at the start stay, so that it is a painting that may be. Those of kept tiles are there
-    // anyway.
+    // The patterns of the start stay, so that the start is allowed. Those of kept tiles count in any case.
     std::set<std::size_t> chosen(point.patterns.begin(), point.patterns.end());
     std::set<std::size_t> all = kept;
     all.insert(chosen.begin(), chosen.end());
@@ -221,7 +222,7 @@ Solved Search::descend(Solved start, double reserve, const Demand& demand) {
     Solved current = std::move(start);
     double radius = kFirstRadius;
     int failures = 0;
-    // The aims may have moved since it was solved. Tables are of the last equilibrium.
+    // The aims may have moved since the start was solved. Other starts are solved again below.
     if (trials_.is_at(current.point))
         current.trial.objective = trials_.objective_of(current.trial.displacements);
     for (int round = 0; may_go_on(reserve); ++round) {

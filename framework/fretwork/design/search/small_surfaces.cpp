@@ -7,12 +7,12 @@
 namespace fretwork::design::detail {
 namespace {
 
-/// Where groups x columns are so few, every change of one group or of two may be solved.
+/// A surface is small if it has at most this number of groups x columns.
 constexpr std::size_t kSmallTable = 300;
-/// Changes of one group, and so many of two, that are solved around one painting.
+/// The largest number of changes of one group, and of two groups, that are solved around one painting.
 constexpr std::size_t kMostNeighbours = 60;
-/// All paintings are ranked if there are no more than this, and so many of the best are solved around one
-/// painting.
+/// All paintings are ranked if there are at most kMostPaintings. The best kMostRanked of them are then solved
+/// around one painting.
 constexpr std::size_t kMostPaintings = 1'000'000;
 constexpr std::size_t kMostRanked = 60;
 
@@ -35,7 +35,7 @@ std::vector<Point> Search::promising(Solved& best) {
     const base::Control silent = options_.control.silent();
     std::vector<Choice> choices;
     if (can_rank_all()) {
-        // Those that are solved already are among them.
+        // Solved paintings are ranked, too, and dropped below.
         choices = best_of_all(trials_.pair_table(best.point, best.trial, columns, options_.seed, silent),
                               kMostRanked + seen_.size(), silent);
     } else {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What swaps at the last equilibrium are predicted to do.
+// The predicted effects of swaps at the last equilibrium.
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/design/search/free_section.hpp>
 #include <fretwork/design/search/trials.hpp>
@@ -14,12 +14,12 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// The largest step of a factor, as a share of it; of a prescribed displacement, in the largest wanted one;
-/// of a prescribed turn, rad.
+/// The largest steps: of a factor, as a share of it; of a prescribed displacement, as a share of the largest
+/// wanted one; of a prescribed rotation, in rad.
 constexpr double kFactorStep = 0.5;
 constexpr double kPrescribedStep = 0.25;
 constexpr double kTurnStep = 0.25;
-/// Of a width or thickness, as a share of it; and that of the differences by which its effect is found.
+/// The largest step of a width or thickness, as a share of it, and the share for its finite differences.
 constexpr double kSectionStep = 0.2;
 constexpr double kSectionDifference = 1e-2;
 
@@ -29,7 +29,7 @@ Index rows_of(const std::vector<CaseModel>& models) {
     return rows;
 }
 
-/// The table without responses, energies and masses, whose residuals are those of all cases.
+/// A table with the residuals of all cases, but without responses, energies and masses.
 SwapTable residuals_of(const std::vector<CaseModel>& models) {
     SwapTable table;
     for (const CaseModel& model : models) {
@@ -45,7 +45,8 @@ SwapTable residuals_of(const std::vector<CaseModel>& models) {
     return table;
 }
 
-/// Operations of one table of pairs beyond which it takes longer than the solutions that it spares.
+/// The largest number of operations for a table of pairs. A larger one takes longer than the solutions that
+/// it saves.
 constexpr double kMostPairWork = 3e8;
 
 }  // namespace
@@ -174,7 +175,7 @@ JointAnswer Trials::added_response(const std::vector<CaseModel>& models, std::si
 
 void Trials::fill_group(std::size_t group, const std::vector<CaseModel>& models,
                         const std::vector<std::size_t>& columns, SwapTable& table) const {
-    // Tiles of one group act on each other: their joint answer is exact where the models have it.
+    // Tiles of one group act on each other. Models with the coupling of tiles give their exact joint effect.
     const bool has_joint = models.front().flexibility.size() > 0;
     auto& responses = table.responses[group];
     responses.resize(table.residual.size(), std::ssize(columns));

@@ -17,7 +17,7 @@ using geometry::Point2;
 using tiling::Tessellation;
 using tiling::TileIndex;
 
-/// Of the mean tile side: how far an image's middle may lie from a tile's.
+/// The largest distance of an image's middle from a tile's, as a share of the mean tile side.
 constexpr double kNear = 0.2;
 
 class Images {
@@ -27,7 +27,7 @@ class Images {
         middle_ = tiling::bounding_box(tessellation).middle();
         reach_ = kNear * tiling::mean_tile_side(tessellation);
     }
-    /// The tile on which the image of another one lies.
+    /// The tile on which the image of the given tile lies.
     [[nodiscard]] TileIndex of(TileIndex tile) const {
         const Point2 image = image_of(middles_[tile]);
         for (std::size_t t = 0; t < middles_.size(); ++t) {

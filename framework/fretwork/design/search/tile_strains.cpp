@@ -18,7 +18,7 @@ using Eigen::MatrixXd;
 constexpr Index kTileDofs = 6;
 constexpr std::array<Index, 3> kInPlane = {0, 1, 5};
 constexpr std::array<Index, 3> kOutOfPlane = {2, 3, 4};
-/// Rounding of a condensed stiffness.
+/// A smaller relative coupling is rounding.
 constexpr double kCoupling = 1e-7;
 
 std::vector<Index> places(Index nodes, const std::array<Index, 3>& dofs) {
@@ -29,7 +29,7 @@ std::vector<Index> places(Index nodes, const std::array<Index, 3>& dofs) {
     return result;
 }
 
-/// Orthonormal strains of some dofs that no rigid motion of these makes.
+/// Orthonormal strains of some dofs: all motions that are orthogonal to the rigid ones.
 MatrixXd strains_of(const MatrixXd& rigid, const std::vector<Index>& rows,
                     const std::array<Index, 3>& motions) {
     const MatrixXd own = rigid(rows, std::vector<Index>(motions.begin(), motions.end()));

@@ -9,7 +9,7 @@ namespace fretwork::design::detail {
 
 Eigen::MatrixXd leading_coordinates(const Eigen::MatrixXd& logarithms) {
     const Eigen::MatrixXd centred = logarithms.colwise() - logarithms.rowwise().mean();
-    // Of the columns' products, as there are fewer patterns than entries of a stiffness.
+    // The products of columns are used, because there are fewer patterns than entries of a stiffness.
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(centred.transpose() * centred);
     const Eigen::Index count = std::min<Eigen::Index>(3, logarithms.cols());
     const Eigen::VectorXd lengths = modes.eigenvalues().tail(count).cwiseMax(0.0).cwiseSqrt().reverse();

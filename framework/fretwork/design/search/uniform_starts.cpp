@@ -9,9 +9,9 @@
 namespace fretwork::design::detail {
 namespace {
 
-/// Of the first painting: the uniform ones that are solved before, the steps from the best of them, the
-/// radius of the first one, and the share of its objective at which the painting is good enough to go on with
-/// the others. Half of the distance is a quarter of its square; other single patterns may still be better.
+/// For the first painting: the number of uniform paintings before it, the largest number of steps from the
+/// best of these, and the radius of the first step. The steps end at the share kEarlyShare of its objective,
+/// or if a step is predicted to gain less than kEarlyGain of the present one.
 constexpr std::size_t kEarlyUniform = 3;
 constexpr int kEarlySteps = 5;
 constexpr double kEarlyRadius = 0.5;

@@ -12,9 +12,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// All choices as a tree: the last group's column is chosen first. Below a choice of the columns of some
-/// groups, the others have the responses that these choices make of theirs, so that a leaf costs one addition
-/// and one norm.
+/// All choices as a tree: the last group's column is chosen first. Each level has the responses of the groups
+/// that are left, with the interactions with the chosen columns added. So a leaf costs one addition and one
+/// norm.
 class EveryChoice {
   public:
     EveryChoice(const PairTable& table, std::size_t count, const base::Control& control)
@@ -38,7 +38,7 @@ class EveryChoice {
     }
 
   private:
-    /// What is left when the columns of all groups from this number on are chosen.
+    /// The residual, and the responses of the groups below the level's index, if all others are chosen.
     struct Level {
         VectorXd residual;
         std::vector<MatrixXd> responses;
@@ -72,7 +72,7 @@ class EveryChoice {
         }
     }
 
-    /// A heap with the worst in front. Equal ones are in the order of their columns.
+    /// Keeps the best choices in a heap with the worst in front. Equal choices are ordered by their columns.
     void keep(double objective) {
         kept_.emplace_back(objective, columns_);
         std::ranges::push_heap(kept_);

@@ -11,7 +11,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int kMostMixingPasses = 400;
-/// Passes end when at most this share of the objective is left to be gained, or of what it was at the start.
+/// Passes end at a gap of kSmallMixingGap times the objective, or kNothingLeft times that of the start.
 constexpr double kSmallMixingGap = 1e-2;
 constexpr double kNothingLeft = 1e-9;
 /// Steps of one group in one pass.
@@ -51,7 +51,7 @@ class Relaxation {
         }
     }
 
-    /// The objective is convex: no mixture is better by more than the sum of the steepest slopes.
+    /// The Frank-Wolfe gap. No mixture is better by more than this, because the objective is convex.
     [[nodiscard]] double gap() const {
         double sum = 0.0;
         for (std::size_t g = 0; g < weights_.size(); ++g) {

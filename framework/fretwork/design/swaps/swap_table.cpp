@@ -22,14 +22,14 @@ using Eigen::VectorXd;
 constexpr int kMostPasses = 8;
 constexpr int kBisections = 10;
 
-/// Prices on what is to stay small.
+/// Prices of the quantities that have limits.
 struct Prices {
     double energy = 0.0;
     double mass = 0.0;
 };
 
-/// Of the unknowns in units of their largest steps. Unknowns may do nearly the same, as thickness and a
-/// factor on the loads do: the smallest steps are taken then.
+/// A factorization of the unknowns' effects, in units of their largest steps. If unknowns have nearly the
+/// same effect, as thickness and a factor on the loads have, it gives the smallest steps.
 using StepFactors = Eigen::CompleteOrthogonalDecomposition<MatrixXd>;
 constexpr double kSameEffect = 1e-6;
 
@@ -75,7 +75,7 @@ class Sweeper {
         return judged(std::move(choice), residual);
     }
 
-    /// From a choice that is within the limit: annealing (annealing.hpp).
+    /// Anneals a choice that is within the limit (annealing.hpp).
     [[nodiscard]] Choice anneal(const Choice& start, double most_energy) const {
         Annealed found = anneal_choice(table_, unknowns_,
                                        {.start = start,
@@ -88,7 +88,6 @@ class Sweeper {
         return finished(found.columns);
     }
 
-    /// Swaps that were scored so far.
     [[nodiscard]] long scored() const { return scored_; }
 
     [[nodiscard]] double mass(const Choice& choice) const {
@@ -333,7 +332,7 @@ std::vector<bool> fewer_columns(const SwapTable& table, const std::vector<std::s
     while (static_cast<std::size_t>(std::ranges::count(options.allowed, true)) > most) {
         std::vector<std::size_t> counts(table.columns(), 0);
         for (const std::size_t column : choice.columns) ++counts[column];
-        // Those that are used least are tried first; the others would cost more.
+        // Only the columns that are used least are tried; the others are usually of more use.
         constexpr std::size_t kTried = 6;
         std::vector<std::size_t> candidates;
         for (std::size_t c = 0; c < counts.size(); ++c) {

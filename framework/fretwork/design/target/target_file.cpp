@@ -198,7 +198,7 @@ Target parse_target(std::string_view text, const std::string& source) {
 std::string target_text(const Target& target) {
     Json goals = Json::array();
     for (const Goal& goal : target.goals) goals.push_back(goal_json(goal));
-    // Older programs read all but circles.
+    // Older programs read all targets without circles.
     return base::json_text({{"format", has_circle(target) ? kTargetFormat : "fretwork/target/1"},
                             {"name", target.name},
                             {"description", target.description},

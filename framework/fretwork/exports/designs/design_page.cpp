@@ -28,7 +28,7 @@ std::string motion_text(const mechanics::NodeValues& rows) {
     return detail::packed(numbers);
 }
 
-/// Of a node with several goals the farthest one is shown.
+/// The page shows the largest distance of a node with several goals.
 Json shape_json(const CaseShape& shape, Eigen::Index nodes) {
     Json goals = Json::array();
     for (const CaseShape::GoalNode& goal : shape.goals)

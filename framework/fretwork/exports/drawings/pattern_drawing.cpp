@@ -78,7 +78,7 @@ double most_lines(std::span<const std::vector<std::string>> texts) {
     return static_cast<double>(most);
 }
 
-/// What the colours mean: a line of swatches with numbers of edges.
+/// Draw the key of the colours: a line of swatches with numbers of edges.
 void draw_key(SvgCanvas& canvas, std::span<const Pattern> patterns, const Point2& start, double text) {
     std::set<int> counts;
     for (const Pattern& pattern : patterns) counts.insert(pattern.edge_count());

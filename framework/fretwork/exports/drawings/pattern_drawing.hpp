@@ -21,9 +21,9 @@ struct PatternDrawingOptions {
 
 /// A sheet with the layout and its candidate edges (the paper's Fig. 3b), and with the fan (pattern::Fan) and
 /// the id of each pattern (Fig. 2). A sheet with up to five columns of drawings is for a journal's column
-/// (84 mm), and one with up to twelve is for a page (177 mm): scaled to this width, its text is legible
-/// (6 pt). The sheet states the width (`data-print-width`); a sheet with more columns states none. The same
-/// holds for the sheets below.
+/// (84 mm), and one with up to twelve is for a page (177 mm). If the sheet is scaled to this width, its text
+/// is legible (6 pt). The sheet states the width (`data-print-width`); a sheet with more columns states none.
+/// The same holds for the sheets below.
 std::string pattern_sheet_svg(const pattern::NodeLayout& layout, std::span<const pattern::Pattern> patterns,
                               const PatternDrawingOptions& options = {});
 

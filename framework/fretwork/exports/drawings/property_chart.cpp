@@ -48,7 +48,7 @@ double value_of(const PatternProperties& entry, const std::string& name) {
     return found->second;
 }
 
-/// The property of which a pattern is the extreme.
+/// A pattern with an extreme value of one or more properties.
 struct Extreme {
     std::string reason;
     std::size_t index;                ///< of the pattern
@@ -56,7 +56,7 @@ struct Extreme {
     std::size_t reason_rows = 0;      ///< how many of them are the reason
 };
 
-/// The patterns that stand at the ends of something; one that is at several ends is named once.
+/// The patterns with an extreme property or ratio of properties. Each pattern is listed once.
 std::vector<Extreme> find_extremes(std::span<const PatternProperties> patterns) {
     using Score = std::function<double(const PatternProperties&)>;
     const auto of = [](const char* name, double sign = 1.0) -> Score {

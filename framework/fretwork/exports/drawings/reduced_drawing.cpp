@@ -39,7 +39,7 @@ void draw_reduced(SvgCanvas& canvas, const ReducedTile& tile, const Setting& set
         canvas.circle(nodes[i], 0.8 * width, {kInterfaceColour, "#ffffff", 0.2 * width, 1.0});
 }
 
-/// What is known of a reduced model, in lines.
+/// The caption of a reduced model, in lines.
 std::vector<std::string> facts(const std::optional<Calibration>& calibration,
                                std::span<const reduction::TileModel> models) {
     if (!calibration) return {"not calibrated"};
@@ -56,7 +56,7 @@ std::vector<std::string> facts(const std::optional<Calibration>& calibration,
     return lines;
 }
 
-/// Pairs of drawings are in few columns: two in a journal's column, up to four on a page.
+/// The number of columns of pairs: at most two for a journal's column, four for a page, else more.
 int columns_of(int pairs) {
     constexpr int kMostInColumn = 8;
     constexpr int kMostOnPage = 24;

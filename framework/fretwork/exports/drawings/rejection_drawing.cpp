@@ -18,7 +18,7 @@ using pattern::Rejection;
 
 constexpr const char* kFace = "#f4f6f8";
 
-/// The rejections of one filter each, in their order.
+/// The rejections in rows, each of successive ones by a filter.
 std::vector<std::vector<const Rejection*>> rows_by_filter(std::span<const Rejection> rejections) {
     std::vector<std::vector<const Rejection*>> rows;
     for (const Rejection& rejection : rejections) {
@@ -61,7 +61,7 @@ std::string words_of(std::string name) {
     return name;
 }
 
-/// SheetMeasures of the sheet, metres.
+/// The measures of the sheet, metres.
 struct SheetMeasures {
     double side;
     double step_x;

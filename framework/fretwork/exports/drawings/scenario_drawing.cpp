@@ -26,14 +26,14 @@ using simulation::Conditions;
 using simulation::Surface;
 
 constexpr const char* kFullColour = "#8a8f94";
-constexpr int kDrawnDivisions = 6;  ///< of a beam: it is drawn as bent as it is
+constexpr int kDrawnDivisions = 6;  ///< pieces of a beam, which show its bending
 
 // Lengths as multiples of the tile's side.
 constexpr int kColumns = 3;
 constexpr double kCellWidth = 3.6;
-constexpr double kPictureHeight = 2.0;  ///< of a cell without its text
-constexpr double kMiddle = 1.15;        ///< of the tile below the upper end of its cell
-constexpr double kReach = 0.7;          ///< of the largest arrow
+constexpr double kPictureHeight = 2.0;  ///< height of a cell without its text
+constexpr double kMiddle = 1.15;        ///< depth of the tile's middle below the upper end of its cell
+constexpr double kReach = 0.7;          ///< length of the largest arrow
 constexpr double kBall = 0.09;
 
 /// The sheet is as wide as a journal's column.
@@ -127,7 +127,7 @@ std::vector<std::string> caption_of(const Cell& cell) {
     return lines;
 }
 
-/// As short as a cell is narrow.
+/// The meaning in words that fit a cell.
 std::string short_meaning(const detail::SupportMark& mark) {
     if (mark.meaning == "all components held") return "held";
     return mark.meaning == "displacements held" ? "pinned" : "held in part";

@@ -26,10 +26,11 @@ struct DrawnLabels {
 
 /// A surface seen from above at true scale, as in the paper's Figs. 12 to 14: tiles coloured by pattern,
 /// beams of true width, a legend and a scale bar. Tiles without a pattern are empty. If `conditions` is not
-/// null, the drawing also shows supports (red: all dofs are held; green: only translations; orange: other
-/// dofs), prescribed displacements (diamonds) and the loads of each node with its share of the weight
-/// (arrows; those out of the plane are rings; moments have two heads). Text is legible when the drawing is
-/// scaled to a journal's column, unless numbers are drawn, which are as small as their tiles.
+/// null, the drawing also shows supports, prescribed displacements (diamonds) and the loads of each node with
+/// its share of the weight. Supports are red (all dofs are held), green (only translations) or orange (other
+/// dofs). Loads are arrows, or rings if they point out of the plane; moments have two heads. Text is legible
+/// when the drawing is scaled to a journal's column. Only numbers may be smaller, because they shrink with
+/// the tiles.
 std::string surface_svg(const simulation::Surface& surface,
                         const simulation::Conditions* conditions = nullptr, const DrawnLabels& labels = {});
 

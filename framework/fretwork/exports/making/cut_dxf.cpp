@@ -14,7 +14,7 @@ using fabrication::CutSheet;
 using fabrication::Label;
 using geometry::Box;
 
-/// Layers and their colours (AutoCAD's numbers: red, black or white, blue, grey).
+/// Layers and their colours (AutoCAD's numbers: 1 red, 5 blue, 7 black or white, 8 grey).
 struct Layer {
     const char* name;
     int colour;
@@ -22,7 +22,7 @@ struct Layer {
 constexpr std::array<Layer, 5> kLayers = {
     {{"0", 7}, {"cut", 1}, {"engrave", 7}, {"labels", 5}, {"guides", 8}}};
 
-/// The sections of a file, in their order. Handles must be unique; owners name them.
+/// Writes the sections of a file in their order. Handles must be unique; elements name their owners' handles.
 class CutDxf {
   public:
     explicit CutDxf(const CutSheet& sheet) : sheet_(sheet) {}

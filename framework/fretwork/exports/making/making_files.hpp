@@ -16,7 +16,7 @@ namespace fretwork::exports {
 /// Each contour is a closed LWPOLYLINE with bulges in model space; $INSUNITS is millimetres.
 std::string cut_dxf(const fabrication::CutSheet& sheet);
 /// A sheet for a laser, a mill or a plotter as SVG: each piece is a path with true arcs, and the layers of
-/// cut_dxf() are marked for Inkscape. y points up as in the DXF.
+/// cut_dxf() are marked for Inkscape. The picture has y upwards, as in the DXF.
 std::string cut_svg(const fabrication::CutSheet& sheet);
 
 /// A solid as binary STL in millimetres, as slicers expect; the header names the unit.

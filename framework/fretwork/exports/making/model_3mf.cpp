@@ -79,7 +79,7 @@ std::string solid_3mf(const fabrication::Solid& solid) {
 }
 
 std::string lattice_3mf(const fabrication::BarPlan& plan) {
-    constexpr double kShortest = 1e-7;  // m; beams below are left out by readers
+    constexpr double kShortest = 1e-7;  // m; readers leave out shorter beams
     std::string model = model_start(" xmlns:b=\"" + std::string(kLattice) + "\" requiredextensions=\"b\"");
     for (const geometry::Point2& node : plan.nodes) append_vertex(model, {node.x, node.y, 0.5 * plan.height});
     const auto radius_of = [&](double width) { return std::sqrt(width * plan.height / std::numbers::pi); };

@@ -4,7 +4,7 @@
 namespace fretwork::exports::detail {
 namespace {
 
-/// JSON that may stand inside of an HTML page, where "</script>" would end it.
+/// JSON for a script element of an HTML page, which a text "</script>" would otherwise end.
 std::string text_in_page(const base::Json& json) {
     std::string text;
     for (const char c : json.dump(-1, ' ', false, base::Json::error_handler_t::replace)) {

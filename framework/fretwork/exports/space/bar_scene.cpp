@@ -20,7 +20,7 @@ struct FieldRow {
     const char* title;
     const char* unit;
     double factor;
-    /// For the columns of simulation::kBeamFields.
+    /// The value of the field from the columns of kBeamFields.
     double (*value)(const Eigen::RowVector<double, 8>& forces);
 };
 constexpr std::array<FieldRow, 5> kForceFields = {{

@@ -31,7 +31,7 @@ constexpr int kUnsignedInt = 5125;
 constexpr int kArrayBuffer = 34962;
 constexpr int kIndexBuffer = 34963;
 
-/// An accessor before it is in the buffer.
+/// The kind of numbers of an accessor.
 struct Column {
     const char* type;   ///< "VEC3", "SCALAR", ..
     int component;      ///< type of a number
@@ -224,7 +224,7 @@ class MotionFile {
         Json mesh = {{"name", bars_.title}, {"primitives", Json::array({std::move(primitive)})}};
         if (!motions_.names.empty()) {
             mesh["extras"] = {{"targetNames", motions_.names}};
-            // Seen without the animation, the surface is bent as its result is.
+            // Without the animation, viewers show the last state.
             std::vector<int> weights(motions_.names.size(), 0);
             weights.back() = 1;
             mesh["weights"] = weights;
@@ -232,7 +232,7 @@ class MotionFile {
         file_["meshes"] = Json::array({std::move(mesh)});
     }
 
-    /// From rest through all states, each with a weight of one at its time.
+    /// Add the animation from rest through all states. Each state has a weight of one at its time.
     void add_animation() {
         constexpr double kLeastSeconds = 2.0;
         constexpr double kStepSeconds = 0.1;

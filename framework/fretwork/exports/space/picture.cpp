@@ -47,7 +47,7 @@ Mesh make_mesh(const BarScene& bars, const Scene& scene) {
     return mesh;
 }
 
-/// The bars at rest, where a result moves them.
+/// The bars at rest; empty if hidden, or if nothing moves.
 Mesh make_ghost(const BarScene& bars, const Scene& scene) {
     if (scene.picture.ghost == PictureOptions::Ghost::Hidden || bars.motion.isZero(0.0)) return {};
     return detail::bar_mesh(bars, 0.0, detail::end_colours(bars, detail::kPlainColour));
@@ -57,13 +57,13 @@ Mesh make_ghost(const BarScene& bars, const Scene& scene) {
 
 /// Light from far away.
 struct Light {
-    Vector3f direction;  ///< towards it
-    Vector3f colour;     ///< and how bright it is
-    int texels = 0;      ///< of the map of its shadows, along a side
+    Vector3f direction;  ///< towards the light
+    Vector3f colour;     ///< colour times brightness
+    int texels = 0;      ///< texels along a side of its shadow map
 };
 
-/// A sky that is brighter above, and a lamp over the viewer's left shoulder, which is as large as soft
-/// shadows ask for.
+/// A sky that is brighter above, and a lamp over the viewer's left shoulder. The lamp is large, so that its
+/// shadows are soft.
 std::vector<Light> lights(const detail::Camera& camera, PixelSize size) {
     constexpr int kFewest = 128;
     constexpr int kMost = 2048;
@@ -100,7 +100,7 @@ struct Receiver {
     Vector3f place;
     Vector3f normal;
     Vector3f light = Vector3f::Zero();
-    Vector3f unshadowed = Vector3f::Zero();  ///< if nothing were in the way
+    Vector3f unshadowed = Vector3f::Zero();  ///< light if there were no shadows
 };
 
 class Lighting {
@@ -184,7 +184,7 @@ class Picture {
         float ground = 0.0F;  ///< opacity of the shadow
     };
 
-    /// Null: the bars are plain.
+    /// The field to show; null: plain bars.
     static const BarScene::Field* shown_field(const BarScene& bars, const std::string& name) {
         const auto field = std::ranges::find(bars.fields, name, &BarScene::Field::name);
         return field == bars.fields.end() ? nullptr : &*field;
@@ -225,7 +225,7 @@ class Picture {
         }
     }
 
-    /// It throws no shadow, and lies behind all else.
+    /// The shape at rest casts no shadow, and lies behind the bars.
     void draw_ghost() {
         for (const Sample& sample : detail::visible_samples(ghost_, camera_, size_, kSamplesPerSide))
             pixels_[sample.pixel].ghost += 1.0F;
@@ -318,12 +318,12 @@ class Picture {
     }
 
     PixelSize whole_;
-    const BarScene::Field* field_;  ///< that is shown; null: none
+    const BarScene::Field* field_;  ///< the shown field; null: none
     std::string note_;              ///< below the legend
-    PixelSize size_;                ///< of the surface's picture, above the legend
+    PixelSize size_;                ///< size of the surface's picture, above the legend
     Mesh mesh_;
     Mesh ghost_;
-    std::vector<Vector3d> places_;  ///< of all that is seen
+    std::vector<Vector3d> places_;  ///< places of all vertices
     float ground_;
     detail::Camera camera_;
     Lighting lighting_;

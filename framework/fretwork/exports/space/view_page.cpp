@@ -30,7 +30,7 @@ std::string packed_rim(const simulation::Surface& surface) {
     return detail::packed(points);
 }
 
-/// In 16 bits from the lowest to the highest: finer than a screen's colours.
+/// Values have 16 bits, from the lowest to the highest. This is finer than a screen's colours.
 Json field_json(const BarScene::Field& field) {
     constexpr std::uint16_t kUnknown = 65535;
     constexpr double kSteps = 65534.0;

@@ -39,7 +39,7 @@ Eigen::MatrixXd stiffness_of(const library::Library& library, const pattern::Nam
 
 namespace fs = std::filesystem;
 
-/// `ours` can be read.
+/// Pre: `ours` can be read.
 bool has_content_of(const fs::path& theirs, const fs::path& ours, const base::Control& control) {
     constexpr std::streamsize kPiece = 1 << 20;
     std::error_code ignored;

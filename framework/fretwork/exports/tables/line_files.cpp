@@ -45,7 +45,7 @@ class VtuWriter {
         return text.empty() ? "" : "<FieldData>\n" + text + "</FieldData>\n";
     }
 
-    /// As VTK writes texts: the numbers of their characters, each text ended by 0.
+    /// Texts in VTK's form: the codes of their characters, and a 0 at the end of each text.
     [[nodiscard]] static std::string texts(std::string_view name, std::span<const std::string> values) {
         if (values.empty()) return "";
         std::string text = "<DataArray type=\"String\" Name=\"" + std::string(name) + "\" NumberOfTuples=\"" +

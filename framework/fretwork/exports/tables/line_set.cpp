@@ -53,10 +53,10 @@ struct DrawnNodes {
     }
 
     std::vector<int> nodes;
-    std::vector<int> place;  ///< of each of the assembly's nodes in `nodes`, or -1
+    std::vector<int> place;  ///< index in `nodes` of each node of the assembly, or -1
 };
 
-/// At the end where it is larger.
+/// For each beam, the end value of larger size.
 std::vector<double> largest_of_ends(const simulation::BeamState& state, Eigen::Index column) {
     std::vector<double> values;
     for (Eigen::Index b = 0; 2 * b < state.forces.rows(); ++b) {
@@ -85,7 +85,7 @@ struct Wanted {
     std::span<const reduction::TileModel> models;
 };
 
-/// Puts all beams with what they bear in place of the lines, if all are known.
+/// Replace the lines by all beams with their fields, if all motions of beams are known.
 void add_beam_fields(const Surface& surface, const simulation::SurfaceResult& result, const Wanted& wanted,
                      LineSet& set) {
     const simulation::SurfaceBeams beams = simulation::surface_beams(surface);

@@ -19,7 +19,7 @@ std::vector<double> times_of(const std::vector<mechanics::Solution>& steps) {
     return times;
 }
 
-/// Names of files are attributes of the collection.
+/// Check that a stem can be part of an XML attribute.
 void check_stem(const std::string& stem) {
     if (stem.find_first_of("\"&<>") != std::string::npos)
         throw base::InputError("a series for ParaView cannot be called '" + stem +
@@ -41,7 +41,7 @@ std::vector<NamedFile> series_files(const simulation::Surface& surface,
                              "byte_order=\"LittleEndian\">\n<Collection>\n";
     std::vector<NamedFile> files;
     simulation::SurfaceResult there = result;
-    there.vibration_modes.clear();  // of the surface at rest: they do not change on the way
+    there.vibration_modes.clear();  // modes are computed at rest, and do not belong to a step
     there.buckling_modes.clear();
     there.load_steps.clear();
     for (std::size_t i = 0; i < steps.size(); ++i) {

@@ -12,7 +12,7 @@ namespace {
 using geometry::Box;
 using geometry::Point2;
 
-/// A piece that is looked up by points of it.
+/// A piece, prepared for the search around a point.
 struct Candidate {
     geometry::Polygon polygon;
     Box box;
@@ -25,7 +25,7 @@ Candidate candidate(const Piece& piece) {
     return {flattened(piece.outer, kChordTolerance), box_of(piece.outer), signed_area(piece.outer)};
 }
 
-/// The number of the smallest one around a point, or their number.
+/// The index of the smallest candidate around a point; candidates.size(): none.
 std::size_t smallest_around(std::span<const Candidate> candidates, const Point2& point) {
     std::size_t found = candidates.size();
     for (std::size_t i = 0; i < candidates.size(); ++i) {

@@ -16,14 +16,15 @@ using ClipperLib::Paths;
 using geometry::Polygon;
 
 constexpr double kPerMetre = 1e9;  ///< grid points
-/// Smaller areas are left by rounding to the grid between corners that should be one.
+/// Smaller areas are only rounding to the grid, between corners that should be one.
 constexpr double kLeastArea = 1e-12;  // m2
-/// Corners nearer than this are merged, and corners this close to a straight line are removed.
+/// Corners nearer to each other than kLeastStep are merged. Corners nearer to a straight line than
+/// kLeastDeviation are removed.
 constexpr double kLeastStep = 2e-8;       // m
 constexpr double kLeastDeviation = 4e-9;  // m
 
-/// Between metres and a grid around a point of it, so that numbers stay small: Clipper computes those below
-/// 2^30 faster.
+/// Converts between metres and grid points around the middle of a box. The numbers stay small, because
+/// Clipper is faster with numbers below 2^30.
 class Grid {
   public:
     explicit Grid(const Box& box)
@@ -154,7 +155,7 @@ double angle_at(const Point2& center, const Point2& from, const Point2& to) {
     return turn(from - center, to - center);
 }
 
-/// Where a line goes through a circle, next to a point of it that is a little inside.
+/// The place, next to `point`, where the line from `before` meets the circle. `point` is a little inside.
 Point2 on_circle(const Disc& disc, const Point2& point, const Point2& before) {
     const Point2 along = unit(point - before);
     const double middle = dot(disc.center - point, along);
@@ -200,7 +201,7 @@ class ArcFinder {
         return circles_[i] >= 0 || circles_[before(i)] >= 0;
     }
 
-    /// The corner between an arc and what is before or behind it: on the circle, and on the line.
+    /// The corner between an arc and its neighbour: on the arc's circle, and on a neighbour that is a line.
     [[nodiscard]] Point2 end_of_arc(std::size_t i) const {
         const bool arc_before = circles_[before(i)] >= 0;
         const Disc& circle = disc(arc_before ? before(i) : i);

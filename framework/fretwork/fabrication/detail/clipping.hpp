@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Booleans of polygons on a grid of nanometres, with the arcs of known circles found again in what they give.
+// Boolean operations on polygons, on a grid of nanometres. with_arcs() finds the arcs of known circles in the
+// results.
 #pragma once
 
 #include <fretwork/fabrication/contour.hpp>

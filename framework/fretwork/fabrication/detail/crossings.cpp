@@ -15,16 +15,16 @@ using geometry::Box;
 using geometry::Point2;
 using geometry::Segment;
 
-/// Bars nearer than this touch: what rounding leaves between a node and a bar that passes through it.
+/// Bars nearer than this touch: rounding may leave such a gap between a node and a bar through the node.
 constexpr double kTouching = 1e-9;  // m
-/// Bars of a common node at a smaller angle lie over each other.
+/// Bars with a common node and a smaller angle between them lie over each other.
 constexpr double kSameDirection = 1e-6;  // rad
 
 Segment segment(const BarPlan& plan, const Bar& bar) {
     return {plan.nodes[bar.nodes[0]], plan.nodes[bar.nodes[1]]};
 }
 
-/// Where two bars without a common node touch, if they do.
+/// The place where two bars without a common node meet; none if they do not.
 std::optional<Point2> meeting_place(const Segment& a, const Segment& b) {
     if (do_cross(a, b)) {
         const Point2 along = a[1] - a[0];
@@ -41,7 +41,7 @@ std::optional<Point2> meeting_place(const Segment& a, const Segment& b) {
     return std::nullopt;
 }
 
-/// The other ends of two bars as seen from their common node, or nothing.
+/// The common node of two bars that lie over each other there; none if they do not.
 std::optional<Point2> overlap_at_common_node(const BarPlan& plan, const Bar& a, const Bar& b) {
     for (std::size_t i = 0; i < 2; ++i) {
         for (std::size_t j = 0; j < 2; ++j) {

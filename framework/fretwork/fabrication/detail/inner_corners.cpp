@@ -7,7 +7,7 @@ namespace {
 
 using geometry::Point2;
 
-/// The material lies on the left of a contour: inner corners are where it turns right.
+/// Add the radii of inner corners. The material lies on the left, so the contour turns right there.
 void look_at(const Contour& contour, std::vector<double>& radii) {
     if (contour.size() == 2) return;  // the circle of a hole
     for (std::size_t i = 0; i < contour.size(); ++i) {

@@ -7,7 +7,7 @@
 
 namespace fretwork::fabrication::detail {
 
-/// With four digits.
+/// At most four digits.
 std::string short_number(double value);
 /// "0.15 mm"
 std::string millimetres(double metres);

@@ -54,7 +54,7 @@ std::vector<std::size_t> cells_of_tiles(const std::vector<Box>& boxes, const Box
     return found;
 }
 
-/// Whether the tiles of each cell fit together.
+/// True if the tiles of each cell fit the bed.
 bool all_fit(const std::vector<Box>& boxes, const std::vector<std::size_t>& cells, const Bed& bed,
              double reach) {
     std::map<std::size_t, Box> of_cell;
@@ -97,8 +97,8 @@ void require_tiles_fit(const std::vector<Box>& boxes, const Bed& bed, double rea
     }
 }
 
-/// Grids whose cells fit the bed, as the cell of each tile, those with the fewest cells first: of each number
-/// of rows those with the fewest columns.
+/// Grids whose cells fit the bed, the grid with the fewest cells first. Each grid is a list with the cell of
+/// each tile. For each number of rows, only the grid with the fewest columns is listed.
 std::vector<std::vector<std::size_t>> fitting_grids(const std::vector<Box>& boxes, const Bed& bed,
                                                     double reach) {
     constexpr std::size_t kMost = 6;
@@ -117,7 +117,7 @@ std::vector<std::vector<std::size_t>> fitting_grids(const std::vector<Box>& boxe
     std::vector<std::vector<std::size_t>> grids;
     for (auto& [count, cells] : found)
         if (grids.size() < kMost) grids.push_back(std::move(cells));
-    if (grids.empty()) {  // tiles that share a cell of every grid: each is a part of its own
+    if (grids.empty()) {  // every grid has a cell that is too large: each tile becomes a part
         grids.emplace_back(boxes.size());
         std::iota(grids.front().begin(), grids.front().end(), std::size_t{0});
     }
@@ -166,7 +166,7 @@ std::vector<Nest> nested(const std::vector<Box>& boxes, const Bed& bed) {
         double x;  ///< where the next box goes
     };
     std::vector<Row> rows;
-    std::vector<double> tops;  // of each sheet
+    std::vector<double> tops;  // by sheet: start of the next row
     for (const std::size_t i : order) {
         const auto fitting = std::ranges::find_if(rows, [&](const Row& row) {
             return row.x + width(i) <= across && height(i) <= row.height + kRounding;

@@ -11,8 +11,8 @@ namespace fretwork::fabrication::detail {
 
 /// The room that parts of a surface need.
 struct PartRoom {
-    double reach = 0.0;      ///< m, by which material lies beyond the tiles of a part
-    double connector = 0.0;  ///< m, free around each connector
+    double reach = 0.0;      ///< length by which material lies beyond the tiles of a part, m
+    double connector = 0.0;  ///< free length around each connector, m
     base::Control control{};
 };
 

@@ -25,8 +25,8 @@ Patch rectangle(const Point2& from, const Point2& to, double width) {
     return patch({from - aside, to - aside, to + aside, from + aside});
 }
 
-/// Around a node, with corners where an arc from one angle to another begins and ends. The whole circle, and
-/// not only the sector of the arc: so it lies over the bars, and does not just touch them.
+/// A disc around a node, with corners where the arc from `from` to `to` begins and ends. It is the whole
+/// disc and not only the arc's sector, so that it overlaps the bars instead of only touching them.
 Patch round_end(const Disc& disc, double from, double to) {
     geometry::Polygon polygon;
     const auto add_arc = [&](double start, double end) {
@@ -40,7 +40,7 @@ Patch round_end(const Disc& disc, double from, double to) {
     return patch(std::move(polygon), disc);
 }
 
-/// The angles of the bars of one width that leave a node.
+/// For each node and width, the angles of the bars that leave the node.
 using Directions = std::map<std::pair<int, double>, std::vector<double>>;  // by node and width
 
 Directions directions(const BarPlan& plan) {
@@ -56,7 +56,7 @@ Directions directions(const BarPlan& plan) {
     return found;
 }
 
-/// The round ends that the rectangles around a node leave open.
+/// Add the round ends that the rectangles at a node do not cover.
 void add_round_ends(std::vector<Patch>& patches, const Disc& disc, const std::vector<double>& angles) {
     constexpr double kQuarter = std::numbers::pi / 2.0;
     for (std::size_t i = 0; i < angles.size(); ++i) {

@@ -12,7 +12,7 @@ namespace {
 
 using geometry::Point2;
 
-/// Half-bars 2 b and 2 b + 1 are bar b and the same in the other direction.
+/// Half-bar 2 b is bar b in its own direction, and half-bar 2 b + 1 is bar b reversed.
 class HalfBars {
   public:
     explicit HalfBars(const BarPlan& plan) : plan_(plan), leaving_(plan.nodes.size()) {
@@ -28,7 +28,7 @@ class HalfBars {
     [[nodiscard]] std::size_t count() const { return place_.size(); }
     [[nodiscard]] std::size_t start(std::size_t half) const { return plan_.bars[half / 2].nodes[half % 2]; }
     [[nodiscard]] const Point2& place(std::size_t half) const { return plan_.nodes[start(half)]; }
-    /// The one that goes on along the same region: the next clockwise from the way back.
+    /// The half-bar that continues the walk along the region: the next clockwise from the opposite half-bar.
     [[nodiscard]] std::size_t next(std::size_t half) const {
         const std::size_t back = half ^ 1U;
         const auto& around = leaving_[start(back)];
@@ -71,8 +71,8 @@ std::vector<FoundWalk> all_walks(const BarPlan& plan) {
     return walks;
 }
 
-/// For each component the number of the walk around it from outside: the one of smallest area, which is
-/// negative, or zero for a tree.
+/// For each component, the index of the walk around its outside. This walk has the smallest area: negative,
+/// or zero for a tree.
 std::vector<std::size_t> outside_walks(const std::vector<FoundWalk>& walks, std::size_t nodes) {
     constexpr auto kNone = std::numeric_limits<std::size_t>::max();
     std::vector<std::size_t> outside(nodes, kNone);

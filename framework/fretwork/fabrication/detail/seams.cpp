@@ -58,8 +58,8 @@ class SeamSearch {
         return crowded;
     }
 
-    /// What the connectors around a tile cost: mostly those without room, and a little each connector, so
-    /// that seams stay short.
+    /// The cost of the connectors around a tile: a large cost for each lack of room, and a small cost for
+    /// each connector, so that seams stay short.
     [[nodiscard]] double cost_around(std::size_t tile) const {
         constexpr double kConnector = 0.1;
         double cost = 0.0;
@@ -108,7 +108,7 @@ class SeamSearch {
         return rules_.fits(box);
     }
 
-    /// Whether a part is one piece without a tile, and more than nothing.
+    /// True if a part without this tile is connected and not empty.
     [[nodiscard]] bool stays_connected(std::size_t part, std::size_t without) const {
         std::vector<char> is_open(parts_.size(), 0);
         std::size_t left = 0;
@@ -133,7 +133,7 @@ class SeamSearch {
     static constexpr std::size_t kMoves = 4000;
     static constexpr std::size_t kMovesPerTile = 40;
     static constexpr std::size_t kCheckEvery = 64;
-    static constexpr double kHot = 0.6;  // of a connector without room
+    static constexpr double kHot = 0.6;  // in costs of a lack of room
     static constexpr double kCold = 0.03;
 
     const std::vector<Box>& boxes_;

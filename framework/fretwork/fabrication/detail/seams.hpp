@@ -22,7 +22,7 @@ struct Crossing {
 };
 
 /// The crossings of a surface, in the order of its shared sides.
-/// @param room  m, around each connector: to the ends of its side, and half way to the next
+/// @param room  free length around each connector, m: to its side's ends, and half way to the next connector
 std::vector<Crossing> crossings_of(const tiling::Tessellation& tessellation,
                                    std::span<const tiling::SharedSide> sides, double room);
 

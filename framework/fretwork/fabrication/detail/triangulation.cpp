@@ -17,7 +17,7 @@ namespace {
 using geometry::Point2;
 
 struct Depth {
-    int lines = -1;  ///< how many lead around a face; -1: not known
+    int lines = -1;  ///< 1: a face is inside; 0: outside; -1: not known
 };
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -34,7 +34,7 @@ using Triangulation =
         ": the solid would be connected only along an edge; change a width or a fillet");
 }
 
-/// Insert all corners at once, which is faster, and return their vertices in their order.
+/// Insert all corners at once, which is faster. Returns their vertices in the order of the corners.
 std::vector<Triangulation::Vertex_handle> insert_corners(Triangulation& triangulation,
                                                          std::span<const geometry::Polygon> lines) {
     std::vector<std::pair<Kernel::Point_2, int>> corners;
@@ -72,7 +72,7 @@ void insert_lines(Triangulation& triangulation, std::span<const geometry::Polygo
     }
 }
 
-/// Say of every face how many lines lead around it.
+/// Mark every face as inside or outside the lines.
 void mark_depths(Triangulation& triangulation) {
     std::deque<Triangulation::Face_handle> next = {triangulation.infinite_face()};
     next.front()->info().lines = 0;

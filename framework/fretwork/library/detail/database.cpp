@@ -9,7 +9,7 @@ namespace {
 constexpr int kBusyTimeoutMilliseconds = 10000;
 
 /// Forbid views and triggers in the file's own schema: a view in the place of a table, or a trigger, could
-/// run any query without end. The program's own views are temporary and stay allowed.
+/// run an endless query. The program's own views are temporary and stay allowed.
 void distrust_schema(sqlite3* handle) {
     sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
     sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);

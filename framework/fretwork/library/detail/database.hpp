@@ -71,8 +71,8 @@ class Statement {
     [[nodiscard]] int type(int column) const { return sqlite3_column_type(handle_.get(), column); }
     /// The text in a column; valid until the next step().
     [[nodiscard]] std::string_view text(int column) const;
-    /// The number in a column. Throws InputError that names the column if its value is a text, which SQLite
-    /// itself would read as 0.
+    /// The number in a column. Throws InputError that names the column if its value is a text or a blob,
+    /// which SQLite itself would convert, for example to 0.
     [[nodiscard]] double real(int column) const {
         require_number(column);
         return sqlite3_column_double(handle_.get(), column);
@@ -97,8 +97,8 @@ class Statement {
     std::unique_ptr<sqlite3_stmt, Finalize> handle_;
 };
 
-/// Lets a stop end long statements of a database. As long as this object exists, a statement throws
-/// base::Stopped once the control asks to stop, and its transaction is rolled back.
+/// Ends long statements of a database when a stop is requested. As long as this object exists, a statement
+/// throws base::Stopped once the control asks to stop, and the statement's transaction is rolled back.
 class StopGuard {
   public:
     StopGuard(Database& database, const base::Control& control);

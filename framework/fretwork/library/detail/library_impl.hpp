@@ -28,7 +28,7 @@ struct Library::Impl {
     /// Begin a write transaction that may change the setting.
     [[nodiscard]] std::unique_ptr<detail::Transaction> begin_choosing_setting();
     void commit(detail::Transaction& transaction);
-    /// Replace the stored setting, scenarios included, and commit the transaction.
+    /// Replace the stored setting, but not the rows of the table `scenario`, and commit the transaction.
     void replace_setting(detail::Transaction& transaction, const reduction::Setting& wanted);
 
     /// Throws InputError that suggests the nearest id if the library has no such pattern.

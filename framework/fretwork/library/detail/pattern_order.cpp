@@ -44,7 +44,7 @@ bool comes_before(const pattern::NamedPattern& left, const pattern::NamedPattern
     const int left_count = left.pattern.edge_count();
     const int right_count = right.pattern.edge_count();
     if (left_count != right_count) return left_count < right_count;
-    // Of two sets of one size, the set with the lowest edge that is not in both comes first.
+    // The lowest edge that is in only one of the two sets decides: the set with this edge comes first.
     const pattern::Pattern::Bits difference = left.pattern.bits() ^ right.pattern.bits();
     const std::size_t first = difference._Find_first();
     return first < difference.size() && left.pattern.bits().test(first);

@@ -16,7 +16,7 @@ std::string count_complaint(std::size_t present, std::size_t wanted, const std::
            " are needed";
 }
 
-/// The fault of a response of the library's shape; empty if it has none.
+/// The way in which a response differs from the library's shape; empty if it agrees.
 std::string response_fault(const Response& response, const ResponseShape& shape) {
     const std::size_t steps = shape.setting->magnitudes;
     if (response.samples.size() != steps) return count_complaint(response.samples.size(), steps, "samples");

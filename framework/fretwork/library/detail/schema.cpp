@@ -135,8 +135,8 @@ CREATE TABLE calibration_parameter(
 ) WITHOUT ROWID;
 )sql";
 
-/// Check that the name of a table of content belongs to an ordinary table in the file. If the file has no
-/// such name, the first query reports the missing table.
+/// Check that the name of one of a library's tables belongs to an ordinary table in the file. If the file
+/// has no such name, the first query reports the missing table.
 void require_ordinary_table(const Database& database, std::string_view name) {
     Statement entry(database,
                     "SELECT type, sql LIKE 'CREATE VIRTUAL%' FROM sqlite_master WHERE lower(name) = ?");

@@ -34,7 +34,7 @@ AngleRatio angle_ratio(double c) {
         ratio.slope = -ratio.slope;
         return ratio;
     }
-    // A beam that is folded back onto itself has no direction.
+    // The bound avoids a division by zero if an end points against the chord.
     const double cosine = std::max(c, -1.0 + 1e-12);
     const double square = 1.0 - cosine * cosine;
     const double value = std::acos(cosine) / std::sqrt(square);
@@ -47,8 +47,7 @@ EndView view_from(const Matrix3d& axes, const Vector3d& direction) {
     return {c, axes.col(1).dot(direction), axes.col(2).dot(direction), angle_ratio(c)};
 }
 
-/// The symmetric product in the second derivative of e . a along a spin of a: (e a^T + a e^T) / 2 - (e . a)
-/// I.
+/// The second derivative of e . a with respect to a spin that turns a: (e a^T + a e^T) / 2 - (e . a) I.
 Matrix3d spin_curvature(const Vector3d& e, const Vector3d& a) {
     Matrix3d m = 0.5 * e * a.transpose();
     m += m.transpose().eval();
@@ -80,7 +79,7 @@ BeamDeformation::BeamDeformation(const Matrix3d& axes, double length, std::span<
     end2_ = view_from(axes2_, direction_);
     sine_ = 0.5 * (axes2_.col(1).dot(axes1_.col(2)) - axes2_.col(2).dot(axes1_.col(1)));
     cosine_ = 0.5 * (axes2_.col(1).dot(axes1_.col(1)) + axes2_.col(2).dot(axes1_.col(2)));
-    // A form without the difference of two nearly equal lengths.
+    // This form avoids the difference of two nearly equal lengths.
     elongation_ = moved.dot(2.0 * rest + moved) / (length_ + length);
 }
 
@@ -127,7 +126,7 @@ Matrix3d BeamDeformation::chord_projection() const {
 void BeamDeformation::add_end_slopes(const EndView& end, const Matrix3d& axes, BowShare share,
                                      DeformationSlopes& s) const {
     const auto& [value, slope, curvature] = end.ratio;
-    // For first derivatives, bend = e . b with a vector b of the section.
+    // The first derivatives are those of e . b, with a vector b that turns with the section.
     const Vector3d b2 = value * axes.col(2) + slope * end.p3 * axes.col(0);
     const Vector3d b3 = -value * axes.col(1) - slope * end.p2 * axes.col(0);
     const auto add = [&](int bow, int sway, const Vector3d& b) {
@@ -195,7 +194,7 @@ void BeamDeformation::add_twist_curvature(double stress, MotionMatrix& m) const 
     const double square = sine_ * sine_ + cosine_ * cosine_;
     const double by_sine = stress * cosine_ / square;
     const double by_cosine = -stress * sine_ / square;
-    // by_sine * sine + by_cosine * cosine, as two products of a vector of each end
+    // by_sine * sine + by_cosine * cosine, as the sum of two products a . b of vectors of the two ends
     add_product_curvature(0.5 * (by_sine * axes1_.col(2) + by_cosine * axes1_.col(1)), axes2_.col(1), m);
     add_product_curvature(0.5 * (by_cosine * axes1_.col(2) - by_sine * axes1_.col(1)), axes2_.col(2), m);
     const Vector3d s = sine_slope();

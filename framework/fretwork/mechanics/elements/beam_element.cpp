@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Matrix3d;
 
-/// The chord's vector is the difference of the end displacements.
+/// The change of the chord's vector is the difference of the end displacements.
 void expand_force(const MotionVector& motion, Eigen::VectorXd& force) {
     force.resize(2 * kDofsPerNode);
     force.segment<3>(0) = -motion.segment<3>(kChord);
@@ -67,9 +67,9 @@ BeamElement::BeamElement(const Geometry& geometry, const Section& section, const
       line_mass_(material.density * section.area),
       line_inertia_(material.density * (section.I2 + section.I3)) {}
 
-/// The sum over the deformations of stiffness * row^T row, by the 3 x 3 blocks of displacements and
-/// rotations. If u and r are a row's parts at end 1, the parts at end 2 are -u, and r with the sign of a sway
-/// or a bow.
+/// The sum over the deformations of stiffness * row^T row, written in 3 x 3 blocks. A row has the slopes of a
+/// deformation. If it has u for the displacements and r for the rotations of end 1, it has -u and r for end 2
+/// in a sway, and -u and -r in all other deformations.
 void BeamElement::rest_stiffness(Eigen::MatrixXd& stiffness) const {
     const BeamVector& k = energy_.stiffness();
     const double l = geometry_.length;

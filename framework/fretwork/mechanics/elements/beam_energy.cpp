@@ -43,7 +43,7 @@ BeamVector BeamEnergy::strains(const BeamVector& d) const {
     const double square = kTwelfth * d[kTwist] * d[kTwist];
     const double g2 = shear2_ * d[kSway2];
     const double g3 = shear3_ * d[kSway3];
-    const double across = g3 * d[kBow2] - g2 * d[kBow3];  // component of the bow across the shear angle
+    const double across = g3 * d[kBow2] - g2 * d[kBow3];  // cross product of the bow and the shear angle
     e[kBow2] += square * d[kBow2] + (kThird * across + 0.5 * d[kTwist]) * g3;
     e[kBow3] += square * d[kBow3] - (kThird * across + 0.5 * d[kTwist]) * g2;
     e[kSway2] += kThird * d[kTwist] * d[kBow3];
@@ -98,7 +98,7 @@ BeamEnergy::State BeamEnergy::evaluate(const BeamVector& d) const {
     return state;
 }
 
-/// Add the second derivatives of the terms of third order.
+/// Add the second derivatives of twist^2 bow / 12 and twist / (1 + bow^2).
 void BeamEnergy::add_helix_terms(const BeamVector& d, const BeamVector& stress, BeamMatrix& h) {
     const double share = twist_share(d);
     const double loss = -2.0 * stress[kTwist] * share * share;

@@ -32,12 +32,12 @@ using BeamMatrix = Eigen::Matrix<double, kBeamDeformations, kBeamDeformations>;
 /// with the shear ratios f2 = 12 E I2 / (G As3 L^2), f3 = 12 E I3 / (G As2 L^2), k = 1 / (1 + f), q = (1/5 -
 /// f^2) k^2 and the shear angles g = f k sway. The products of two deformations follow from minimizing the
 /// energy of the geometrically exact (Simo-Reissner) rod over all shapes between given ends. The products of
-/// three deformations make the strains of a helix correct to fourth order, because every piece of a rod tends
-/// to a helix under refinement. They also make the strains correct for a rod with sections inclined by a
-/// shear angle, which refinement does not reduce. The energy is a sum of squares and so never negative. In a
-/// plane, the error falls with the fourth power of the length. In space, the error falls with the fourth
-/// power if sections bend equally about both axes. Otherwise, and with shear, the error falls with the second
-/// power.
+/// three deformations make the strains of a helix correct to fourth order. This matters because every piece
+/// of a rod tends to a helix under refinement. They also make the strains correct for a rod with sections
+/// inclined by a shear angle, which refinement does not reduce. The energy is a sum of squares and so never
+/// negative. In a plane, the error falls with the fourth power of the length. In space, the error falls with
+/// the fourth power if sections bend equally about both axes. Otherwise, and with shear, the error falls with
+/// the second power.
 class BeamEnergy {
   public:
     /// The stiffness of a beam's section. Stiffnesses are in N and N m^2, flexibilities in 1/N.

@@ -21,7 +21,7 @@ using Pose = CorotationalPose;
 /// its rotation.
 using Tall = Eigen::MatrixX3d;
 
-/// The first row of the three components of a block.
+/// The first row of a block, a node's displacement or rotation.
 Eigen::Index row_of(std::size_t block) {
     return 3 * static_cast<Eigen::Index>(block);
 }
@@ -258,7 +258,8 @@ class CorotationalElement final : public Element {
         }
     }
 
-    /// The product K_x N, where N has the motions of the nodes opposite to a spin of the corotating axes.
+    /// The product K_x N, where N maps a spin w of the corotating axes to the motions of the nodes in the
+    /// opposite spin -w.
     [[nodiscard]] Tall coupling_of(const Pose& pose, const MatrixXd& tangent) const {
         Tall coupling = Tall::Zero(size(), 3);
         for (std::size_t j = 0; j < pose.count(); ++j) {
@@ -269,8 +270,8 @@ class CorotationalElement final : public Element {
         return coupling;
     }
 
-    /// Turn the stiffness with the corotating axes held into the stiffness with axes that follow the nodes,
-    /// and add the change of the geometry under these forces.
+    /// Change `tangent` from the stiffness with held corotating axes to the stiffness with axes that follow
+    /// the nodes. Add the geometric terms of `force`.
     void let_frame_follow(const Pose& pose, const VectorXd& force, MatrixXd& tangent) const {
         const Tall coupling = coupling_of(pose, tangent);
         Tall against = coupling;

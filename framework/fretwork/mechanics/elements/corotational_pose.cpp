@@ -43,7 +43,7 @@ void CorotationalPose::turn_into_structure(const Quaterniond& turn) {
 }
 
 /// Set the nodes' positions relative to their mean, in the body's axes at rest. The mean of the nodes'
-/// rotations is the first guess.
+/// rotations is the first guess of the corotating axes.
 void CorotationalPose::place(const Quaterniond& turn, std::span<const NodeState> states) {
     const Quaterniond back = turn.conjugate();
     Vector3d middle = Vector3d::Zero();

@@ -8,9 +8,9 @@
 
 namespace fretwork::mechanics::elements {
 
-/// A beam with hinges. A hinged end has an extra node, which has the motion of the beam's end relative to the
-/// frame's node, in the beam's rest axes rotated with the frame's node. Supports fix the components of the
-/// extra node that are not released.
+/// A beam with hinges. A hinged end has an extra node. The motion of this node is the motion of the beam's
+/// end relative to the frame's node, in the beam's axes at rest, turned with the frame's node. Supports fix
+/// the components of the extra node that are not released.
 class HingedElement final : public Element {
   public:
     /// @param hinges  the extra node of each end; an invalid index for an end without a hinge

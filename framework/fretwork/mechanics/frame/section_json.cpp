@@ -12,7 +12,7 @@ namespace {
 using base::Json;
 using base::JsonReader;
 
-/// The lengths of each shape by their keys, in the order of shape_name().
+/// Call visit(key, length) for each length of a shape.
 template <class Shape, class Visit>
 void for_each_length(Shape& shape, const Visit& visit) {
     if constexpr (requires { shape.flange_thickness; }) {
@@ -70,8 +70,8 @@ Section read_numbers(const JsonReader& json) {
             .J = json.at("J").positive_number()};
 }
 
-/// True if the numbers of a section are the numbers of its shape; they differ if they were changed
-/// afterwards.
+/// True if a section has a shape other than a rectangle, and the numbers of this shape. The numbers may have
+/// been changed.
 bool is_written_by_type(const Section& section) {
     if (!section.shape || std::holds_alternative<RectangleShape>(*section.shape)) return false;
     Section made = section_of(*section.shape);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What nodes have, as JSON inside frames, results, load cases and scenarios.
+// Components and vectors of nodes, as JSON inside frames, results, load cases and scenarios.
 #pragma once
 
 #include <fretwork/base/internal/json_text.hpp>

@@ -23,7 +23,7 @@ constexpr double kNeutral = 0.5;
 constexpr double kStride = 0.3;
 constexpr int kMostSteps = 3000;  // largest number of steps along the path to one load
 
-/// The share of a limit load above the limit load at which no equilibrium is left nearby.
+/// A load that exceeds a limit load by this share of it has no equilibrium nearby.
 constexpr double kBeyondLimit = 1e-3;
 /// The relative accuracy of limit loads, and the largest number of equilibria to find one.
 constexpr double kLimitWidth = 1e-6;
@@ -110,7 +110,7 @@ class LoadPath::Impl {
         return std::max(prescribed, unknowns_.largest_rotation(guess));
     }
 
-    /// True if only the equilibria at the given loads are wanted, and no losses of stability between them.
+    /// True if no losses of stability between the given loads are wanted, and none seems near.
     [[nodiscard]] bool may_stride() const {
         if (options_.branch != Branch::Primary || options_.locate_critical_loads) return false;
         return point_.outcome.positive_definite() && !is_softened(unknowns_, first_rate_, point_.rate);
@@ -275,8 +275,8 @@ class LoadPath::Impl {
         return Termination::LimitLoad;
     }
 
-    /// Descend in energy from the last equilibrium, a limit load, to a stable equilibrium at this load
-    /// factor.
+    /// Descend in energy from the last equilibrium (a limit load, or an unstable beginning) to a stable
+    /// equilibrium at this load factor.
     Termination snap_to(double factor) {
         Configuration snapped = point_.configuration;
         unknowns_.prescribe(factor, snapped);
@@ -297,13 +297,13 @@ class LoadPath::Impl {
 
     /// Continue the path from a stable equilibrium that was not reached by a short step.
     void continue_from(Configuration configuration, double factor) {
-        // The relative rotations of its elements are unknown.
+        // The relative rotations of the elements are unknown.
         point_ = {std::move(configuration), factor, {}, {}, std::numbers::pi};
         mixed_is_here_ = is_at_rest_ = false;
     }
 
-    /// Begin a path on a branch after a push. If the branch resists one direction far less than the unstable
-    /// equilibrium did, the direction is neutral: a symmetry turns the buckled shape about an axis.
+    /// Begin a path on a branch after a push. If the lowest eigenvalue is below kNeutral times the lost one,
+    /// its direction is neutral: a symmetry turns the buckled shape about an axis.
     void begin_branch(double unstable_eigenvalue) {
         newton_.set_neutral({}, 0.0);
         const LowestMode mode = lowest_mode_here();

@@ -15,11 +15,10 @@ namespace {
 constexpr double kSkewTolerance = 1e-6;
 constexpr int kMostSkewIterations = 60;
 
-/// The size of a step (rotations in rad, displacements in element lengths) that changes nothing but rounding
-/// ...
+/// The size of a step (rotations in rad, displacements in element lengths) that changes nothing but rounding.
 constexpr double kNegligibleStep = 1e-13;
-/// ... and ends the iteration if the residual, which is the error of the reactions, is below this limit. In
-/// short beams beside long beams, the rounding of cancelling forces keeps the residual from falling lower.
+/// Such a step ends the iteration if the residual, which is the error of the reactions, is below this limit.
+/// In short beams beside long beams, the rounding of cancelling forces keeps the residual from falling lower.
 constexpr double kResidualFloor = 1e-4;
 /// The size of displacements (rad, and element lengths) below which they are linear in the load. The first
 /// prediction is then exact, and its residual comes from the rounding of positions in the elements' geometry.
@@ -31,10 +30,10 @@ constexpr double kLinearReach = 1e-7;
 constexpr double kNegligibleMove = 2e-4;
 constexpr double kNegligibleShare = 1e-3;
 
-/// Refinement ends at a step of this share of the solution, ...
+/// Refinement ends if a step is below this share of the solution.
 constexpr double kRefinedStep = 1e-13;
-/// ... or if steps do not shrink by this factor any more, which is due to rounding if the step is below a
-/// share of ...
+/// It also ends if steps no longer shrink by this factor. The cause is rounding if the step is below the
+/// share kLeastRefined; otherwise, there is no solution.
 constexpr double kSlowRefinement = 0.3;
 constexpr double kLeastRefined = 1e-9;
 

@@ -235,8 +235,8 @@ void NonlinearSystem::add_answer(std::size_t index, const Answer& answer, const 
 }
 
 /// Add the terms of moments to the tangent. At vector nodes, these terms are the change of the spin map,
-/// multiplied by the unbalanced moment that the supports carry. At freely turning nodes, they are the skew
-/// part of moments of fixed direction.
+/// multiplied by the unbalanced moment that the supports carry. At nodes with at least two free rotations,
+/// they are the skew part of moments of fixed direction.
 /// @param internal  internal forces of the stresses in the tangent
 void NonlinearSystem::add_moment_terms(const Configuration& configuration, const NodeValues& loads,
                                        const NodeValues& internal) {

@@ -12,7 +12,7 @@
 
 namespace fretwork::mechanics::nonlinear {
 
-/// The equations of nonlinear equilibrium, internal = load factor * loads, and their derivative.
+/// The equations of nonlinear equilibrium, internal forces = loads_at(load factor), and their derivative.
 ///
 /// If unknowns are components of rotation vectors, moments and tangent are transformed to these unknowns. The
 /// tangent is a symmetric matrix, plus small skew blocks at nodes with applied moments of fixed direction and

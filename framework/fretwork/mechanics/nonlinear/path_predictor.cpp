@@ -8,8 +8,8 @@ namespace {
 
 constexpr std::size_t kPoints = 3;
 
-/// The largest ratio of the third equilibrium's correction to the second's correction with which the third is
-/// used. Near a limit load, a polynomial of higher degree overshoots.
+/// The third equilibrium is used only if its correction is at most this share of the second's correction.
+/// Near a limit load, a polynomial of higher degree overshoots.
 constexpr double kSmallCorrection = 0.3;
 
 }  // namespace

@@ -14,12 +14,12 @@ constexpr int kMostCorrections = 15;
 constexpr double kLargestContraction = 2.0;
 
 /// The largest deviation of a move from the mean of the directions at its ends, as a share of each component.
-/// Components that move less than a share (the second constant) of the largest count as this share. With a
-/// larger deviation, the equilibrium is on another branch, or too far away to decide.
+/// A component that moves less than kOwnShare of the largest counts as moving by this share. With a larger
+/// deviation, the equilibrium is on another branch, or too far away to decide.
 constexpr double kUnexplained = 0.3;
 constexpr double kOwnShare = 0.3;
-/// The size of a move (rad, and element lengths) below which it is linear, along the arc, where bends may be
-/// sharp.
+/// Along the arc, where bends may be sharp, only moves below this size (rad, and element lengths) count as
+/// linear.
 constexpr double kRoundedMove = 1e-8;
 /// The smallest cosine of the angle between the directions at the ends of a step: 60 degrees.
 constexpr double kLeastCosine = 0.5;

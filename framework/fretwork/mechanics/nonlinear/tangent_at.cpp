@@ -143,7 +143,7 @@ Eigen::VectorXd EquilibriumTangent::Impl::internal_forces(std::size_t index) con
     return response.force;
 }
 
-/// The change of an element's forces on its nodes along motions, in rows of the structure.
+/// The change of an element's forces on its nodes (6n) along motions of all nodes of the structure.
 MatrixXd EquilibriumTangent::Impl::forces_of(const Element& own, const MatrixXd& motions) const {
     MatrixXd local(std::ssize(own.nodes()) * kDofsPerNode, motions.cols());
     for (Index i = 0; i < std::ssize(own.nodes()); ++i)
@@ -154,8 +154,8 @@ MatrixXd EquilibriumTangent::Impl::forces_of(const Element& own, const MatrixXd&
     return response.tangent * local;
 }
 
-/// Add the terms of the tangent, or of its transpose, that belong to single nodes. At nodes whose rotation
-/// vector is partly held, they refer to the components of the rotation vector.
+/// Add the terms of the tangent, or of its transpose, that belong to single vector nodes. They refer to the
+/// components of the rotation vector.
 void EquilibriumTangent::Impl::add_own_terms(const MatrixXd& motions, nonlinear::Newton::Side side,
                                              MatrixXd& forces) const {
     const double sign = side == nonlinear::Newton::Side::Tangent ? 1.0 : -1.0;

@@ -89,8 +89,8 @@ class Unknowns {
     }
     /// The characteristic length of the elements, m.
     [[nodiscard]] double length() const { return length_; }
-    /// The vector nodes: nodes with unknown or prescribed components of their rotation vector. vector_slot()
-    /// gives the index of a node among them, or -1.
+    /// The vector nodes: nodes whose rotation vector is partly held, or held at other values than zero.
+    /// vector_slot() gives the index of a node among them, or -1.
     [[nodiscard]] const std::vector<int>& vector_nodes() const { return vector_nodes_; }
     [[nodiscard]] int vector_slot(int node) const { return vector_slot_[node]; }
 

@@ -13,9 +13,9 @@ namespace fretwork::mechanics {
 
 /// Options of the geometrically nonlinear solve.
 struct EquilibriumOptions {
-    /// A solution has converged below this residual. If rounding prevents this, as for very short beams
-    /// beside long ones or for a hundred thousand beams, a residual below 1e-4 suffices once steps are below
-    /// 1e-13 (rad and element lengths).
+    /// A solution has converged below this residual. Rounding can prevent this, as for very short beams
+    /// beside long ones, or for a hundred thousand beams. A residual below 1e-4 then suffices once steps are
+    /// below 1e-13 (rad and element lengths).
     double relative_residual = 1e-9;
     /// Largest rotation of a node in a Newton step, rad; longer steps are shortened. There is no line search,
     /// because the residual may grow while membrane forces build up.
@@ -40,14 +40,14 @@ std::vector<double> even_load_factors(int steps);
 /// Newton's method with a consistent tangent and a predictor from the path so far. With Branch::Primary, if
 /// critical loads need not be located and the next load factor is far or the first, a mixed Newton method
 /// reaches it in few long increments. If the path might branch before the next load factor, it is followed by
-/// its arc length [Riks1979] instead, in steps so short that the tangents at both ends predict the move
+/// its arc length [Riks1979] instead. The steps are so short that the tangents at both ends predict the move
 /// between them. Returns one solution for each load factor. If a load factor is not reached, its solution and
 /// all later ones have not converged; they hold the last equilibrium found and its load factor.
 ///
 /// Termination::LimitLoad: the load falls along the path beyond the last equilibrium; the last entry of
 /// Solution::stability_losses is this limit load, unless a snap from it failed. Termination::Diverged: not
 /// even the shortest step continues the path. Termination::IterationsSpent: the load was not reached in 3,000
-/// steps along the path.
+/// steps along the path, or a descent in energy took more than 2,000 steps.
 ///
 /// With Branch::Stable, a structure in an unstable equilibrium is pushed along its lowest mode and descends
 /// in energy to a stable equilibrium, from which the path continues. Solution::stability_losses lists each

@@ -79,7 +79,7 @@ class EquilibriumSolver::Impl {
         options_.classify_stability = is_classifying_ && check == StabilityCheck::Made;
         const bool may_go_on = is_settled_ && assembly.nodes == equations_->assembly.nodes &&
                                !holds_what_has_moved_away(assembly);
-        is_settled_ = has_converged_ = false;  // stays false if a call throws
+        is_settled_ = has_converged_ = false;  // both stay false after an error
         if (may_go_on) {
             starting_point_ = StartingPoint::LastEquilibrium;
             if (auto solution = go_on(assembly, first_iterate)) return std::move(*solution);
@@ -127,7 +127,7 @@ class EquilibriumSolver::Impl {
             equations_ = std::make_unique<Equations>(assembly, options_);
         }
         auto& [own, system, newton, mixed] = *equations_;
-        // Iterations of an attempt from the last equilibrium that was given up.
+        // Drop the iterations of an attempt from the last equilibrium that was given up.
         (void)newton.take_iterations();
         point_ = {system.unknowns().rest(), 0.0, {}, {}, 0.0};
         mixed.begin_at_rest(point_.configuration);
@@ -147,7 +147,7 @@ class EquilibriumSolver::Impl {
     }
 
     /// True if a newly held component is so far from its value that the first step would turn nodes by about
-    /// a radian. An attempt from the last equilibrium is then not worth its factors.
+    /// a radian. An attempt from the last equilibrium is then not worth new factors.
     [[nodiscard]] bool holds_what_has_moved_away(const Assembly& assembly) const {
         const structure::Constraints wanted = structure::constraints_of(assembly);
         const auto& unknowns = equations_->system.unknowns();
@@ -247,7 +247,7 @@ class EquilibriumSolver::Impl {
     /// classify_stability in the caller's options; `options_` has its value for one solution
     bool is_classifying_;
     std::unique_ptr<Equations> equations_;
-    PathPoint point_;                   ///< last equilibrium, if is_settled_
+    PathPoint point_;                   ///< last equilibrium, if is_settled_ or has_converged_
     bool is_settled_ = false;           ///< true if there is a last equilibrium to continue from
     std::optional<Assembly> followed_;  ///< last assembly, if it has no equations
     bool has_converged_ = false;        ///< true if the point is an equilibrium of the last assembly

@@ -19,7 +19,7 @@ enum class StartingPoint {
 /// small change of the loads needs none otherwise.
 enum class StabilityCheck {
     Made,  ///< the stability is checked
-    /// The stability is not checked, and Solution::stability is None, such as while a user drags a load. If
+    /// The stability is not checked, for example while a user drags a load; Solution::stability is None. If
     /// the next check finds an unstable equilibrium, that solution is computed from rest.
     Skipped
 };

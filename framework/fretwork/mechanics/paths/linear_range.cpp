@@ -12,7 +12,8 @@ namespace fretwork::mechanics {
 namespace {
 
 /// The size (rad, or displacement over the size of the elements) to which the linear solution is scaled for
-/// computing forces. Terms of higher order are then a ten-thousandth, and rounding is smaller still.
+/// computing forces. Terms of higher order are then a ten-thousandth of the wanted terms, and rounding is
+/// smaller still.
 constexpr double kSmall = 1e-2;
 
 double largest_translation(const NodeValues& rows) {
@@ -38,7 +39,7 @@ NodeValues internal_forces(const Assembly& assembly, const NodeValues& state) {
     return forces;
 }
 
-/// The mean distance between the nodes of an element.
+/// The mean distance between the first two nodes of an element.
 double element_size(const Assembly& assembly) {
     double sum = 0.0;
     for (const auto& element : assembly.elements) {

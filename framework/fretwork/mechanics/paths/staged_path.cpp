@@ -60,7 +60,7 @@ class StagedPath::Impl {
     }
 
   private:
-    /// The reactions on released components, which a load stage begins with. The moment of a support that
+    /// The reactions on released components, with which a load stage begins. The moment of a support that
     /// holds some components of a rotation can have all components.
     [[nodiscard]] NodeValues reactions_of_released(const HeldValues& held) const {
         NodeValues forces = NodeValues::Zero(last_->reactions.rows(), kDofsPerNode);

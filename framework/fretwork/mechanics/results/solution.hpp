@@ -39,7 +39,7 @@ struct StabilityLoss {
     NodeIndex node;
     /// Component in which the mode is largest; the push is in the positive sense of this component.
     Dof dof = Dof::ux;
-    /// True if the path continues on a stable branch after a push along the critical mode.
+    /// True if the path continues on a stable branch, after a push along the critical mode or after a snap.
     bool pushed = false;
 };
 

@@ -22,8 +22,8 @@ using Index = std::ptrdiff_t;
 constexpr int kBlock = 6;
 /// The number of the panel's columns that update later columns at a time, so that they stay in the cache.
 constexpr int kDepth = 128;
-/// The number of multiplications of a front on which one thread spends about ten times the time of starting
-/// other threads.
+/// The number of multiplications from which a front gets several threads. One thread would take about ten
+/// times as long for them as for starting other threads.
 constexpr double kLargeFront = 5e6;
 
 /// Some columns of a dense matrix: entry (i, j) is values[i + j * stride].
@@ -50,9 +50,8 @@ struct BlockSolve {
     double inverse[kBlock] = {};       ///< inverse of each pivot
 };
 
-/// True if two strips are summed together. With many registers, the sums of two strips fit into them; a
-/// single strip would wait for its own results, because a fused product takes as long as eight others need to
-/// start.
+/// True if two strips are summed together. With many registers, the sums of two strips fit into them. A
+/// single strip would wait for its own results: while one fused product is computed, eight others can start.
 const bool kPairsStrips = base::has_many_registers();
 
 template <class Strip>
@@ -84,8 +83,8 @@ FRETWORK_INLINE void finish_strip(double* target, const Columns& columns, const 
     }
 }
 
-/// Rows [i, i + Strips * kRowsOf<Strip>) of the columns. The order of each sum does not depend on the number
-/// of strips.
+/// Subtract from rows [i, i + Strips * kRowsOf<Strip>) as subtract_rows() does. The order of each sum does
+/// not depend on the number of strips.
 template <class Strip, int Strips>
 FRETWORK_INLINE void subtract_tile(const Columns& columns, Index i, const Product& product,
                                    const BlockSolve* solve) {
@@ -107,8 +106,8 @@ FRETWORK_INLINE void subtract_tile(const Columns& columns, Index i, const Produc
         finish_strip<Strip>(columns.values + i + s * kRowsOf<Strip>, columns, product, solve, sum[s]);
 }
 
-/// Subtract from rows [first, columns.rows) of at most kBlock columns and, if requested, turn them into rows
-/// of L.
+/// Subtract the product from rows [first, columns.rows) of at most kBlock columns and, if requested, turn the
+/// rows into rows of L.
 FRETWORK_INLINE void subtract_rows(const Columns& columns, Index first, const Product& product,
                                    const BlockSolve* solve = nullptr) {
     Index i = first;
@@ -127,7 +126,7 @@ FRETWORK_INLINE void subtract_rows(const Columns& columns, Index first, const Pr
     if (i < columns.rows) subtract_tile<double, 1>(columns, i, product, solve);
 }
 
-/// Pack rows [row, row + kBlock) of the panel's columns [from, to), each times its pivot.
+/// Pack rows [row, row + kBlock) of the panel's columns [from, to), each column times its pivot.
 FRETWORK_INLINE void pack(const Front& front, Index row, Index from, Index to, double* packed) {
     const Index stride = front.width + front.rows;
     const Index count = std::min<Index>(kBlock, stride - row);
@@ -162,7 +161,7 @@ FRETWORK_INLINE Pivots eliminate_diagonal(const Front& front, int first, int cou
     return pivots;
 }
 
-/// Columns [from, to) of the panel, which update later columns at a time.
+/// Columns [from, to) of the panel, which update the later columns together.
 struct Slice {
     Index from;
     Index to;
@@ -204,11 +203,12 @@ FRETWORK_CLONES void pack_later(const Front& front, const Slice& slice, double* 
         });
 }
 
-/// The number of rows in a strip, which updates all columns in turn while it is in the nearest cache.
+/// The number of rows in a strip. Its entries in a slice stay in the nearest cache while all later columns
+/// are updated.
 constexpr Index kStrip = 16;
 
-/// Subtract L D L^T over a slice from one strip of rows of all columns after the slice. Before the first
-/// slice, the content of the rest is ignored.
+/// Subtract L D L^T over a slice from one strip of rows of all columns after the slice. The first slice
+/// overwrites the rest, whatever it contains.
 FRETWORK_CLONES void update_strip(const Front& front, Index row, const Slice& slice, const double* packed) {
     const Index stride = front.width + front.rows;
     const double* left = front.panel + slice.from * stride;

@@ -19,7 +19,7 @@ struct Front {
     double* rest = nullptr;  ///< rows x rows; only the lower triangle is used
 };
 
-/// A run of rows that are neighbours in a front and in the next front, which takes its rest.
+/// A run of rows that are neighbours in a front and in the next front, which takes the first front's rest.
 struct RowRun {
     int from = 0;    ///< first row of the run, counted below the columns of the first front
     int to = 0;      ///< place of this row in the next front

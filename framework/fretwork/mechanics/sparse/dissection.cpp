@@ -17,8 +17,8 @@ using base::at;
 
 /// The largest number of cliques that are not halved any more.
 constexpr std::size_t kLeaf = 2;
-/// The smallest share of the cliques in the smaller half, and the share by which the separator of a cut in
-/// the middle may be larger.
+/// The smallest share of the cliques in the smaller half, and the weight of a cut's distance from the middle
+/// against the size of its separator.
 constexpr double kSmallestPart = 0.35;
 constexpr double kBalance = 1.0;
 
@@ -127,7 +127,7 @@ class Dissection {
         return true;
     }
 
-    /// Find the first and the last clique of each open node.
+    /// Find the places of the first and the last clique of each node.
     void count_places(std::span<const int> cliques) {
         for (const int clique : cliques) {
             for (const int node : nodes_of(clique)) first_[at(node)] = -1;

@@ -27,9 +27,9 @@ struct Cholmod {
     cholmod_common common;
 };
 
-/// The number of nodes above which nested dissection pays off in addition to minimum degree. One limit is for
-/// dissection by places; the other, for dissection by the graph, which takes twenty times as long, if places
-/// are unknown.
+/// The numbers of nodes above which nested dissection pays off in addition to minimum degree. The first is
+/// for dissection by places. The second is for unknown places: dissection by the graph takes twenty times as
+/// long.
 constexpr std::size_t kSomeNodes = 500;
 constexpr std::size_t kManyNodes = 20000;
 

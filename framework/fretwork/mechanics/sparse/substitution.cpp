@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Substitution goes through the supernodes as the factorization does: each supernode takes the updates of its
-// children, in order, and passes its own update to its parent. So threads have the same tasks, and no sum
-// depends on them.
+// children, in order, and passes its own update to its parent. So it uses the same tasks, and no sum depends
+// on the number of threads.
 #include <fretwork/base/index.hpp>
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/mechanics/sparse/ldlt.hpp>

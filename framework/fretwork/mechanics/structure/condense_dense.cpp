@@ -12,7 +12,8 @@ namespace {
 
 using base::at;
 
-/// All dofs, or the dofs of the membrane or of bending, whose inner dofs are eliminated in one dense front.
+/// A set of dofs: all dofs, those of the membrane, or those of bending. Its inner dofs are eliminated in one
+/// dense front.
 class Part {
   public:
     Part(const CondensingTask& task, const DofSet& dofs)

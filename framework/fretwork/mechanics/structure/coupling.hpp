@@ -17,7 +17,8 @@ static_assert(sparse::kBlockSize == kDofsPerNode);
 sparse::NodeGraph coupling_graph(const Assembly& assembly);
 
 /// An element's stiffness (6n x 6n) with its nodes in the order `wanted`. Every block comes from the upper
-/// triangle of `stiffness`, which a layout reads, so sums have the same bits in any order of the nodes.
+/// triangle of `stiffness`, because a layout reads that triangle. So sums have the same bits in any order of
+/// the nodes.
 Eigen::MatrixXd reordered(const Eigen::MatrixXd& stiffness, std::span<const NodeIndex> nodes,
                           std::span<const int> wanted);
 

@@ -53,7 +53,7 @@ FactorizedStructure::FactorizedStructure(const FactorizedStructure& before, cons
     : assembly_(assembly), threads_(before.threads_), constraints_(constraints_of(assembly)) {
     const bool connected_the_same = connect_the_same(before.assembly_, assembly);
     connections_ = connected_the_same ? before.connections_ : connections_of(assembly, control);
-    // If an element has coupled the two problems, it may be the element that was replaced.
+    // If an element has coupled membrane and bending, it may be the element that was replaced.
     const bool has_other_elements = before.assembly_.elements != assembly.elements;
     const bool may_split = !before.split_ && has_other_elements && is_flat(assembly);
     if (connected_the_same && !may_split && before.constraints_.held == constraints_.held) {
@@ -114,8 +114,8 @@ bool FactorizedStructure::add_elements(const base::Control& control) {
     return true;
 }
 
-/// Reorder a stiffness for the layout, which may come from a replaced element with another order of the same
-/// nodes.
+/// Reorder an element's stiffness for the layout. The layout may have the order of nodes of an element that
+/// was replaced.
 void FactorizedStructure::put_in_layout_order(std::size_t element, const Element& own,
                                               Eigen::MatrixXd& stiffness) const {
     const std::span<const int> listed = connections_->graph.cliques[element];
@@ -153,8 +153,8 @@ void FactorizedStructure::share(const FactorizedStructure& before) {
     last_change_ = FactorChange::Kept;
 }
 
-/// Correct the factors for the elements that differ from the factorized elements. False if a new
-/// factorization is cheaper.
+/// Correct the factors for the elements that differ from the factorized elements. False if new factors are
+/// wanted, cheaper or needed.
 bool FactorizedStructure::correct(const FactorizedStructure& before, ElementEdit edit,
                                   const base::Control& control) {
     const std::vector<std::size_t> changed = differing(before.factorized_, assembly_.elements);
@@ -178,8 +178,8 @@ bool FactorizedStructure::correct(const FactorizedStructure& before, ElementEdit
     return true;
 }
 
-/// True if a correction takes less time than a new factorization, by counts of multiplications, without
-/// computing a stiffness.
+/// True if a correction takes less time than a new factorization. The numbers of multiplications decide, so
+/// no stiffness is computed.
 bool FactorizedStructure::is_correction_cheaper(std::span<const Subsystem> systems,
                                                 std::span<const std::size_t> changed) const {
     double correction = 0.0;

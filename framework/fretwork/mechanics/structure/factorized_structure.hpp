@@ -22,15 +22,15 @@ struct HeldEntry {
 enum class ElementEdit {
     /// A correction of the factors if it saves time and keeps their accuracy; otherwise new factors.
     Cheaper,
-    Refactor,  ///< new factors, unless all elements are factorized ones
+    Refactor,  ///< new factors, unless all elements are those of the factors
     /// A correction of the factors, even a slower one, if it keeps their accuracy; otherwise new factors.
     Correct,
 };
 
 /// The factorized linear stiffness of a structure with its supports: one system of equations, or two if the
 /// structure is flat and its elements decouple. The class is a value: after an edit, the new value shares all
-/// valid parts with the old value. It copies the caller's assembly, and shares only the immutable elements
-/// with it.
+/// valid parts with the old value. A value has a copy of the caller's assembly; the two share only the
+/// immutable elements.
 class FactorizedStructure {
   public:
     /// Factorize a structure. Throws NumericalError that names a node if the structure can move without

@@ -30,7 +30,7 @@ class Blocks {
         }
     }
 
-    /// Fill in the rows of these dofs in `result`, which has six rows for each inner node.
+    /// Fill in the rows of these dofs in `result`, which has six rows for each reported inner node.
     void follow(MatrixXd& result) const {
         if (inner_.rows() == 0) return;
         const Eigen::LLT<MatrixXd> factors(inner_);

@@ -14,7 +14,7 @@ namespace fretwork::mechanics::structure {
 namespace {
 
 /// The unbalanced share of the load above which only rounding resists the load. Soft structures leave less: a
-/// cantilever with the largest number of elements 1e-5, very stiff elements beside soft elements 1e-3.
+/// cantilever with the largest number of elements leaves 1e-5, very stiff elements beside soft ones 1e-3.
 constexpr double kUnbalancedShare = 1e-2;
 
 /// For each node, true if elements connect it with `from`.
@@ -37,7 +37,7 @@ std::string place_text(const Eigen::Vector3d& place) {
     return text.data();
 }
 
-/// Throw the error. The most frequent causes are reported first: nothing is held at all, or a connected part
+/// Throw the error. The most frequent causes are tested first: nothing is held at all, or a connected part
 /// has no support.
 [[noreturn]] void refuse(const Assembly& assembly, NodeIndex node) {
     const std::string where = node_text(assembly, node) + ", " + place_text(assembly.nodes[node]);

@@ -19,25 +19,25 @@ using Eigen::VectorXd;
 
 constexpr int kMostIterations = 500;
 
-/// The number of vectors in addition to the wanted vectors, because eigenvalues near the end of the wanted
-/// range converge last.
+/// The number of vectors in addition to the wanted vectors. Eigenvalues near the end of the range converge
+/// last, so the last ones should not be wanted.
 constexpr int kSpareVectors = 8;
 
-/// The ratio to the smallest factor above which a factor is rounding and is not searched.
+/// Load factors 1 / mu above this multiple of the smallest one are rounding, and are not searched.
 constexpr double kReach = 1e8;
 
 /// The start of the first slice, as a share of the smallest factor. The share is not a round number, because
 /// factors of symmetric structures often have simple ratios, and none should lie on the border of two slices.
 constexpr double kStart = 0.73;
 
-/// The energy of a unit combination of vectors with unit energy below which the vectors are dependent.
+/// Vectors of unit energy are dependent if a unit combination of them has less than this energy.
 constexpr double kDependent = 1e-13;
 
 /// The smallest scale of a vector; vectors that vanish stay unchanged.
 constexpr double kNothing = 1e-300;
 
-/// A test whether values have converged: within the tolerance or, if rounding prevents that, within the range
-/// in which rounding lets them wander.
+/// A test whether values have converged: their change is within the tolerance or, if it no longer falls,
+/// within the range of rounding.
 class Settling {
   public:
     Settling() = default;
@@ -59,7 +59,7 @@ class Settling {
   private:
     static constexpr double kTolerance = 1e-11;
     static constexpr double kWandering = 1e-5;
-    static constexpr int kIdle = 60;  ///< number of iterations in which the changes were not halved
+    static constexpr int kIdle = 60;  ///< after so many iterations with no halved change, rounding is left
     VectorXd last_;
     double least_ = std::numeric_limits<double>::max();
     int idle_ = 0;
@@ -98,7 +98,7 @@ struct SubspaceIteration::Slice {
     double lower;
     double upper;
     int count;
-    int size;  ///< size of the subspace, for all factors in (lower / 2, lower + upper / 2] and a few more
+    int size;  ///< size of the subspace, for all factors in (lower / 2, upper + lower / 2] and a few more
 
     [[nodiscard]] bool contains(double mu) const { return mu * lower < 1.0 && mu * upper >= 1.0; }
 };
@@ -113,8 +113,8 @@ SubspaceIteration::Pairs SubspaceIteration::largest_positive(int count) {
         double upper = 2.0 * lower;
         const int below_upper = count_below(upper);
         if (below_upper > below) {
-            // Values farther from the middle of the slice than the width of the slice decay by half or more
-            // in each iteration, and all nearer values are in the subspace.
+            // Factors farther from the middle of the slice than its width decay by half or more in each
+            // iteration. The subspace has room for all nearer factors.
             double near = 0.5 * lower;
             double far = upper + 0.5 * lower;
             const int size = count_below(far) - count_below(near) + kSpareVectors;
@@ -127,7 +127,7 @@ SubspaceIteration::Pairs SubspaceIteration::largest_positive(int count) {
     return {found.values.head(kept), found.vectors.leftCols(kept)};
 }
 
-/// A factor slightly below all positive factors; 0 if there are none.
+/// A factor below all positive factors; 0 if all eigenvalues are nearly zero.
 double SubspaceIteration::find_start() {
     const Pairs extreme = largest(1);
     const double size = extreme.values.size() > 0 ? std::abs(extreme.values[0]) : 0.0;
@@ -137,7 +137,7 @@ double SubspaceIteration::find_start() {
     return start;
 }
 
-/// The number of positive factors below `factor`. If `factor` is one of them, it is moved slightly.
+/// The number of positive factors below `factor`. If K - factor A is singular, `factor` is raised slightly.
 int SubspaceIteration::count_below(double& factor) {
     constexpr double kStepAside = 1.0 + 1e-6;
     constexpr int kMostSteps = 20;

@@ -16,7 +16,7 @@ namespace {
 using detail::ChildProcess;
 
 constexpr const char* kSpent = "spent";
-/// Number of further questions that a program may ask after it was told that its budget is spent.
+/// The largest number of requests that a program may send after the answer `spent`.
 constexpr int kMostAfterSpent = 100;
 constexpr const char* kWhatIsValid = "; valid are 'value' or 'gradient' with a point, and 'done'";
 
@@ -138,7 +138,7 @@ class Conversation {
                             : "a value; " + base::counted(outside, "point") + " lay outside of the bounds";
     }
 
-    /// A command does not say where it stands: it is judged by its best point, which is empty if it has none.
+    /// A command does not report its final point, so its best point is used; empty if there is no best point.
     [[nodiscard]] RunOutcome outcome(Ending ending) const { return {ending, evaluator_.best_point()}; }
 
     const OutsideCommand& method_;

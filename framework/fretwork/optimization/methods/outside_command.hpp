@@ -35,9 +35,9 @@ struct OutsideCommand {
 /// hundred requests after `spent` is killed; its run ends as Ending::Stopped.
 ///
 /// Cost and results are counted as for every method; only the program's processor time is not. A run throws
-/// IoError if the shell cannot be started, and InputError if the shell does not find the program, or if the
-/// program writes anything else, ends too early or with an exit code other than 0, or is done without a
-/// value.
+/// IoError if the shell cannot be started. It throws InputError if the shell does not find the program. It
+/// also throws InputError if the program writes anything else, ends too early or with an exit code other than
+/// 0, or is done without a value.
 OptimizerRow outside_command_row(const OutsideCommand& method);
 
 }  // namespace fretwork::optimization

@@ -11,8 +11,8 @@ namespace fretwork::optimization {
 /// The methods search in the unit box.
 struct PagmoOptions {
     OptimizerOptions common{};  ///< number of starts, and seed
-    /// A run ends if the members of its population differ by less than this number in the objective and in
-    /// the variables (as shares of the box).
+    /// A run ends if the objective differs by less than this number in its population. It also ends if the
+    /// variables (as shares of the box) vary by less than this number.
     double tolerance = 1e-8;
     int largest_generations = 100'000;  ///< largest number of generations in one run
     /// Throws InputError if a value is invalid.

@@ -28,7 +28,7 @@ detail::Scale scale_of(AnnealingVariables variables) {
     return variables == AnnealingVariables::Quantities ? detail::Scale::Quantity : detail::Scale::Variable;
 }
 
-/// One run: the state of the algorithm as published, step by step.
+/// One run of the published algorithm.
 class Annealing {
   public:
     Annealing(const SimulatedAnnealingOptions& options, Evaluator& evaluator, int run)
@@ -90,8 +90,8 @@ class Annealing {
         return options_.bounds == AnnealingBounds::Reflect ? reflected(share) : std::clamp(share, 0.0, 1.0);
     }
 
-    /// The objective after a move of the present point by `wanted` in one variable; nothing once the budget
-    /// is spent.
+    /// The objective at the moved point, or infinity to reject the move; nothing once the budget is spent.
+    /// `wanted` is the share before it is bounded.
     std::optional<double> energy_of(double wanted) {
         const bool is_outside = wanted < 0.0 || wanted > 1.0;
         if (is_outside && options_.bounds == AnnealingBounds::Reject) {

@@ -7,7 +7,7 @@
 namespace fretwork::optimization::study {
 namespace {
 
-/// The number of starts of a method, if it is not one.
+/// A method with more than one start, and its number of starts.
 struct Starts {
     std::string_view method;
     int starts;

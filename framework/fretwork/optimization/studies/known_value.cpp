@@ -16,7 +16,7 @@
 namespace fretwork::optimization::study {
 namespace {
 
-/// The seed of the search for known values; the seeds of runs are hashes.
+/// The seed of the search for known values. It differs from the seeds of runs, which are hashes.
 constexpr std::uint64_t kReferenceSeed = 1'000'003;
 constexpr const char* kKnownHeader = "problem,best_value,scale,found_by";
 

@@ -41,8 +41,8 @@ struct KnownValueOptions {
 std::vector<KnownValue> find_known_values(const std::vector<std::string>& problems,
                                           const KnownValueOptions& options);
 
-/// Replace each known value by the best value in a table of results, if the table's value is lower; it also
-/// becomes the scale. Values that are known in closed form stay. Throws InputError.
+/// Replace each known value by the best value in a table of results, if the table's value is lower. The new
+/// value also becomes the scale. Values that are known in closed form stay. Throws InputError.
 void improve_known_values(std::vector<KnownValue>& values, const std::filesystem::path& results);
 
 }  // namespace fretwork::optimization::study

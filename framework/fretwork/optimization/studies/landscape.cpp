@@ -57,7 +57,7 @@ std::string shares_text(const optimization::Bounds& bounds, const Eigen::VectorX
 std::vector<Descent> descend(const Problem& problem, const Kind& kind, const LandscapeOptions& options) {
     std::vector<Descent> descents(options.descents);
     base::parallel_for(descents.size(), options.threads, [&](std::size_t i) {
-        // A single start with its own seed begins at a uniform random point.
+        // With one start and a seed of its own, each descent begins at a uniform random point.
         const auto report = minimize(problem, *kind.make({.starts = 1, .seed = i + 1}),
                                      {.cost = 100'000, .control = options.control.silent()});
         descents[i] = {report.value, report.cost, report.point};

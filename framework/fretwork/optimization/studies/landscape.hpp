@@ -22,12 +22,12 @@ struct LandscapeOptions {
 
 /// The objectives of problems around their minima, as two tables in CSV.
 struct Landscape {
-    /// The final points of single descents. A descent has one of three kinds: "smoothed", by the default
+    /// The best points of single descents. A descent has one of three kinds: "smoothed", by the default
     /// continuation; "sharp", by only the last stage of the default continuation; "residuals", by Ceres on
     /// the residuals without smoothing.
     std::string descents;
-    /// The objective and the smoothed objectives along each variable, through the best final point of a
-    /// problem.
+    /// The objective and the smoothed objectives along each variable, through the best of all points in
+    /// `descents` of a problem.
     std::string sections;
 };
 

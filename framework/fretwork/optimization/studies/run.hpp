@@ -43,7 +43,7 @@ struct RunRecord {
     /// final point is not known.
     double last_value = 0.0;
     /// Largest component of the distance between the best point and the known optimum, as a share of the box;
-    /// negative: the optimum is not known.
+    /// negative: the optimum is not known, or the run has no best point.
     double distance = -1.0;
     double cpu_seconds = 0.0;  ///< processor time of the thread
     std::string command{};     ///< command of a method that is a program of its own, else empty

@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kRecordDigits = 7;
 
-/// The trace, thinned. A point is kept if the remaining gain until the end of the run is a fifth less than at
-/// the last kept point. So the cost at which a run hits any target is known to this accuracy.
+/// The trace, thinned. A point is kept if the remaining gain until the end of the run is at least a fifth
+/// less than at the last kept point. So the value at any cost is known up to a fifth of the remaining gain.
 std::string thinned(const std::vector<optimization::TracePoint>& trace) {
     constexpr double kShareLeft = 0.8;
     constexpr int kDigits = 12;
@@ -88,7 +88,7 @@ std::string row_fault(const std::vector<std::string>& cells) {
     return is_trace(cells[17]) ? "" : "its trace is not a list of cost:value";
 }
 
-/// What is wrong with the command of a row, which has to be that of its method; empty if nothing is.
+/// The difference between the command of a row and the command of its method; empty if they are equal.
 std::string other_command(const std::string& stored, const RunKey& key,
                           std::span<const Contender> contenders) {
     const auto contender = std::ranges::find(contenders, key.optimizer,
@@ -159,7 +159,8 @@ RunTable::RunTable(std::string_view text, const std::string& source, const RunCo
         throw base::InputError(source, "line 1",
                                "is not the header of a table of runs: " + run_table_header());
     }
-    const std::string_view end = lines.front() == run_table_header() ? "" : ",";  // of an earlier version
+    // Rows of an earlier version lack the last column.
+    const std::string_view end = lines.front() == run_table_header() ? "" : ",";
     for (std::size_t i = 1; i < lines.size(); ++i) {
         if (lines[i].empty()) continue;
         const std::string place = "line " + std::to_string(i + 1);

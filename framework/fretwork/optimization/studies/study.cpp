@@ -37,7 +37,7 @@ std::vector<Task> missing_tasks(const StudyPlan& plan, const RunTable& table) {
 }
 
 /// The problems of a study, each of which is made once, because making a problem takes longer than some runs.
-/// Threads may share the store; one thread can make a problem while others get theirs.
+/// Threads may share the store. While one thread makes a problem, another thread can get another problem.
 class ProblemStore {
   public:
     explicit ProblemStore(const ProblemFamilies& families) : families_(families) {}
@@ -88,7 +88,7 @@ class TableWriter {
         if (Clock::now() >= next_write_) write();
     }
 
-    /// Write the table. Returns the report of the runs that were added, of which `tasks` were to do.
+    /// Write the table, and return the report. `tasks` is the number of runs that the table lacked at first.
     StudyReport finish(std::size_t runs_before, std::size_t tasks) {
         write();
         return {runs_before, runs_done_, tasks - runs_done_, runs_stopped_};
@@ -97,8 +97,8 @@ class TableWriter {
   private:
     using Clock = std::chrono::steady_clock;
 
-    /// Write the table every few seconds, but spend at most a twentieth of the time on it, because a whole
-    /// table has tens of megabytes.
+    /// Write the table, and set the time of the next write: some seconds later, and so late that writing
+    /// takes at most a twentieth of the time. A table may have tens of megabytes.
     void write() {
         constexpr std::chrono::seconds kLeastPause(5);
         constexpr int kPausePerWrite = 19;

@@ -33,8 +33,9 @@ struct Subpath {
 
 Bezier straight(geometry::Point2 from, geometry::Point2 to);
 
-/// An elliptic arc around `center`: the image of the unit circle's arc under x = axes[0] cos t + axes[1] sin
-/// t, cut into pieces of at most 30 degrees, whose error is less than a millionth of the radius.
+/// An elliptic arc: the points center + axes[0] cos t + axes[1] sin t, for t from `start` to `start` +
+/// `sweep`. beziers_of() cuts the arc into pieces of at most 30 degrees, with errors of less than a millionth
+/// of the radius.
 struct Arc {
     geometry::Point2 center;
     std::array<geometry::Point2, 2> axes;
@@ -43,7 +44,7 @@ struct Arc {
 };
 std::vector<Bezier> beziers_of(const Arc& arc);
 
-/// The accuracy to which a polygon follows its curve.
+/// The map to metres, and the largest error of a polygon.
 struct Flattening {
     Affine to_metres{};
     double tolerance;  ///< metres

@@ -16,8 +16,8 @@ struct ColouredPicture {
     std::vector<std::string> colours;
 };
 
-/// The filled shapes of the text of an SVG. `source` names the text in an InputError; a GeometryError is
-/// without it.
+/// The filled shapes of the text of an SVG. `source` names the text in an InputError, but not in a
+/// GeometryError.
 ColouredPicture parse_svg_colours(std::string_view text, const std::string& source);
 
 }  // namespace fretwork::outlines::detail

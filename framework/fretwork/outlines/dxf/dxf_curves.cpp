@@ -61,8 +61,8 @@ DxfDrawn draw_ellipse(const DxfFile& file, const DxfEntity& entity, const Flatte
     return {DxfCurve{std::move(points), DxfCurve::Ends::Open}, ""};
 }
 
-/// A vertex of a polyline. The side after the vertex is an arc; `bulge` is the tangent of a quarter of the
-/// arc's angle.
+/// A vertex of a polyline. The side after the vertex is an arc, unless `bulge` is 0. `bulge` is the tangent
+/// of a quarter of the arc's angle.
 struct Vertex {
     Point2 place;
     double bulge = 0.0;

@@ -14,7 +14,7 @@ namespace {
 using geometry::Polygon;
 
 /// The largest distance at which loose ends are joined, m. In drawings smaller than a thousand times this
-/// distance, a thousandth of their size.
+/// distance, loose ends are joined up to a thousandth of the drawing's size.
 constexpr double kWidestGap = 2e-4;
 constexpr double kGapPerTolerance = kDetail / 1000;
 /// The distance, as a share of the flattening tolerance, below which two ends are one point, because drawings

@@ -109,7 +109,7 @@ std::vector<Gap> gaps_between(const std::vector<LooseEnd>& loose, const JoinedLi
             if (other <= end) return;
             const double width = distance(loose[end].place, loose[other].place);
             const bool is_itself = loose[end].line == loose[other].line;
-            constexpr double kMuchLonger = 4;  // a line that closes on itself is not a short stroke
+            constexpr double kMuchLonger = 4;  // a shorter stroke is not joined to itself
             if (width <= most &&
                 (!is_itself || length_of(joined.lines[loose[end].line]) > kMuchLonger * most))
                 gaps.push_back({width, end, other});

@@ -11,7 +11,7 @@ namespace fretwork::outlines::detail {
 struct JoinedLines {
     /// The given lines without repeated lines, then the lines that close gaps.
     std::vector<geometry::Polygon> lines;
-    std::vector<std::size_t> given;  ///< index of the given line that is equal or nearest to each line
+    std::vector<std::size_t> given;  ///< index of the given line of each line; for a gap, a line at the gap
     int gaps = 0;
     double widest_gap = 0.0;  ///< metres
     int doubled = 0;

@@ -23,8 +23,8 @@ using geometry::Polygon;
 using Halfedge = PlanarMap::Halfedge_handle;
 using Face = PlanarMap::Face_handle;
 
-/// The largest number of rounds. Rounding crossings to doubles may make new crossings; rarely, one more round
-/// is needed, and never many.
+/// The largest number of rounds. Rounding crossings to doubles may make new crossings. One more round
+/// is rarely needed for them, and many rounds never.
 constexpr int kMostRounds = 5;
 
 /// A closed curve with the filled area on its left.

@@ -18,7 +18,7 @@ namespace {
 using geometry::Point2;
 using geometry::Polygon;
 
-/// The angle between two sides at a corner below which they form a slit or a needle for much of their length.
+/// Two sides that enclose a smaller angle at a corner form a slit or a needle for much of their length.
 constexpr double kSharpest = 4e-3;  // radians
 
 struct ByPlace {
@@ -92,7 +92,7 @@ NearThings near_things(const std::vector<Polygon*>& loops, double width) {
 }
 
 /// Cut off each sharp corner where its sides are twice `width` apart, or else at the end of the shorter side.
-/// A corner stays if its sides are nearer to each other even there. Returns the number of corners cut off.
+/// A corner stays if its sides are less than `width` apart even there. Returns the number of corners cut off.
 int blunt(Polygon& points, double width) {
     Polygon blunted;
     int count = 0;

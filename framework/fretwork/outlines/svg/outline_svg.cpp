@@ -112,7 +112,7 @@ void SvgReader::add_closed_line(Polygon points, std::optional<std::size_t> clip)
         lines_drawn_.closed.push_back(std::move(points));
         return;
     }
-    // The clip, as if its elements were filled.
+    // The area inside the line, cut by the clip.
     Picture cut;
     cut.shapes.push_back({.loops = {std::move(points)}, .rule = FillRule::Evenodd, .clip = {}});
     if (clip) cut.shapes.front().clip = copy_clip(picture_, *clip, cut);

@@ -17,9 +17,9 @@ struct SvgPage {
 };
 
 /// The page that the attributes `width`, `height` and `viewBox` of the root describe. If one of `width` and
-/// `height` is not a length, it follows from the other; if none is, the unit of the viewBox is the pixel (96
-/// to an inch). In both cases, a remark states the size. Without any of the three, the page has 300 x 150
-/// pixels.
+/// `height` is not a length, it follows from the other; if neither is a length, the unit of the viewBox is
+/// the pixel (96 to an inch). In both cases, a remark states the size. Without any of the three, the page has
+/// 300 x 150 pixels.
 SvgPage page_of(pugi::xml_node root, const SvgDocument& document, Remarks& remarks);
 
 }  // namespace fretwork::outlines::detail

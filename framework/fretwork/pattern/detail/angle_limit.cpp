@@ -24,7 +24,7 @@ struct RationalCosine {
 constexpr RationalCosine kRationalCosines[] = {{0, 4},    {30, 3},   {45, 2},   {60, 1},  {90, 0},
                                                {120, -1}, {135, -2}, {150, -3}, {180, -4}};
 
-/// The number to about 47 digits: a sum of doubles, each of which is exact.
+/// The number to about 47 digits, as the exact sum of three doubles.
 ExactNumber to_exact(const Float& number) {
     ExactNumber sum(0);
     Float rest = number;

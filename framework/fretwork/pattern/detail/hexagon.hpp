@@ -8,8 +8,8 @@
 
 namespace fretwork::pattern::detail {
 
-/// The scalar product in the regular hexagon of side 1, of vectors in affine coordinates of the base
-/// triangle: v0 v1 and v0 v2 have length 1 and enclose 60 degrees, so it is rational.
+/// The scalar product, in the regular hexagon of side 1, of two vectors in affine coordinates of the base
+/// triangle. The product is rational, because v0 v1 and v0 v2 have length 1 and enclose 60 degrees.
 inline ExactNumber hexagon_dot(const ExactVector& a, const ExactVector& b) {
     return a.x() * b.x() + a.y() * b.y() + (a.x() * b.y() + a.y() * b.x()) / 2;
 }

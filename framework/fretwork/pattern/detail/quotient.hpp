@@ -9,8 +9,9 @@
 
 namespace fretwork::pattern::detail {
 
-/// The reference fan divided by its rotation: one node for each orbit of fan nodes, one edge for each
-/// candidate edge, with the number of sectors by which it advances (its gain).
+/// The reference fan divided by its rotations. It has one node for each orbit of fan nodes (a node and its
+/// rotated copies), and one edge for each candidate edge. The gain of an edge is the number of sectors by
+/// which the edge advances.
 ///
 /// The fan is the covering graph of the quotient: node (orbit, sector) is connected to (orbit', sector +
 /// gain). The center is the only node that is a whole orbit.

@@ -53,8 +53,8 @@ bool cross(const PlacedEdge& left, const PlacedEdge& right) {
 }  // namespace
 
 bool DistanceLimit::is_above(const PlacedEdge& left, const PlacedEdge& right) const {
-    // Coordinates are below 2 and edges longer than 1e-6 (layouts have denominators up to a million), so the
-    // error of this distance is below 1e-8.
+    // Coordinates are below 2, and a rounded share moves the nearest point by less than the edge's length. So
+    // the error of this distance is far below the margin, also for very short edges.
     constexpr double kMargin = 1e-6;
     const double rounded =
         std::sqrt(Segments<double>::square_between_ends(rounded_segment(left), rounded_segment(right)));

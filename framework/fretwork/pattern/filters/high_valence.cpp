@@ -12,9 +12,9 @@ namespace {
 
 using detail::Quotient;
 
-/// The number of beams that one candidate edge, repeated over the fan, adds at a node of an orbit. Every copy
-/// of the edge meets the center. An interface node counts double, because the neighbouring tile adds the same
-/// number.
+/// The number of beams that one candidate edge, repeated over the fan, adds at a node of an orbit. At the
+/// center, all copies of the edge meet. An interface node counts double, because the neighbouring tile adds
+/// the same number.
 int ends_at(const Quotient& quotient, const Quotient::Link& link, int orbit) {
     const int ends = (link.first == orbit ? 1 : 0) + (link.second == orbit ? 1 : 0);
     if (orbit == quotient.center()) return ends * kReferenceSides;

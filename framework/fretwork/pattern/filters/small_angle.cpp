@@ -48,7 +48,7 @@ std::string degrees_text(double radians) {
 }  // namespace
 
 // Paper, Section 4.2, "Fabrication constraints". Two beams that meet in a node of the fan may come from two
-// sectors, and from one edge: an edge and its own rotated copy.
+// sectors. They may also be two rotated copies of one edge.
 Rule make_small_angle(const NodeLayout& layout, double value, const FabricationScale&) {
     const AngleLimit limit(value);
     ConflictTable table(layout);

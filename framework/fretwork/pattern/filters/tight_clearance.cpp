@@ -23,8 +23,8 @@ bool share_a_node(const PlacedEdge& left, const PlacedEdge& right) {
 
 }  // namespace
 
-// Two beams that do not meet in a node must leave a gap of `value` between their flanks. The filter
-// small_angle judges beams that meet in a node.
+// Two beams that do not meet in a node must leave a gap of at least `value` (m) between their flanks. The
+// filter small_angle judges beams that meet in a node.
 Rule make_tight_clearance(const NodeLayout& layout, double value, const FabricationScale& scale) {
     if (!(value >= 0.0) || !std::isfinite(value))
         throw base::InputError("a clearance is zero or more, and " + base::format_number(value) +

@@ -18,7 +18,7 @@ bool contains(Orbits orbits, int orbit) {
     return (orbits >> orbit & 1) != 0;
 }
 
-/// The sector of each orbit's copy on a spanning tree of a part of the quotient, and the gains of its cycles.
+/// For a part of the quotient: the sector of each orbit's node on a lifted spanning tree, and the cycle gain.
 struct Potentials {
     std::array<int, 64> sector{};
     int cycle_gain = 0;  ///< greatest common divisor of all cycle gains and the number of sectors

@@ -15,7 +15,7 @@ CountsBySize product(const CountsBySize& left, const CountsBySize& right) {
     return result;
 }
 
-/// without + x with
+/// `without` + x * `with`
 CountsBySize sum(const CountsBySize& without, const CountsBySize& with) {
     CountsBySize result(std::max(without.size(), with.size() + 1));
     for (std::size_t i = 0; i < without.size(); ++i) result[i] += without[i];

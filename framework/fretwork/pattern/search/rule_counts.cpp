@@ -10,7 +10,7 @@
 namespace fretwork::pattern::detail {
 namespace {
 
-// The largest number of cached results, each of a few hundred bytes.
+// The largest numbers of parts and of states (a few hundred bytes each), and of groups.
 constexpr std::size_t kMostParts = 300'000;
 constexpr std::size_t kMostStates = 200'000;
 constexpr std::size_t kMostGroups = 16;
@@ -45,7 +45,7 @@ std::optional<CountsBySize> count(const CoverRule& rule, int edge_count) {
     return counts;
 }
 
-/// A table that grows edge by edge, from loads on the resources to the numbers of sets with these loads. A
+/// A map from loads on the resources to the numbers of sets with these loads, which grows edge by edge. A
 /// resource that no later edge loads is dropped.
 class LoadTable {
   public:

@@ -19,7 +19,7 @@ class RuleTest {
     std::uint64_t broken(Word edges);
 
   private:
-    /// A conflict, capacity or cover rule as masks.
+    /// A rule. A conflict or a cover rule also has masks.
     struct Compiled {
         const Rule* rule = nullptr;
         std::vector<Word> masks;  ///< the conflicts of each edge, or the groups

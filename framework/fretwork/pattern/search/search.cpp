@@ -114,9 +114,9 @@ typename Search<Word>::Ends Search<Word>::with_edge(int edge) const {
     return {ends_.once | met, ends_.twice | (ends_.once & met) | problem_->double_ends[edge]};
 }
 
-/// False if no valid pattern can lie below a node, because a group has no edge, or because no available edge
-/// can meet a loose end. A loose end is a node inside the tile where only one beam ends; the other end of
-/// that beam is an articulation point.
+/// False if no valid pattern can lie below a node, because a group has no edge left, or because a loose
+/// end meets no available edge. A loose end is a node inside the tile where only one beam ends; the other end
+/// of that beam is an articulation point.
 template <class Word>
 bool Search<Word>::is_hopeful(Word chosen, Word available) const {
     for (const Word group : problem_->groups) {

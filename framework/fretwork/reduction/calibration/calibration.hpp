@@ -36,7 +36,7 @@ struct CalibrationOptions {
 };
 
 /// The result of fitting a tile model to the responses of one pattern. A tile model without parameters is
-/// only compared with them.
+/// only compared with the responses.
 struct Calibration {
     std::string model;       ///< name of the tile model
     std::string optimizer;   ///< name of the optimizer; "none" if nothing is fitted
@@ -46,8 +46,8 @@ struct Calibration {
     /// Weighted contribution of each scenario to E: the sum over the magnitudes in Eq. (8).
     std::vector<double> scenario_errors;
     long evaluations = 0;  ///< cost of the fit, in the unit of the calibration's problem
-    /// Fitted parameters in the order of the model's row (read from a library: by name); empty if nothing is
-    /// fitted.
+    /// Fitted parameters in the order of the model's row (if read from a library, sorted by name); empty if
+    /// nothing is fitted.
     std::vector<NamedValue> parameters;
     std::vector<std::string> at_bound;  ///< names of the parameters at a bound
     /// True if the budget was not spent, and the start that found these parameters met the method's

@@ -70,7 +70,6 @@ UnitDisplacements DifferenceProblem::displacements(const Eigen::VectorXd& point)
     }
 }
 
-/// Derivatives by central differences; at a bound, by one-sided differences.
 UnitDisplacementsAndDerivatives DifferenceProblem::derivatives(const Eigen::VectorXd& point) const {
     UnitDisplacementsAndDerivatives result{displacements(point), {}};
     for (const auto& rows : result.displacements) result.derivatives.emplace_back(rows.size(), point.size());

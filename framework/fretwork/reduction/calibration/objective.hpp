@@ -33,9 +33,9 @@ struct DisplacementGradient {
 ///
 /// E is the sum of w e^2 over scenarios and magnitudes. The error e is a weighted sum of two normalized sums
 /// over the interface nodes: the sum of |d_p - d_r|, and the sum of the angles between the rotations R_p and
-/// R_r. Linear displacements are proportional to the magnitude; linear rotations are taken as rotation
-/// vectors. Samples that did not converge are left out. The setting's sample policy decides whether samples
-/// past the first loss of stability are left out, too.
+/// R_r (p: pattern; r: reduced model). Linear displacements are proportional to the magnitude; linear
+/// rotations are taken as rotation vectors. Samples that did not converge are left out. The setting's sample
+/// policy decides whether samples past the first loss of stability are left out, too.
 ///
 /// E has a kink wherever a norm is zero. With smoothing mu > 0 each norm |a| becomes
 /// sqrt(a^2 + (mu s)^2), where s is the sample's normalizer divided by the number of nodes.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The derivatives of E with respect to the displacements of a linear model, and to the parameters of these
-// displacements.
+// The derivatives of E with respect to the displacements of a linear model, and with respect to the model's
+// parameters.
 #include <fretwork/geometry/rotation.hpp>
 #include <fretwork/reduction/detail/node_motion.hpp>
 
@@ -59,9 +59,9 @@ struct Objective::NodeTerm {
 
     SmoothNorm translation_;
     SmoothNorm rotation_;
-    // The missed rotation vector changes by J_r(itself)^-1 J_r(turn) m du. The first factor leaves the missed
-    // rotation vector unchanged, so the slope is exact without this factor; the curvature takes it as the
-    // identity.
+    // Let m be the magnitude, v = m u the model's rotation vector, a the missed rotation vector, J the right
+    // Jacobian. A change du changes a by J(a)^-1 J(v) m du. J(a)^-1 leaves a unchanged, so the slope of |a|
+    // is exact without this factor. The curvature takes it as the identity.
     Matrix3d rate_;
 };
 
@@ -100,7 +100,7 @@ class Objective::SampleTerms {
 };
 
 /// Sums up derivatives over the samples. Second derivatives of one node under one scenario are summed over
-/// the magnitudes before they meet the model's derivatives, which all magnitudes share.
+/// the magnitudes first, and then multiplied by the model's derivatives, which all magnitudes share.
 class Objective::Differentiation {
   public:
     /// The choice whether second derivatives are computed, too.

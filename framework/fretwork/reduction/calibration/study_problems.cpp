@@ -21,8 +21,8 @@ using optimization::study::ProblemFamilies;
 using optimization::study::StudyProblem;
 
 constexpr int kSyntheticProblems = 12;
-/// The scale of objectives of calibrations, which have no unit; a good fit has an objective of the order of
-/// 1.
+/// The scale of synthetic problems, whose lowest objective is 0. A good fit to a pattern has an objective of
+/// the order of 1.
 constexpr double kUnitOfCalibrations = 1.0;
 
 /// The paper's problem together with the data to which it refers.
@@ -55,7 +55,7 @@ pattern::NodeLayout layout_of(const std::string& pattern_id) {
                                       : pattern::find_node_layout(pattern_id.substr(0, colon));
 }
 
-/// The setting that stands behind a pattern's id, or else the paper's.
+/// The setting named after the '@' of an id; without '@', the paper's.
 Setting setting_of(const std::string& id, const std::string& name,
                    const std::vector<NamedSetting>& settings) {
     const auto at = name.find('@');
@@ -105,8 +105,8 @@ int third_of(std::size_t rank, std::size_t count) {
     return static_cast<int>(3 * rank / count);
 }
 
-/// A stratum for each pattern, by its number of edges and by its third (softer, middle, stiffer) in bending
-/// among patterns with this number.
+/// The stratum of each pattern. Patterns with the same number of edges form three strata of about equal size:
+/// the softest, the middle and the stiffest in bending.
 std::vector<int> strata_of(const std::vector<pattern::Pattern>& patterns) {
     const auto setting = paper_setting();
     std::map<int, std::vector<std::pair<double, std::size_t>>> by_edges;

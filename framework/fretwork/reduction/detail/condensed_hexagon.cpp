@@ -20,7 +20,6 @@ NodeColumns shifted(const NodeColumns& columns, int by) {
     return result;
 }
 
-/// The sixth roots of 1.
 std::array<Complex, kSectors> roots_of_one() {
     std::array<Complex, kSectors> roots;
     for (int d = 0; d < kSectors; ++d) roots[d] = std::polar(1.0, 2.0 * std::numbers::pi * d / kSectors);

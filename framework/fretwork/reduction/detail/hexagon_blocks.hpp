@@ -20,9 +20,9 @@ inline constexpr int kSectors = 6;
 /// r_radial, r_tangential).
 enum class Plane { InPlane, OutOfPlane };
 
-/// The parameters of one plane, in this order: the stiffness of the links along their axes (EA in the plane,
-/// N; GJ out of it, N m^2) and in bending (EI3 in the plane, EI2 out of it, N m^2); the same two of the ring;
-/// theta (rad); R (m).
+/// The number of parameters of one plane. The parameters are, in this order: the stiffness of the links along
+/// their axes (EA in the plane, N; GJ out of it, N m^2) and in bending (EI3 in the plane, EI2 out of it, N
+/// m^2); the same two of the ring; theta (rad); R (m).
 inline constexpr int kPlaneParameters = 6;
 using PlaneParameters = std::array<double, kPlaneParameters>;
 

@@ -13,7 +13,7 @@ namespace {
 
 using mechanics::kDofsPerNode;
 
-/// The largest force on a rigid motion, as a share of the largest entry of the stiffness. The rounding of
+/// The largest force that may resist a rigid motion, as a share of the stiffness's largest entry. Rounding of
 /// condensed tiles (304 patterns of paper7 in hexagons with sides of 26 mm, regular and stretched) leaves
 /// 2e-13 with bars of 2 mm, 2e-11 with 0.2 mm and 2e-7 with 2 micrometres. The softest deformation of these
 /// tiles has 3e-5 with bars of 2 mm.

@@ -17,7 +17,7 @@ using mechanics::CorotationalMotion;
 using mechanics::kDofsPerNode;
 using mechanics::NodeValues;
 
-/// A tile with a linear stiffness in corotating axes. Its beams are unknown.
+/// A tile with a linear stiffness in corotating axes. This class does not know the tile's beams.
 class BodyTile : public TileStructure {
   public:
     explicit BodyTile(mechanics::CorotationalBody::Parts parts)

@@ -48,8 +48,8 @@ struct TileMotion {
 /// The motion of the beams of a tile's pattern, as rows for the nodes of the beams, interface nodes first.
 struct BeamMotion {
     mechanics::NodeValues nodes;  ///< one row for each node, in the surface's axes
-    /// For a tile that is linear in corotating axes: the nodes' small displacements relative to these axes,
-    /// one row for each node, turned back to the tile's place at rest, in the surface's axes. The strains of
+    /// For a tile that is linear in corotating axes: one row for each node, its small displacement relative
+    /// to these axes. The components are in the surface's axes, as if the tile had not turned. The strains of
     /// the beams follow from `in_axes` or, if it is empty, from `nodes`.
     mechanics::NodeValues in_axes{};
     /// Theory by which the strains of the beams follow from the rows.
@@ -110,8 +110,9 @@ std::shared_ptr<const TileStructure> stiffness_tile(Eigen::MatrixXd stiffness,
 BeamMotion condensed_motion(const InnerNodes& inner, const TileMotion& motion);
 /// The gradient of a function of condensed_motion() with respect to the rows of the interface nodes, in the
 /// tile's own axes.
+/// @param turn      rotates the tile's own axes to the surface's axes
 /// @param by_beams  the gradient of the function with respect to the rows of the beams' nodes, in the
-/// surface's axes, to which `turn` rotates the tile's own axes
+/// surface's axes
 mechanics::NodeValues condensed_gradient(const InnerNodes& inner, const Eigen::Matrix3d& turn,
                                          const mechanics::NodeValues& by_beams);
 

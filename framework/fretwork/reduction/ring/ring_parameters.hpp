@@ -12,8 +12,8 @@
 namespace fretwork::reduction {
 
 /// The number of parts. The parts are the quantities that define a ring with links: A (m^2), I2, I3 and J
-/// (m^4) of the links; A, I2, I3 and J of the ring; theta (rad, counterclockwise positive); R (m), the ring's
-/// circumradius if each side has one interface node, in general its size as in ring_tile().
+/// (m^4) of the links; A, I2, I3 and J of the ring; theta (rad, counterclockwise positive); R (m). If each
+/// side has one interface node, R is the ring's circumradius; ring_tile() defines R in general.
 inline constexpr int kRingParts = 10;
 /// The index of theta among the parts.
 inline constexpr int kRingTheta = 8;

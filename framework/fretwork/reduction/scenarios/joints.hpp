@@ -27,11 +27,11 @@ struct BarPlace {
 /// The section and material of the beam that models a bar.
 ///
 /// With Joints::Stiff, the beam is as stiff as a bar with two rigid ends. The total rigid length is
-/// kStiffShare times the joint reach. Let L be the bar's length and l the length of its elastic rest. The
-/// stiffness in stretching and torsion grows by the factor L / l. The stiffness in in-plane bending grows by
-/// the factor (L / l)^3, which is exact for ends that move sideways without turning. The stiffness in
-/// out-of-plane bending does not change, because bars side by side in a joint are together no stiffer than
-/// one by one. The mass does not change either.
+/// kStiffShare times the joint reach. Let L be the bar's length and l the length of its elastic rest, at
+/// least kLeastElasticShare times L. The stiffness in stretching and torsion grows by the factor L / l. The
+/// stiffness in in-plane bending grows by the factor (L / l)^3, which is exact for ends that move sideways
+/// without turning. The stiffness in out-of-plane bending does not change, because bars side by side in a
+/// joint are together no stiffer than one by one. The mass does not change either.
 TileMaterial bar_of(const Setting& setting, const BarPlace& place);
 
 /// The rigid share of the joint reach, from a comparison with solids (experiments/joints).

@@ -137,7 +137,8 @@ Json setting_json(const Setting& setting) {
                  {"magnitudes", setting.magnitudes},
                  {"branch", sample_policy_name(setting.sample_policy)},
                  {"scenarios", Json::array()}};
-    // The key is written only for stiff joints, so a setting with centrelines keeps its text and its hash.
+    // The key is written only for stiff joints, so a setting with centrelines has the same text and
+    // hash as before this key existed.
     if (setting.joints != Joints::Centreline) {
         json["format"] = "fretwork/setting/2";
         json["joints"] = joints_name(setting.joints);

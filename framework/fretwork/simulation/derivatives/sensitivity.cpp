@@ -16,7 +16,7 @@ namespace {
 using mechanics::kDofsPerNode;
 using mechanics::NodeValues;
 
-/// Rows of six as one column.
+/// The rows of nodes as one column.
 Eigen::Map<const Eigen::VectorXd> column_of(const NodeValues& rows) {
     return {rows.data(), rows.size()};
 }
@@ -73,7 +73,7 @@ Sensitivity sensitivity(const Linearization& linearization, const NodeValues& gr
 }
 
 Sensitivity with_energy(Sensitivity by, double weight, double energy) {
-    // dU = e . dK e / 2 where nothing moves: as if the adjoint strains were shorter by e / 2.
+    // At fixed nodes, dU = e . dK e / 2. With dJ = -a . dK e, U has the adjoint strains a = -e / 2.
     for (TileSensitivity& tile : by.tiles) {
         if (tile.strains.size() == 0) continue;
         tile.adjoint_strains -= 0.5 * weight * tile.strains;

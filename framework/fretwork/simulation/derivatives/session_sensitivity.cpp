@@ -32,7 +32,7 @@ void add_at(std::span<const mechanics::NodeIndex> nodes, const Eigen::VectorXd& 
     }
 }
 
-/// Displacements and rotation vectors in axes from which `turn` leads to those that they are given in.
+/// Turn displacements and rotation vectors into a tile's own axes; `turn` leads from these to the surface's.
 Eigen::VectorXd turned_back(Eigen::VectorXd rows, const Eigen::Matrix3d& turn) {
     for (Eigen::Index i = 0; i < rows.size(); i += 3)
         rows.segment<3>(i) = (turn.transpose() * rows.segment<3>(i)).eval();
@@ -79,7 +79,7 @@ NodeValues Session::Impl::energy_gradient(const mechanics::Solution& solution) c
     return gradient.topRows(assembly_.reported_nodes);
 }
 
-/// Zero for components that are free.
+/// Keeps held components; free ones are zero.
 NodeValues Session::Impl::at_held(const NodeValues& rows) const {
     NodeValues held = NodeValues::Zero(rows.rows(), kDofsPerNode);
     const auto keep = [&](mechanics::NodeIndex node, int dof) {
@@ -94,7 +94,7 @@ NodeValues Session::Impl::at_held(const NodeValues& rows) const {
     return held;
 }
 
-/// A tile without nodes of its own answers with one stiffness.
+/// Only a tile that is one element, without inner nodes and beams, has strains.
 TileLinearization Session::Impl::linear_tile(TileIndex tile) const {
     const std::size_t t = tile;
     TileLinearization result;

@@ -20,7 +20,7 @@ using mechanics::SectionForces;
 using PowerSum = mechanics::SectionPoints::PowerSum;
 using tiling::TileIndex;
 
-/// The section forces of both ends by the displacements of both ends.
+/// The matrix from the displacements of both ends to their section forces.
 using ForceMatrix = Eigen::Matrix<double, 2 * kDofsPerNode, 2 * kDofsPerNode>;
 ForceMatrix force_matrix(const mechanics::BeamSection& section) {
     ForceMatrix matrix;
@@ -71,7 +71,7 @@ class TileGradients {
                   std::span<const mechanics::BeamSection> sections, const PowerNorm& norm)
         : session_(session), solution_(solution), beams_(beams), sections_(sections), norm_(norm) {}
 
-    /// By the rows of the tile's interface nodes.
+    /// The gradient with respect to the interface nodes.
     [[nodiscard]] NodeValues of(TileIndex tile) const {
         const auto gradient = session_.motion_gradient(tile, solution_, by_beams(tile));
         if (!gradient)
@@ -83,7 +83,7 @@ class TileGradients {
     }
 
   private:
-    /// By the rows that the beams of the tile answer to.
+    /// The gradient with respect to the motions of the tile's beams.
     [[nodiscard]] NodeValues by_beams(TileIndex tile) const {
         const std::size_t t = tile;
         const auto& tessellation = session_.surface().tessellation;
@@ -143,7 +143,7 @@ SmoothStress smooth_stress(const Session& session, const mechanics::Solution& so
     SmoothStress stress{.value = norm.value(options.exponent), .largest = norm.largest, .gradient = {}};
     const TileGradients tiles(session, solution, beams, sections, norm);
     stress.gradient = gradient_of_sum(session, tiles, solution.displacements.rows(), options.threads);
-    // The sum is relative to the largest stress, which stands as a constant.
+    // The sum is relative to the largest stress, which cancels in `value`, so it is constant here.
     if (norm.sum > 0.0) stress.gradient *= stress.value / (options.exponent * norm.sum);
     return stress;
 }

@@ -50,7 +50,7 @@ JoinedTiles join_tiles(const Surface& surface, std::span<const BuiltTile> tiles,
 class TileRows {
   public:
     struct Surface {
-        std::size_t interface_nodes = 0;   ///< of the surface: its first nodes
+        std::size_t interface_nodes = 0;   ///< number in the surface; they come first
         std::size_t first_inner_node = 0;  ///< of the tile
     };
     TileRows(const std::vector<tiling::InterfaceIndex>& interface_nodes, const Surface& surface)

@@ -38,7 +38,7 @@ void add(const RimSide& side, double length, std::vector<LineBearer>& bearers) {
         bearers.push_back({node, length / static_cast<double>(side.nodes.size())});
 }
 
-/// The sides all of whose nodes lie along one side of the bounding box.
+/// The bearers on rim sides with all of their nodes along one side of the bounding box.
 std::vector<LineBearer> along_side(Side side, const Tessellation& tessellation) {
     const auto picked = select_nodes(NodesAtSide{side}, tessellation);
     std::vector<LineBearer> bearers;
@@ -52,7 +52,6 @@ std::vector<LineBearer> along_side(Side side, const Tessellation& tessellation) 
     return bearers;
 }
 
-/// A place on the rim.
 struct RimPlace {
     std::size_t loop = 0;
     double way = 0.0;  ///< m, from where the closed line begins

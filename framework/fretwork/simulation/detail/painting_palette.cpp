@@ -29,7 +29,7 @@ std::vector<NamedPattern> calibrated_patterns(const library::Library* library) {
 
 using Properties = std::vector<std::pair<std::string, double>>;
 
-/// Those that the library keeps; else they are computed.
+/// The properties in the library or, if it has none, computed ones.
 Properties properties_of(const NamedPattern& pattern, const PaintingGround& ground) {
     if (ground.library != nullptr) {
         try {
@@ -83,7 +83,8 @@ std::vector<tiling::WeightedPattern> weighted_palette(const PaintAtRandom& choic
 std::vector<tiling::GradedPattern> graded_palette(const PaintByField& choice, const PaintingGround& ground) {
     const std::vector<NamedPattern> patterns = palette_of(choice.palette, ground);
     std::vector<tiling::GradedPattern> graded;
-    // In equal parts of 0 to 1 the middle of a pattern's part is nearest; dithering needs both ends.
+    // Without dithering, a pattern's value is the middle of its equal part of 0 to 1. Dithering needs both 0
+    // and 1 as values.
     const auto count = static_cast<double>(patterns.size());
     const bool reaches_ends = choice.dithering != tiling::Dithering::None && patterns.size() > 1;
     for (std::size_t i = 0; i < patterns.size(); ++i) {

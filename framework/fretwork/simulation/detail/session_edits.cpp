@@ -75,7 +75,7 @@ void Session::Impl::set_tile_model(std::span<const TileIndex> tiles, const std::
     surface_.tile_models.resize(surface_.tessellation.tiles.size());
     for (const TileIndex tile : tiles) surface_.tile_models[tile] = name;
     try {
-        options_.validate(surface_);  // steps, say, of a surface that is linear now
+        options_.validate(surface_);  // refuses load steps, say, if all tiles are linear
     } catch (const base::Error&) {
         surface_.tile_models = std::move(before);
         throw;

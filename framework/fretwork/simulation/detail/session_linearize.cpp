@@ -8,7 +8,7 @@ namespace fretwork::simulation {
 
 using tiling::TileIndex;
 
-/// A tile whose model has a stiffness is one element.
+/// A tile with a corotational body is one element, and has strains.
 TileLinearization Session::Impl::linearized_tile(TileIndex tile,
                                                  const mechanics::EquilibriumTangent& tangent) const {
     const std::size_t t = tile;

@@ -31,7 +31,7 @@ void Session::Impl::join(std::vector<detail::BuiltTile> tiles, const base::Contr
     changed_tiles_.clear();
 }
 
-/// False if a tile has other nodes now, or beams: then the structure is joined again.
+/// False if a tile has or had inner nodes or beams, or has a new number of elements: the caller then joins.
 bool Session::Impl::replace_elements(std::span<const TileIndex> tiles,
                                      std::span<const detail::BuiltTile> built) {
     std::vector<mechanics::Elements> replacements;

@@ -11,7 +11,6 @@ namespace {
 
 using reduction::TileStructure;
 
-/// The key of a shared tile.
 std::string key_of(const reduction::TileModel& model, const std::string& pattern, const OwnAxes& axes) {
     std::string key = model.name + '\0' + pattern + '\0';
     key.append(reinterpret_cast<const char*>(axes.steps.data()), axes.steps.size() * sizeof(std::int64_t));
@@ -20,13 +19,13 @@ std::string key_of(const reduction::TileModel& model, const std::string& pattern
 
 }  // namespace
 
-/// A tile that is to be built, or taken from those that are there.
+/// A tile that is to be built, or to be taken from the shared tiles.
 struct TileBuilder::Request {
     const reduction::TileModel* model;
     const pattern::Fan* fan;
     std::vector<double> parameters;
     geometry::Polygon polygon;  ///< in the axes in which the tile is built
-    std::string key;            ///< of a shared tile; empty: none
+    std::string key;            ///< key of a shared tile; empty: not shared
     BuiltTile tile;
 
     [[nodiscard]] std::shared_ptr<const TileStructure> build(const Surface& surface) const {

@@ -50,14 +50,14 @@ class TileBuilder {
     std::vector<BuiltTile> build_all(const Surface& surface, const ModelChoice& choice,
                                      const BuildOptions& options);
 
-    /// A condensed hexagon takes 10 kB; with two interface nodes a side, 41 kB.
+    /// Limit of added tiles. A condensed hexagon takes 10 kB, or 41 kB with two interface nodes a side.
     static constexpr std::size_t kMostUnused = 1000;
     /// The number of kept tiles, used or not.
     [[nodiscard]] std::size_t kept_count() const { return shared_.size(); }
 
     /// The number of tiles built so far; a shared tile counts once.
     [[nodiscard]] std::size_t built_count() const { return built_count_; }
-    /// Forget what is shared: the setting or the calibrations of the surface have changed.
+    /// Forget the shared tiles, because the setting or the calibrations of the surface have changed.
     void forget() { shared_.clear(); }
 
   private:

@@ -14,7 +14,7 @@ struct TileAdjoint {
     Eigen::VectorXd strains;  ///< adjoint strains B l; empty if TileLinearization::strains is empty
 };
 
-/// How J depends on one tile.
+/// The derivatives of J for one tile.
 TileSensitivity tile_sensitivity(const TileLinearization& tile, TileAdjoint adjoint,
                                  const Eigen::Vector3d& gravity);
 

@@ -6,8 +6,8 @@
 namespace fretwork::simulation::detail {
 namespace {
 
-/// The shape of a mode of the full model, with a row for each node of the result. Other models have other
-/// inner nodes, which rest in the drawing.
+/// The shape of a mode of the full model, with a row for each node of the result. If the result is of another
+/// model, it has other inner nodes, and their rows are zero.
 mechanics::NodeValues shape_of_result(const mechanics::NodeValues& shape, const Surface& surface,
                                       const SurfaceResult& result) {
     const auto all = std::ssize(result.nodes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Load cases as JSON inside other documents: projects, results, stages, and the studio's messages.
+// Load cases as JSON inside other documents: projects, results, load stages, and the studio's messages.
 #pragma once
 
 #include <fretwork/base/internal/json_text.hpp>
@@ -32,7 +32,7 @@ inline bool is_circle(const Selection& selection) {
 /// Read a load case as it stands in its own file. Throws InputError with the JSON pointer.
 LoadCase read_load_case(const base::JsonReader& json);
 /// Read a selection of interface nodes as the entries of a load case hold it: exactly one of
-/// kSelectionKeys. Other keys are the caller's to refuse. Throws InputError with the JSON pointer.
+/// kSelectionKeys. The caller refuses other keys. Throws InputError with the JSON pointer.
 Selection read_selection(const base::JsonReader& json);
 /// Add the key of a selection to an entry.
 void write_selection(const Selection& selection, base::Json& json);

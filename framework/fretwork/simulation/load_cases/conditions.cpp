@@ -31,14 +31,14 @@ class EntryPicker {
     const tiling::Tessellation& tessellation_;
 };
 
-/// Which tiles bear an area load, and through which of their nodes.
+/// The tiles with an area load, and the interface nodes that bear it.
 class AreaBearers {
   public:
-    /// Throws InputError if there is none, or a number is out of range.
+    /// Throws InputError as select_nodes(), or if a tile's number is out of range.
     AreaBearers(const LoadCase& load_case, std::size_t entry, const tiling::Tessellation& tessellation)
         : tiles_(tessellation.tiles.size(), true), nodes_(tessellation.interface_nodes.size(), true) {
         const LoadCase::AreaLoad& load = load_case.area_loads[entry];
-        const std::size_t place = load_case.loads.size() + entry;  // files list them behind the others
+        const std::size_t place = load_case.loads.size() + entry;  // in files, area loads come last
         if (const auto* where = std::get_if<Selection>(&load.where)) {
             nodes_.assign(nodes_.size(), false);
             for (const auto node : EntryPicker(load_case, tessellation)(*where, "loads", place))
@@ -70,7 +70,7 @@ std::vector<detail::LineBearer> bearers_of(const LoadCase& load_case, std::size_
                          [&] { return detail::line_bearers(load_case.loads[entry].where, tessellation); });
 }
 
-/// The part of the area of its tiles that each node bears, m2; once for each of these tiles.
+/// Nodes with the areas of tiles that they bear, m2: one entry for each tile of a node.
 std::vector<std::pair<tiling::InterfaceIndex, double>> area_shares(const LoadCase& load_case,
                                                                    std::size_t entry,
                                                                    const tiling::Tessellation& tessellation) {
@@ -87,7 +87,7 @@ std::vector<std::pair<tiling::InterfaceIndex, double>> area_shares(const LoadCas
     return shares;
 }
 
-/// A load per length or area as nodes that bear shares of all of it.
+/// A load per length or area as a whole load, with the nodes' shares of it.
 template <class Parts>
 EntryMarks::Load spread_load(const Parts& parts, const Eigen::Vector3d& per_extent) {
     std::map<tiling::InterfaceIndex, double> extents;
@@ -198,7 +198,7 @@ class Resolver {
 
     const LoadCase& load_case_;
     const Surface& surface_;
-    std::span<const double> masses_;  ///< of the tiles, kg
+    std::span<const double> masses_;  ///< mass of each tile, kg
     EntryPicker picked_;
     Conditions conditions_;
     std::map<std::pair<NodeIndex, mechanics::Dof>, double> prescribed_values_;

@@ -107,7 +107,7 @@ std::optional<Dof> dof_of(const std::string& name) {
     return static_cast<Dof>(place - kDofNames.begin());
 }
 
-/// Refuse the keys of an entry that are neither those of a selection nor its own. Targets put a selection's
+/// Refuse the keys of an entry that are neither those of a selection nor in `own`. Targets put a selection's
 /// keys into "select".
 void allow_beside_selection(const JsonReader& json, std::initializer_list<std::string_view> own) {
     if (json.find("select"))
@@ -321,7 +321,7 @@ LoadCase read_load_case(const JsonReader& json) {
 
 Json load_case_json(const LoadCase& load_case) {
     Json json;
-    // A load case that the first format can express is written in it: other programs read it.
+    // The oldest format that can express the load case is written: older programs read it.
     json["format"] = oldest_format(load_case).name;
     json["name"] = load_case.name;
     json["description"] = load_case.description;

@@ -134,7 +134,7 @@ class Doubts {
             for (const Point2& point : near->points) look_at(point);
     }
 
-    /// A point between the nodes of the rim and a tile's side away from them is near enough.
+    /// Warn about a point more than two mean tile sides away from all interface nodes.
     void look_at(const Point2& point) {
         double distance = box_.diagonal() + std::hypot(point.x, point.y);
         for (const Point2& node : surface_.tessellation.interface_nodes)
@@ -158,7 +158,7 @@ class Doubts {
                               " rad is more than a turn: rotations are in radians");
     }
 
-    /// Against the surface's own weight, where it has one.
+    /// Compare loads with the surface's weight, gravity with the earth's.
     void look_at_loads() {
         constexpr double kMostGravity = 10.0 * mechanics::kStandardGravity;
         constexpr double kMostWeights = 300.0;

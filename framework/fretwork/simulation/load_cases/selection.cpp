@@ -27,7 +27,7 @@ std::vector<InterfaceIndex> nodes_where(const Tessellation& tessellation, const 
     return picked;
 }
 
-/// The interface nodes that only one tile has.
+/// True for each interface node that only one tile has.
 std::vector<bool> rim_nodes(const Tessellation& tessellation) {
     std::vector<int> uses(tessellation.interface_nodes.size(), 0);
     for (const tiling::Tile& tile : tessellation.tiles) {
@@ -38,8 +38,8 @@ std::vector<bool> rim_nodes(const Tessellation& tessellation) {
     return on_rim;
 }
 
-/// How far a point lies from a side of the bounding box is its height above the lowest point, seen from that
-/// side.
+/// The height of a point if `side` is below. Its distance from that side of the bounding box is its height
+/// above the lowest point.
 double height(const Point2& point, Side side) {
     switch (side) {
         case Side::Left:

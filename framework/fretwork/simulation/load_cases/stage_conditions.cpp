@@ -62,7 +62,7 @@ mechanics::StageTarget StageConditions::advance(const LoadStage& stage,
     return target;
 }
 
-/// The components that load cases prescribe may be released, kept or prescribed by the load stage itself.
+/// The load stage itself may release, keep or prescribe components of load cases, so they are not claimed.
 void StageConditions::take_load_cases(const LoadStage& stage) {
     std::set<std::string> named;
     std::map<Place, double> values;
@@ -125,7 +125,7 @@ void StageConditions::prescribe(const LoadCase::PrescribedDisplacement& entry) {
     }
 }
 
-/// The order of the lists in a load stage would matter if two of them named one component.
+/// Refuse a component that two lists of a load stage name, because the order of the lists would matter.
 void StageConditions::claim(const Place& place, std::string_view list) {
     const auto [claim, is_new] = claims_.emplace(place, list);
     if (!is_new && claim->second != list)

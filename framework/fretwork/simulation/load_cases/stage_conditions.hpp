@@ -48,7 +48,7 @@ class StageConditions {
     std::set<Place> supported_;
     std::map<Place, double> held_;              ///< prescribed and kept components, with their values
     std::map<Place, std::string_view> claims_;  ///< list of the present load stage that names the component
-    std::map<std::string, double> factors_;     ///< of the load cases that act
+    std::map<std::string, double> factors_;     ///< factor of each load case that acts
 };
 
 /// The load case that a load stage names, merged with the load cases that it combines. Throws InputError if

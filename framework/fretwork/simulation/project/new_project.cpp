@@ -19,7 +19,7 @@ pattern::NodeLayout chosen_layout(const NewProjectOptions& options, const librar
     return library->layout();
 }
 
-/// The options are checked before, so that what is refused is the outline.
+/// Checks the options first, so that later errors are about the outline.
 tiling::TessellationResult tessellate_named(const std::vector<outlines::Outline>& parts,
                                             const std::string& name, const pattern::NodeLayout& layout,
                                             const tiling::TessellationOptions& options) {

@@ -39,7 +39,8 @@ struct NewProjectOptions {
 };
 
 /// Options of tiles with a wanted mean side, m, and an angle of the rows, rad (none: the most regular). The
-/// smallest side is the width of the setting's bars, or a quarter of the wanted side if this is smaller.
+/// smallest side is mechanics::rectangle_width() of the setting's section, or a quarter of the wanted side if
+/// this is smaller.
 tiling::TessellationOptions tiling_options(const reduction::Setting& setting, double edge_length,
                                            std::optional<double> angle);
 

@@ -24,7 +24,7 @@ std::vector<TileIndex> all_tiles(const Tessellation& tessellation) {
     return tiles;
 }
 
-/// A painting of all tiles, of which some are to be taken.
+/// The part of a painting of all tiles that is for `tiles`.
 Painting part_of(const Painting& painting, std::span<const TileIndex> tiles, std::size_t count,
                  const std::string& file) {
     if (painting.tiles.size() != count)
@@ -36,7 +36,7 @@ Painting part_of(const Painting& painting, std::span<const TileIndex> tiles, std
     return part;
 }
 
-/// The place of a pattern in a list that has each once; added if it is new.
+/// The place of a pattern in a list without repetitions. A new pattern is added.
 int place_in(std::vector<NamedPattern>& patterns, const NamedPattern& pattern) {
     const auto known = std::ranges::find(patterns, pattern);
     const auto place = static_cast<int>(known - patterns.begin());
@@ -44,7 +44,7 @@ int place_in(std::vector<NamedPattern>& patterns, const NamedPattern& pattern) {
     return place;
 }
 
-/// One order to paint some tiles: what they get, by the way in which it is chosen.
+/// Makes the painting of some tiles, with one operator for each kind of choice.
 class Painter {
   public:
     Painter(const Tessellation& tessellation, std::span<const TileIndex> tiles, const PaintingGround& ground)
@@ -98,7 +98,7 @@ class Painter {
         tiles_ = std::move(painted);
         return painting;
     }
-    /// Those that are painted.
+    /// The painted tiles.
     [[nodiscard]] const std::vector<TileIndex>& tiles() const { return tiles_; }
 
   private:
@@ -145,8 +145,8 @@ std::vector<TileIndex> paint(Tessellation& tessellation, const PaintingChoice& c
     const auto tiles = all_tiles(tessellation);
     Painter painter(tessellation, tiles, ground);
     const Painting painting = std::visit(painter, choice);
-    // If every tile is painted again, the palette keeps the given order, without the patterns that are not in
-    // use.
+    // If every tile is painted again, the given palette replaces the old one, in its order, with unused
+    // patterns.
     if (painter.tiles().size() == tiles.size() && !std::holds_alternative<PaintByField>(choice))
         tiling::paint(tessellation, painting);
     else

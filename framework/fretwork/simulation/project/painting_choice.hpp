@@ -54,7 +54,7 @@ struct FieldExpression {
     friend bool operator==(const FieldExpression&, const FieldExpression&) = default;
 };
 
-/// The bytes of a file, for choices that need no file.
+/// The bytes of a file, for choices that do not read it.
 struct FileContent {
     std::string bytes;  ///< content of the file
     friend bool operator==(const FileContent&, const FileContent&) = default;
@@ -90,7 +90,7 @@ struct PaintByColours {
     friend bool operator==(const PaintByColours&, const PaintByColours&) = default;
 };
 
-/// How tiles are painted; monostate: they are not painted.
+/// A way to paint tiles; monostate: they are not painted.
 using PaintingChoice =
     std::variant<std::monostate, PaintOnePattern, PaintFromFile, PaintAtRandom, PaintByField, PaintByColours>;
 
@@ -111,9 +111,9 @@ struct PaintingGround {
     const library::Library* library = nullptr;
 };
 
-/// Paint all tiles by a choice. Returns the painted tiles: all, but with colours only those on a colour of
-/// the palette. Throws InputError that names a file, or an invalid entry of the choice: "patterns",
-/// "palette", "property" or "library".
+/// Paint all tiles by a choice. Returns the painted tiles: all; with colours, those on a colour of the
+/// palette; with monostate, none. Throws InputError that names a file, or an invalid entry of the choice:
+/// "patterns", "palette", "property" or "library".
 std::vector<tiling::TileIndex> paint(tiling::Tessellation& tessellation, const PaintingChoice& choice,
                                      const PaintingGround& ground);
 /// Paint some tiles by a choice; other tiles keep their patterns. Random paintings and fields paint the tiles

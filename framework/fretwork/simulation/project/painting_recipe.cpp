@@ -17,7 +17,8 @@ namespace {
 
 using tiling::TileIndex;
 
-/// A choice with the content of its file, if it has one: what paints is what the recipe keeps.
+/// A choice with the content of its image or drawing, if any. The same content paints and goes into the
+/// recipe.
 struct LoadedChoice {
     explicit LoadedChoice(PaintingChoice given) : choice(std::move(given)) {
         if (auto* field = std::get_if<PaintByField>(&choice)) {
@@ -69,19 +70,19 @@ struct RecipeMaker {
         return std::nullopt;
     }
 
-    /// False if the file is too large. A path means nothing in a project, which may be moved.
+    /// False if the file is too large. Of a path, only the file's name is kept: a project may be moved.
     [[nodiscard]] bool keeps(std::filesystem::path& file, const FileContent& content) const {
         if (is_from_path) file = base::printable(file.filename().string());
         return content.bytes.size() <= kLargestKeptFile;
     }
 
-    /// A library or a painting file may change or go.
+    /// The ids of a palette, because its library or file may change.
     [[nodiscard]] PaletteChoice listed(const PaletteChoice& palette) const {
         return {.ids = pattern::ids_of(detail::palette_of(palette, ground))};
     }
 };
 
-/// Equal choices are one recipe.
+/// Tiles of equal choices share a recipe.
 void add_recipe(Project& project, PaintingChoice choice, const std::vector<TileIndex>& tiles) {
     auto known = std::ranges::find(project.recipes, choice, &PaintingRecipe::choice);
     if (known == project.recipes.end())
@@ -94,7 +95,7 @@ std::optional<PaintingChoice> recipe_of(const LoadedChoice& loaded, const Painti
     return std::visit(RecipeMaker{ground, loaded.is_from_path}, loaded.choice);
 }
 
-/// What follows a painting of a project's tiles.
+/// Update the recipes after tiles have been painted.
 void note_painting(Project& project, const std::vector<TileIndex>& painted, const LoadedChoice& loaded,
                    const PaintingGround& ground) {
     if (painted.empty()) return;

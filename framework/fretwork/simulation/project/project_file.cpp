@@ -102,7 +102,7 @@ outlines::Outline read_part_json(const JsonReader& json) {
     return outlines::make_outline(read_points(json.at("boundary")), std::move(holes));
 }
 
-/// The outlines of all parts, the first one in the members that one part alone has.
+/// The outlines of all parts. The first one has the same keys as the outline of a single part.
 std::vector<outlines::Outline> read_outlines_json(const JsonReader& json) {
     json.allow_only({"boundary", "holes", "further_parts"});
     std::vector<outlines::Outline> outlines{read_part_json(json)};
@@ -280,7 +280,7 @@ struct ChoiceWriter {
         json["colours"] = Json::array();
         for (const auto& [colour, id] : choice.palette) json["colours"].push_back(Json::array({colour, id}));
     }
-    /// Others are no recipes.
+    /// Recipes have no other choices.
     template <class Other>
     void operator()(const Other&) const {
         assert(false);
@@ -328,7 +328,7 @@ Project read_project(const std::filesystem::path& path) {
 
 std::string project_text(const Project& project) {
     Json json;
-    // Older programs read all but surfaces of several parts and recipes.
+    // The oldest format that can express the project is written, for older programs.
     json["format"] = !project.recipes.empty()            ? "fretwork/project/4"
                      : !project.further_outlines.empty() ? "fretwork/project/3"
                                                          : "fretwork/project/2";

@@ -27,7 +27,7 @@ std::string place_of_model(const Project& project, tiling::TileIndex tile) {
 /// library.
 void check_values(std::span<const double> values, const std::string& pattern,
                   const reduction::TileModel& model) {
-    constexpr double kLeast = 1e-100, kMost = 1e100;  // of what any calibration gives
+    constexpr double kLeast = 1e-100, kMost = 1e100;  // beyond all calibrated values
     for (std::size_t i = 0; i < values.size(); ++i) {
         const reduction::TileParameter& parameter = model.parameters[i];
         const bool must_be_positive = parameter.scale == reduction::TileParameter::Scale::Logarithmic;

@@ -27,7 +27,7 @@ class NearestTile {
         for (const TileIndex tile : centers.indices()) sorted_.push_back({centers[tile], tile});
         std::ranges::sort(sorted_, {}, [](const Entry& entry) { return entry.place.x; });
     }
-    /// From the place's x outwards, until a difference in x alone is larger than the distance found.
+    /// Looks to the right, then to the left, until the distance in x alone exceeds the best distance.
     [[nodiscard]] TileIndex operator()(const Point2& place) const {
         const auto begin =
             std::ranges::lower_bound(sorted_, place.x, {}, [](const Entry& entry) { return entry.place.x; });
@@ -76,7 +76,7 @@ int drop_numbers(std::vector<Entry>& entries) {
     return static_cast<int>(std::erase_if(entries, is_by_number<Entry>));
 }
 
-/// An entry of a file has one row for each of its components.
+/// An entry of a file is one row for each prescribed component.
 int drop_numbers(std::vector<LoadCase::PrescribedDisplacement>& rows) {
     int entries = 0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -105,7 +105,7 @@ int drop_area_numbers(std::vector<LoadCase::AreaLoad>& loads) {
     }));
 }
 
-/// Gives the number of loads of which no new tile comes.
+/// Returns the number of removed loads: no new tile bears them.
 int carry_tile_loads(std::vector<LoadCase::AreaLoad>& loads, const FromTiles& from) {
     return static_cast<int>(std::erase_if(loads, [&](LoadCase::AreaLoad& load) {
         auto* tiles = std::get_if<LoadCase::AreaLoad::Tiles>(&load.where);
@@ -194,7 +194,7 @@ RetiledProject retile(const Project& project, const RetilingOptions& options,
     if (library != nullptr) library->check_layout(tiles.layout);
     CarriedOver carried = carry_over(project, tiles);
     Project& next = carried.project;
-    // Colours of a drawing leave tiles as they are that lie beside them.
+    // With colours, tiles beside the drawing keep their patterns.
     const bool leaves_tiles = std::holds_alternative<std::monostate>(options.painting) ||
                               std::holds_alternative<PaintByColours>(options.painting);
     if (leaves_tiles) apply_recipes(next, library);

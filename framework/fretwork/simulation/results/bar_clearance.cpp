@@ -25,14 +25,14 @@ double distance(const Segment& a, const Segment& b) {
     return std::min({distance(a[0], b), distance(a[1], b), distance(b[0], a), distance(b[1], a)});
 }
 
-/// The bars as they lie in the plane, and which of them lie near each other.
+/// The axes of the bars in the plane, and a search for close pairs.
 class PlaneBars {
   public:
     explicit PlaneBars(const SurfaceBeams& beams) : beams_(beams) {
         for (std::size_t b = 0; b < beams.ends.size(); ++b) segments_.push_back(segment_of(b));
     }
 
-    /// Those whose axes are nearer than `reach`, with what is then left between bars of this width.
+    /// The pairs of bars with axes nearer than `reach`, and the gaps between bars of this width.
     [[nodiscard]] std::vector<CloseBars> close(double reach, double width,
                                                const base::Control& control) const {
         std::vector<geometry::Box> boxes;
@@ -59,7 +59,7 @@ class PlaneBars {
         return {place(beams_.ends[bar][0]), place(beams_.ends[bar][1])};
     }
 
-    /// Between the axes; of bars that meet, between the far end of one and the other.
+    /// The distance between the axes; if bars meet, between the far end of one and the other bar.
     [[nodiscard]] double distance_of(std::size_t bar, std::size_t other) const {
         for (std::size_t i = 0; i < 2; ++i) {
             for (std::size_t k = 0; k < 2; ++k) {

@@ -39,7 +39,7 @@ struct BeamTable {
     std::optional<double> strength{};  ///< strength behind the utilizations, Pa
     reduction::Joints joints{};        ///< joints of the setting
     mechanics::SectionShape shape{};   ///< shape of the section behind the stresses
-    /// False: `shape` is the rectangle with the section's area and second moments.
+    /// False: `shape` is the rectangle with the section's radii of gyration.
     bool is_shape_given = false;
     /// The utilization of a beam: the largest von Mises stress divided by the strength. None if the strength
     /// is not known.
@@ -47,8 +47,8 @@ struct BeamTable {
 };
 
 /// The table of a result, with the strength of the setting's material, if the setting has one. Throws
-/// InputError if the result does not belong to the surface, or if a tile model of the result is not in
-/// `models`.
+/// InputError if the numbers of nodes show that the result is not of the surface, or if a tile model of the
+/// result is not in `models`.
 BeamTable beam_table(const Surface& surface, const SurfaceResult& result,
                      std::span<const reduction::TileModel> models = reduction::tile_models());
 

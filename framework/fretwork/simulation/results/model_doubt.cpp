@@ -10,7 +10,7 @@
 namespace fretwork::simulation {
 namespace {
 
-/// Whether small differences may have decided where a path leads.
+/// True if small differences may have decided where a path leads.
 bool has_critical_places(const mechanics::Solution& end) {
     return end.iterations > kDoubtfulIterations || !end.stability_losses.empty();
 }

@@ -10,7 +10,7 @@ namespace fretwork::simulation {
 
 namespace {
 
-/// The solution at the end of one stage; without the subject, which is that of the whole path.
+/// The solution at the end of one load stage, without the subject, because that is of the whole path.
 SurfaceResult end_of_stage(const SurfaceResult& result, std::size_t stage) {
     SurfaceResult end;
     end.nodes = result.nodes;
@@ -19,7 +19,7 @@ SurfaceResult end_of_stage(const SurfaceResult& result, std::size_t stage) {
     return end;
 }
 
-/// m, of all interface nodes.
+/// Norm over all interface nodes, m.
 double translation_norm(const SurfaceResult& result) {
     double squares = 0.0;
     for (std::size_t i = 0; i < result.nodes.size(); ++i) {

@@ -18,7 +18,7 @@ namespace {
 using tiling::Tessellation;
 using tiling::Tile;
 
-/// Values of one size, as bytes.
+/// Hash the count and bytes of values.
 template <class Value>
 void update(base::Sha256& hash, const std::vector<Value>& values) {
     static_assert(std::is_trivially_copyable_v<Value>);
@@ -26,7 +26,7 @@ void update(base::Sha256& hash, const std::vector<Value>& values) {
     hash.update({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value)});
 }
 
-/// How many vertices lie before the one with the smallest number.
+/// The number of vertices before the one with the smallest index.
 std::ptrdiff_t first_place(const Tile& tile) {
     return std::ranges::min_element(tile.vertices) - tile.vertices.begin();
 }
@@ -65,7 +65,7 @@ std::string model_text(const Surface& surface, const SimulationOptions& options)
     return text;
 }
 
-/// The models that `model_text` names: the first is that of the tiles without their own.
+/// The models in a model_text(); the first is the model of tiles without their own tile model.
 std::vector<std::string> named_models(const std::string& text) {
     std::vector<std::string> names;
     for (const std::string& part : base::split(text, ';')) {
@@ -76,7 +76,7 @@ std::vector<std::string> named_models(const std::string& text) {
     return names;
 }
 
-/// The load case without what changes no displacement.
+/// The load case without description, which changes no displacement.
 std::string content_of(const std::string& load_case_text) {
     LoadCase load_case = parse_load_case(load_case_text, "the load case of a result");
     load_case.description.clear();

@@ -16,7 +16,7 @@ struct RefinedStress {
     std::vector<tiling::TileIndex> full_tiles{};  ///< tiles with all of their beams, ascending
     int solutions = 0;                            ///< number of solutions, the first one included
     /// True if all tiles around the most stressed beam have all of their beams. False if an equilibrium was
-    /// not found before.
+    /// not found or no stress is known.
     bool is_settled = false;
 };
 
@@ -25,7 +25,7 @@ std::vector<tiling::TileIndex> tiles_around(const Surface& surface, const BeamRo
 
 /// Solve a session of reduced tiles repeatedly, because stresses peak at few places, and reduced tiles smooth
 /// the peaks. After each solution, the tiles around the most stressed beam get all of their beams. The
-/// refinement ends if they have them already. The session keeps the changed tile models.
+/// refinement ends if these tiles already have all of them. The session keeps the changed tile models.
 ///
 /// @param full_tiles  the tiles with all of their beams in the first solution
 RefinedStress refine_stress(Session& session, std::vector<tiling::TileIndex> full_tiles,

@@ -21,7 +21,6 @@ using tiling::TileIndex;
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// The numbers of the painted tiles.
 std::vector<TileIndex> painted_tiles(const tiling::Tessellation& tessellation) {
     std::vector<TileIndex> painted;
     for (std::size_t t = 0; t < tessellation.tiles.size(); ++t) {
@@ -38,7 +37,7 @@ tiling::TessellationFan painted_fan(const Surface& surface, std::span<const Tile
     return tiling::assemble_fans(surface.layout, part);
 }
 
-/// How far the joints reach along all beams, tile by tile.
+/// The joint reaches of all beams, tile by tile.
 std::vector<double> reaches_of(const Surface& surface, std::span<const TileIndex> painted) {
     std::map<std::pair<int, std::size_t>, pattern::Fan> fans;  // by pattern and number of sides
     std::vector<double> reaches;
@@ -55,7 +54,7 @@ std::vector<double> reaches_of(const Surface& surface, std::span<const TileIndex
     return reaches;
 }
 
-/// Where the parts of all tiles begin, from where those of the painted ones do.
+/// The starts of all tiles, from the starts of the painted tiles in `fan`.
 std::vector<SurfaceBeams::Start> starts_of(const tiling::Tessellation& tessellation,
                                            const tiling::TessellationFan& fan) {
     std::vector<SurfaceBeams::Start> starts;
@@ -72,13 +71,13 @@ std::vector<SurfaceBeams::Start> starts_of(const tiling::Tessellation& tessellat
     return starts;
 }
 
-/// Adds the values of the tiles, one by one.
+/// Writes the values of tiles, also in parallel.
 class StateWriter {
   public:
     StateWriter(const Surface& surface, const SurfaceBeams& beams,
                 std::span<const mechanics::BeamSection> sections, BeamState& state)
         : tessellation_(surface.tessellation),
-          bar_(surface.setting.section),  // with which stiff joints have nothing to do
+          bar_(surface.setting.section),  // own section, which stiff joints do not change
           beams_(beams),
           sections_(sections),
           state_(state) {}
@@ -143,7 +142,7 @@ BeamState state_of(const StateRequest& request, const mechanics::Solution& solut
     return state;
 }
 
-/// The tiles of a result that was read, built again.
+/// The tiles of a result from a file, built again.
 class ReadTiles {
   public:
     struct Origin {
@@ -204,7 +203,7 @@ class ReadTiles {
     std::span<const reduction::TileModel> models_;
     const SurfaceResult& result_;
     std::vector<detail::BuiltTile> tiles_;
-    std::vector<std::size_t> starts_;  ///< for each tile the first of its inner nodes, and their number
+    std::vector<std::size_t> starts_;  ///< first inner node of each tile; last, the number of all nodes
 };
 
 }  // namespace

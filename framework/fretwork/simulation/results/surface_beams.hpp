@@ -60,8 +60,8 @@ BeamState beam_state(const Session& session, const mechanics::Solution& solution
 /// The state of the beams in a result from a file. The tiles are built with the main model and the full tiles
 /// of the result's subject, and with the surface's own tile models; all must be rows of `models`. A result
 /// without a subject counts as one of the full model if it has a row for each node of the beams; otherwise,
-/// values are NaN but at the interface nodes. Throws InputError if the numbers of nodes show that the result
-/// does not belong to the surface with these tile models.
+/// all values but the displacements of interface nodes are NaN. Throws InputError if the numbers of nodes
+/// show that the result does not belong to the surface with these tile models.
 BeamState beam_state(const Surface& surface, const SurfaceResult& result, const SurfaceBeams& beams,
                      std::span<const mechanics::BeamSection> sections,
                      std::span<const reduction::TileModel> models = reduction::tile_models());

@@ -6,7 +6,7 @@
 namespace fretwork::simulation {
 namespace {
 
-/// Every beam of every tile.
+/// The assembly with every beam.
 mechanics::Assembly full_assembly(Surface surface, const LoadCase& load_case, const base::Control& control) {
     surface.tile_models.clear();
     const Conditions conditions = resolve(load_case, surface);

@@ -87,7 +87,6 @@ Json subject_json(const ResultSubject& subject) {
     return json;
 }
 
-/// A SHA-256.
 std::string read_hash(const JsonReader& reader) {
     constexpr std::size_t kDigits = 64;
     std::string hash = reader.string();

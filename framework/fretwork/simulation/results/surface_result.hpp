@@ -43,9 +43,9 @@ struct ModelError {
     /// the largest utilization. None if stresses of beams are unknown (BeamTable::unknown), or if the better
     /// solution could not be refined around the largest stress (RefinedStress::is_settled).
     std::optional<double> largest_stress{};
-    /// The error is the difference from a better solution (model_error.hpp). This share of the tiles has all
-    /// of its beams there. 1: the numbers above are the error itself; below 1, they may be too small. 0 if a
-    /// file does not state it.
+    /// The share of tiles with all of their beams in the better solution (model_error.hpp). The error is the
+    /// difference from that solution. 1: the numbers above are the error itself; below 1, they may be too
+    /// small. 0 if a file does not state the share.
     double full_share = 0.0;
     friend bool operator==(const ModelError&, const ModelError&) = default;
 };
@@ -67,9 +67,9 @@ struct SurfaceResult : mechanics::Result {
     std::optional<ResultSubject> subject{};  ///< subject of the result; results of Session::solve() have none
     /// For linear solutions, if the options ask for it.
     std::optional<mechanics::LinearRange> linear_range{};
-    /// For linear solutions of tiles with fitted parameters, together with linear_range. An interface node
-    /// moves differently with condensed tiles: this is the largest distance between its two places, as a
-    /// share of the largest displacement with condensed tiles.
+    /// For linear solutions of tiles with fitted parameters, together with linear_range: the largest distance
+    /// between an interface node here and in the linear solution with condensed tiles, as a share of the
+    /// largest displacement there.
     std::optional<double> fit_error{};
     /// For nonlinear results of reduced tiles, if SimulationOptions::estimate_where_doubtful asks for it.
     std::optional<ModelDoubt> model_doubt{};

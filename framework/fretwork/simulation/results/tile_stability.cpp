@@ -14,7 +14,7 @@ namespace {
 using mechanics::NodeIndex;
 using mechanics::NodeState;
 
-/// The nodes' states without the mean turn and the mean displacement, which no beam feels.
+/// The nodes' states without the mean turn and the mean displacement, which cause no strain.
 std::vector<NodeState> local_states(std::span<const Eigen::Vector3d> places,
                                     std::span<const NodeState> states) {
     Eigen::Vector4d mean_turn = Eigen::Vector4d::Zero();

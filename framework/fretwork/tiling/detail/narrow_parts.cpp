@@ -15,8 +15,8 @@ using geometry::Polygon;
 
 // Distance of points on the boundary, as a share of the width that counts as narrow.
 constexpr double kSampling = 0.05;
-constexpr double kLeastCut = 1.0;     // smallest area cut off, over the square of the cut's length
-constexpr double kSharpCut = 0.9;     // smallest area of a sharp tip, in the same unit: a tip of 31 degrees
+constexpr double kLeastCut = 1.0;     // smallest area cut off, over the square of the width at the cut
+constexpr double kSharpCut = 0.9;     // smallest area of a tip, over the cut's squared length: 31 degrees
 constexpr double kStraightCut = 1.2;  // largest length of a cut over the width at the cut
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
@@ -151,7 +151,7 @@ std::vector<NarrowPlace> narrow_places(const outlines::Outline& outline, const N
 
 namespace {
 
-/// A cut from one point of the rim to another, which removes the points after `to`, between the two.
+/// A cut between two points of the rim. It removes the points after `to` and before `from`.
 struct TipCut {
     double area;
     PointIndex from;

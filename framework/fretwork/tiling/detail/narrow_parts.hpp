@@ -22,11 +22,11 @@ struct NarrowLimits {
     double least_area = 0.0;
 };
 
-/// The places where the outline is narrow, the narrowest first: a band, a limb, a sharp tip, the land between
-/// two holes. The boundary is sampled densely and triangulated; inner edges of the triangulation run across
-/// the shape. Such an edge is at a narrow place if the part that it cuts off is at least as large as the
-/// square of the width there, or if it cuts off no part. The corner of a wide plate is not narrow, because
-/// the edge cuts off too little.
+/// The places where the outline is narrow (a band, a limb, a sharp tip, the land between two holes), the
+/// narrowest first. The boundary is sampled densely and triangulated; inner edges of the triangulation run
+/// across the shape. Such an edge is at a narrow place if the part that it cuts off is at least as large as
+/// the square of the width there, or if it cuts off no part. The corner of a wide plate is not narrow,
+/// because the edge cuts off too little.
 std::vector<NarrowPlace> narrow_places(const outlines::Outline& outline, const NarrowLimits& limits,
                                        const base::Control& control);
 
@@ -44,7 +44,7 @@ struct BluntLimits {
 
 /// Cut off the ends of tips sharper than 31 degrees, and of hairs: dead ends so long and narrow that no tile
 /// fits into them. `limits` bound the removed areas. The parts that are cut off stay uncovered.
-/// @param narrow_width  m; points on the rim are a twentieth of this apart
+/// @param narrow_width  m; points on the rim are at most a twentieth of this apart
 BluntOutline blunt(const outlines::Outline& outline, double narrow_width, const BluntLimits& limits,
                    const base::Control& control);
 

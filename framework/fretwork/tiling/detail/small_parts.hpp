@@ -25,7 +25,7 @@ CleanOutline without_negligible_points(const outlines::Outline& outline, double 
 /// that almost touches the boundary, a hole that is almost a point. No tile fits there, and triangles between
 /// such stretches have no usable angles. Two stretches are different if the way between them along the
 /// outline is at least a tenth of `edge`, or a quarter of their loop if that is less. Throws GeometryError
-/// that names the place, the width and the smallest width allowed; Stopped.
+/// that names the place, the width and the smallest width allowed. Throws Stopped.
 void check_small_parts(const outlines::Outline& outline, double edge, const base::Control& control);
 
 }  // namespace fretwork::tiling::detail

@@ -19,16 +19,16 @@ namespace {
 using geometry::Point2;
 
 constexpr int kSearchRounds = 6;
-constexpr double kFinestFactor = 0.45;       // finer sites give tiles of another size
+constexpr double kFinestFactor = 0.45;       // smallest share of the start's factor that is tried
 constexpr double kGoodSideError = 0.008;     // ends the search for the density
 constexpr double kAcceptedSideError = 0.01;  // below, regularity decides
-/// The same limit if the wanted side differs from place to place, when its mean is matched less closely.
+/// kGoodSideError where wanted sides differ from place to place. Their mean is matched less closely.
 constexpr double kGoodGradedError = 0.06;
 constexpr int kRegularizingIterations = 60;
 constexpr int kRepairs = 4;  // rounds of collapsing short sides
 constexpr int kRepairIterations = 30;
 constexpr int kEveningIterations = 40;
-constexpr std::size_t kMostToRemove = 12;  // more defects are left to smaller tiles
+constexpr std::size_t kMostToRemove = 12;  // largest number of defects to mend by removing tiles
 constexpr double kRemovedShare = 1e-3;     // share of the outline's area that one removed tile may uncover
 /// A search for the factor (distance of sites over wanted side) avoids the range kNearFactor around a tried
 /// factor whose sides were farther off than kFarRatio. Both are differences of logarithms.
@@ -75,7 +75,7 @@ class Tiler {
     Tiler(const TilingProblem& problem, const Start& start, SharedTask& task)
         : problem_(problem), start_(start), task_(task) {}
 
-    /// A first sketch of the tiles, with sites at this multiple of the wanted side from each other.
+    /// A first sketch of the tiles. Neighbouring sites are `factor` times the wanted side apart.
     [[nodiscard]] Dual sketch(double factor) const {
         const Spacing spacing{problem_.field, factor};
         const Rim rim = sample_rim(problem_.outline, spacing, task_.control());
@@ -84,8 +84,8 @@ class Tiler {
                                        rough_iterations(problem_.options), task_));
     }
 
-    /// The tiles for sites at this multiple of the wanted side from each other, made as regular as possible.
-    /// The candidate lists their defects.
+    /// The tiles around sites that are `factor` times the wanted side apart, made as regular as possible. The
+    /// candidate lists the defects of the tiles.
     [[nodiscard]] Candidate tiles(double factor) const {
         const Spacing spacing{problem_.field, factor};
         const Rim rim = sample_rim(problem_.outline, spacing, task_.control());
@@ -233,8 +233,8 @@ Sketch make_sketch(const TilingProblem& problem, const Start& start, SharedTask&
 
 namespace {
 
-/// True if the first of two densities of one start is better: with fewer defects or, if equal, with better
-/// sides.
+/// True if the first of two densities of one start is better: by the side error above kAcceptedSideError,
+/// then by defects, then by the side error.
 bool is_better_density(const Candidate& first, const Candidate& second) {
     const auto key = [](const Candidate& candidate) {
         return std::tuple(candidate.dual.cells.empty(), std::max(candidate.side_error, kAcceptedSideError),

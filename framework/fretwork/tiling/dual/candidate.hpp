@@ -13,7 +13,7 @@ namespace fretwork::tiling::detail {
 /// The source of the sites: a triangular lattice at an angle, or isotropic remeshing if there is no angle.
 struct Start {
     std::optional<double> lattice_angle{};
-    /// The distance of neighbouring sites in the first attempt, as a multiple of the wanted side.
+    /// The distance of neighbouring sites in the first round, as a multiple of the wanted side.
     double factor = 0.0;
     [[nodiscard]] std::string name() const;
 };
@@ -26,8 +26,9 @@ struct TilingProblem {
     QualityLimits limits;
     /// Approximate number of tiles if an outline with holes needs small tiles; 0 for all other outlines.
     double refined_tiles = 0.0;
-    /// True if each attempt takes seconds because of the number of tiles. Then fewer lattices are sketched,
-    /// and a distance of sites is not tiled if its sketch has sides far from the wanted ones.
+    /// True if each tiling takes seconds because of the number of tiles. Then fewer lattices are sketched. A
+    /// distance of sites is sketched first, and is tiled in full only if the sides of the sketch are near the
+    /// wanted sides, or in the last round.
     [[nodiscard]] bool has_many() const { return refined_tiles > 3000.0; }
 };
 

@@ -6,7 +6,6 @@
 namespace fretwork::tiling::detail {
 namespace {
 
-/// Call body with each side of each cell.
 template <class Body>
 void for_each_cell_side(const Dual& dual, const base::Control& control, const Body& body) {
     for (std::size_t c = 0; c < dual.cells.size(); ++c) {

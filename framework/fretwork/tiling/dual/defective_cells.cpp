@@ -44,8 +44,8 @@ class Removal {
         return vertex(from).loop.is_valid() && vertex(from).loop == vertex(to).loop;
     }
 
-    /// The union of the neighbour and the cell; empty if it is not convex. An end of the shared side that no
-    /// third cell has is left out if the union is not convex at this end.
+    /// The union of the neighbour and the cell; empty if it is not convex. If the union is not convex at an
+    /// end of the shared side, this end is left out, provided that no third cell has it.
     [[nodiscard]] Cell union_with(const Shared& shared) const {
         Cell merged = union_of(dual_.cells[cell_], dual_.cells[shared.other], shared.side);
         for (const DualVertexIndex end : {shared.side.from, shared.side.to}) {

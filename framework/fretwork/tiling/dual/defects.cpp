@@ -14,7 +14,7 @@ namespace {
 using geometry::Point2;
 using geometry::Polygon;
 
-/// The share of the area that may stay uncovered, above which an uncovered place is named.
+/// An uncovered place is named if it is above this share of the area that may stay uncovered.
 constexpr double kNotableShare = 0.02;
 
 /// The areas between a stretch of a curve and the straight line through its ends, on the right and on the
@@ -128,7 +128,7 @@ class Comparison {
         if (line.size() < 3 || !seen.insert(loop).second)
             return note(DefectKind::Torn, vertex(line.front()).place);
         const ClosedCurve& curve = rim_.curves[loop];
-        // Other vertices lie on the straight line between their neighbours.
+        // A vertex that divides a side may lie on the line between its neighbours instead.
         std::vector<DualVertexIndex> on_curve;
         std::ranges::copy_if(line, std::back_inserter(on_curve), [&](DualVertexIndex v) {
             return !vertex(v).divides_side || distance(curve.at(vertex(v).along), vertex(v).place) == 0;

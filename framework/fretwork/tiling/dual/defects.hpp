@@ -39,11 +39,11 @@ struct Shape {
     double outside_share = 0.0;  ///< area of the tiles outside the outline, over the outline's area
 };
 
-/// Compare the tiles with the outline. Exact tests check that tiles are convex, that they share whole sides,
-/// at most two tiles to a side, and that sides connect all tiles. Exact tests also check that the rim of the
-/// tiles is one simple curve for the boundary and one for each hole, and that these curves do not cross. If
-/// all tests are passed, the tiles cover the inside of their rim exactly once and have the outline's
-/// topology. Short sides, sharp angles and uncovered areas are tested in floating point.
+/// Compare the tiles with the outline. Exact tests check that tiles are convex and share whole sides,
+/// that at most two tiles share a side, and that sides connect all tiles. Exact tests also check that the
+/// rim of the tiles is one simple curve for the boundary and one for each hole, and that these curves do not
+/// cross. If all tests are passed, the tiles cover the inside of their rim exactly once and have the
+/// outline's topology. Short sides, sharp angles and uncovered areas are tested in floating point.
 Shape compare_with_outline(const Dual& dual, const Rim& rim, const SizeField& field,
                            const QualityLimits& limits, const base::Control& control);
 

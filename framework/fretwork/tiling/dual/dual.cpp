@@ -178,7 +178,7 @@ class DualBuilder {
 
     /// Put the ends of the sides between tiles on the outline around b, in order. Side j lies between sites j
     /// and j + 1, and site `middle` (or the middle side) lies at b. No side ends beyond half of the way to
-    /// the next point of the rim.
+    /// the next or the previous point of the rim.
     void end_sides_beside(PointIndex b, const Fan& fan, double middle) {
         const auto count = static_cast<double>(fan.faces.size()) - 2;  // number of sides
         const double most = std::max(middle, count - middle);
@@ -228,10 +228,10 @@ class DualBuilder {
     const Triangulation& triangulation_;
     const SharedTask& task_;
     base::IndexVector<PointIndex, TriangleIndex> first_triangles_;  // a triangle of each point
-    base::IndexVector<PointIndex, PointIndex> previous_;            // of each point of the rim
+    base::IndexVector<PointIndex, PointIndex> previous_;            // previous point of each point of the rim
     Dual dual_;
     base::IndexVector<TriangleIndex, DualVertexIndex> side_ends_;  // vertex that each triangle gives
-    base::IndexVector<PointIndex, Corner> corners_;                // of each point of the rim
+    base::IndexVector<PointIndex, Corner> corners_;                // corner of each point of the rim, if any
 };
 
 }  // namespace

@@ -56,7 +56,7 @@ Polygon nearest_regular_polygon(const Polygon& polygon, const std::vector<Comple
 constexpr double kPullingAngle = 40 * std::numbers::pi / 180;
 // Share of the cell's mean side; cells with a shorter side get a growing weight.
 constexpr double kPullingSide = 0.4;
-/// The angle above which an angle counts as straight, because rounding may make it reflex.
+/// A turn() below minus this angle counts as straight, because rounding may make a straight angle reflex.
 constexpr double kStraight = 170 * std::numbers::pi / 180;
 constexpr double kHarder = 1.2;  // factor of the weight in each iteration
 constexpr double kHardest = 10;

@@ -24,7 +24,7 @@ Point2 weighted_centroid(const Polygon& polygon, std::span<const double> sides) 
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const std::size_t next = (i + 1) % polygon.size();
         const double side = (sides[i] + sides[next]) / (sides[0] + sides[1]);
-        // A density h^-4 of the centroid gives tiles of size h.
+        // Centroids with a density of h^-4 give tiles of size h.
         const double weight =
             cross(polygon[i] - middle, polygon[next] - middle) / (side * side * side * side);
         sum = sum + (weight / 3) * (polygon[i] + polygon[next] + middle);

@@ -11,8 +11,8 @@ namespace fretwork::tiling::detail {
 /// The sides that belong to one cell only, as closed lines of vertices.
 struct DualRim {
     std::vector<std::vector<DualVertexIndex>> lines;
-    /// Vertices at which the rim touches itself, one end of each side that more than two cells have or two
-    /// cells have in the same direction, and ends of lines that are not closed.
+    /// Vertices at which the rim touches itself, and ends of lines that are not closed. Also one end of each
+    /// side that more than two cells have, or that two cells have in the same direction.
     std::vector<DualVertexIndex> knots;
 };
 

@@ -15,7 +15,7 @@ constexpr double kShort = 0.4;  // share of the wanted side, or of the mean side
 // Factor on the smallest side allowed, because sides change a little afterwards.
 constexpr double kMargin = 1.05;
 
-/// A side that is too short, with the tiles that have it.
+/// A side that is too short. It is on the rim if only one tile has it.
 struct ShortSide {
     double length;
     DualVertexIndex from;

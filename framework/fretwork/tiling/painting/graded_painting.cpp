@@ -9,7 +9,7 @@
 namespace fretwork::tiling {
 namespace {
 
-/// For each of some tiles, the indices of the tiles among them that share an interface node with it.
+/// For each tile of a list, the positions in the list of the tiles that share an interface node with it.
 std::vector<std::vector<std::size_t>> neighbours_of(const Tessellation& tessellation,
                                                     std::span<const TileIndex> tiles) {
     std::vector<std::vector<std::size_t>> neighbours(tiles.size());

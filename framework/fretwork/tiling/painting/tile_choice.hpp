@@ -22,7 +22,7 @@ std::vector<TileIndex> parse_tiles(std::string_view text, const Tessellation& te
 
 /// The tiles in a box, its edge included; empty if there are none.
 std::vector<TileIndex> tiles_in(const geometry::Box& box, const Tessellation& tessellation);
-/// The tiles in a circle, whose line belongs to the circle; empty if there are none.
+/// The tiles in a circle, its edge included; empty if there are none.
 std::vector<TileIndex> tiles_in(const geometry::Circle& circle, const Tessellation& tessellation);
 /// The tiles in a polygon; empty if there are none.
 std::vector<TileIndex> tiles_in(const geometry::Polygon& polygon, const Tessellation& tessellation);

@@ -34,7 +34,7 @@ std::size_t InsideTest::band_of(double place) const {
     return static_cast<std::size_t>(std::clamp(band, 0.0, static_cast<double>(sides_.size() - 1)));
 }
 
-/// True if a ray from the point, across the direction of the bands, crosses the side.
+/// True if the ray from the point along its band crosses the side.
 bool InsideTest::is_crossed(Point2 from, Point2 to, Point2 point) const {
     if ((along(from) > along(point)) == (along(to) > along(point))) return false;
     const bool is_left = cross(to - from, point - from) > 0;

@@ -26,7 +26,7 @@ constexpr double kMargin = 0.2;  // share of the edge
 /// split the rim.
 constexpr double kLongestOfRim = 1.3;  // share of the edge
 
-/// The property map of a mesh's vertices for isotropic_remeshing. Each access checks for a stop.
+/// The property map of a mesh's vertices for isotropic_remeshing. Each read access checks for a stop.
 struct WatchedPlaces {
     using Places = Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_3>;
     using key_type = Mesh::Vertex_index;
@@ -46,8 +46,8 @@ struct WatchedPlaces {
     reference operator[](key_type vertex) const { return get(*this, vertex); }
 };
 
-/// The property map of the patches of faces, with a single patch. Each access checks for a stop, also while
-/// only edges are flipped.
+/// The property map of the patches of faces, with a single patch. Each read access checks for a stop, also
+/// while only edges are flipped.
 struct OnePatch {
     using key_type = Mesh::Face_index;
     using value_type = std::size_t;

@@ -23,7 +23,6 @@ struct Place {
     bool is_corner;
 };
 
-/// Samples one curve.
 class Sampler {
   public:
     Sampler(const ClosedCurve& curve, const Spacing& spacing) : curve_(curve), spacing_(spacing) {}

@@ -14,7 +14,7 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 struct FaceInfo {
-    int depth = -1;            // number of rims between the face and infinity; odd: inside
+    int depth = -1;            // number of loops between the face and infinity; odd: inside
     TriangleIndex triangle{};  // index of a face inside
 };
 struct VertexInfo {
@@ -29,7 +29,7 @@ using Delaunay =
                                                CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
                                                CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
-/// Count, for every face, the rims between the face and infinity.
+/// Count, for every face, the loops between the face and infinity.
 void mark_depths(Delaunay& delaunay, const SharedTask& task) {
     std::deque<Delaunay::Face_handle> open{delaunay.infinite_face()};
     delaunay.infinite_face()->info().depth = 0;

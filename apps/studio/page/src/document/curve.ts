@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From a curve that is drawn over the side view to a target. A surface bends far more than it stretches: what lies at some
-// length along the surface is wanted at that length along the curve.
+// From a curve that is drawn over the side view to a target. A surface bends far more than it stretches, so a
+// node at some length along the surface is wanted at that length along the curve.
 
 import type { FreeVector, Point } from '../protocol/messages';
 import type { TargetEntry } from './target';
@@ -35,7 +35,7 @@ export function placeAlong(curve: readonly Point[], length: number): Point | nul
 const nearest = (nodes: readonly SideNode[], [x, z]: Point): SideNode =>
   nodes.reduce((best, one) => (Math.hypot(one.now[0] - x, one.now[1] - z) < Math.hypot(best.now[0] - x, best.now[1] - z) ? one : best));
 
-/** The target of the nodes that the curve reaches, from the node where it begins on; null if it reaches none. */
+/** The target of the nodes along the curve, from the node nearest to its start; null if it reaches none. */
 export function targetOfCurve(drawn: readonly Point[], nodes: readonly SideNode[], axis: SideAxis): TargetEntry | null {
   if (drawn.length < 2 || nodes.length === 0) return null;
   const first = nearest(nodes, drawn[0]);

@@ -8,7 +8,7 @@ import type { Designed, Designing } from '../protocol/messages';
 export const designing = signal<Designing | null>(null);
 /** The misfit after each better painting, from the first to the best so far. */
 export const misfits = signal<readonly number[]>([]);
-/** The result of the painting that is shown; null once it is another one. */
+/** The result of the painting that is shown; null once another painting is shown. */
 export const designed = signal<Designed | null>(null);
 
 export function takeDesigning(message: Designing): void {

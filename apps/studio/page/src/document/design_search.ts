@@ -38,5 +38,5 @@ export async function runDesign(): Promise<void> {
   if (!(await tryAsk('design', designRequest()))) designing.value = null;
 }
 
-/** The best painting so far stays. */
+/** Stops it; the best painting so far stays. */
 export const stopDesign = (): void => void ask('stop_design').catch(() => undefined);

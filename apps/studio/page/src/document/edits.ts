@@ -22,7 +22,7 @@ export const newGesture = (what: string): string => `${what}-${++gestures}`;
 /** An edit that changes nothing is answered, and no event follows. */
 const hasChanged = (answer: { unchanged?: boolean } | null): boolean => answer !== null && !answer.unchanged;
 
-/** Resolves to whether the surface is another one now. */
+/** Resolves to true if the surface has changed. */
 async function sendPaint(request: PaintRequest): Promise<boolean> {
   const answer = await tryAsk('paint', request);
   for (const remark of answer?.remarks ?? []) tell(remark, 'warning');
@@ -33,14 +33,14 @@ async function sendPaint(request: PaintRequest): Promise<boolean> {
 
 export const paint = (tiles: readonly number[], pattern: string): void => void sendPaint({ tiles, pattern });
 
-/** In the words of `fretwork paint`; which pattern each tile gets is the program's to say. */
+/** In the words of `fretwork paint`. The program decides which pattern each tile gets. */
 export interface PaintingChoice {
   patterns: string;
   palette: readonly string[];
   /** The file that `image:` reads. */
   file?: SentFile;
 }
-/** The selected tiles, or all. */
+/** Paints the selected tiles, or all. */
 export function paintBy({ patterns, palette, file }: PaintingChoice): void {
   const chosen = [...selectedTiles.peek()];
   void sendPaint({ tiles: chosen.length ? chosen : undefined, patterns, palette: palette.join(','), file });
@@ -73,7 +73,7 @@ export function editLoadCase(change: (present: LoadCase) => Partial<LoadCase>, m
   return tryAsk('set_load_case', { index, load_case: stated({ ...present, ...change(present) }), merge });
 }
 
-/** Without what the program has worked out of it. */
+/** A load case without its marks, which the program computes. */
 function stated({ marks: _, ...load_case }: LoadCase & Partial<SentLoadCase>): LoadCase {
   return load_case;
 }
@@ -85,7 +85,7 @@ export const combine = (name: string, factor: number): void =>
     return { combines: factor === 0 ? rest : [...rest, { load_case: name, factor }] };
   });
 
-/** Resolves when the effect of an edit on the surface is seen, be it provisionally, or an error is shown. */
+/** Resolves when the effect of an edit is shown, if only provisionally, or when an error is shown. */
 async function seen(edit: () => Promise<boolean>): Promise<void> {
   const [done, shown] = [settled(), shownAnew()];
   const changing = edit();
@@ -96,7 +96,7 @@ async function seen(edit: () => Promise<boolean>): Promise<void> {
 const drag = new Latest<{ change: (present: LoadCase) => Partial<LoadCase>; merge: string }>(async ({ change, merge }) => {
   await seen(() => editLoadCase(change, merge).then(hasChanged));
 });
-/** As editLoadCase, while something is dragged: the next one is sent when the last one is seen, be it provisionally. */
+/** As editLoadCase, for drags: an edit is sent when the last one is shown, if only provisionally. */
 export const dragLoadCase = (change: (present: LoadCase) => Partial<LoadCase>, merge: string): void => drag.push({ change, merge });
 
 const settingDrag = new Latest<{ setting: Setting; merge: string }>(async (request) => {
@@ -121,7 +121,7 @@ export function strokeTo(tiles: readonly number[], pattern: string, merge: strin
   strokes.push({ merge });
 }
 
-/** The brush may have changed between two strokes that wait. */
+/** By pattern: the brush may have changed between two strokes that wait. */
 function byPattern(painted: ReadonlyMap<number, string>): Map<string, number[]> {
   const groups = new Map<string, number[]>();
   painted.forEach((pattern, tile) => groups.set(pattern, [...(groups.get(pattern) ?? []), tile]));
@@ -132,7 +132,7 @@ const replaced = <T>(list: readonly T[] | undefined, index: number, entry: T): T
   (list ?? []).map((old, i) => (i === index ? entry : old));
 const without = <T>(list: readonly T[] | undefined, index: number): T[] => (list ?? []).filter((_, i) => i !== index);
 
-/** Hold nodes; what held them before, lets them go. A support on a side, in a box or in a circle stays that where the new one fixes as much. */
+/** Holds nodes. Earlier supports let them go; one by side, box or circle stays if the new fixes as much. */
 export function hold({ where, nodes }: { where: Selection; nodes: readonly number[] }, fixed: Support['fixed'], held: readonly number[][]): void {
   const taken = new Set(nodes);
   const isWithin = (support: Support) => isRule(support) && support.fixed.every((dof) => fixed.includes(dof));

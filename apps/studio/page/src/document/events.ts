@@ -16,7 +16,7 @@ import { W } from '../words';
 type Awaited = { of: 'solved'; info: Solved } | { of: 'compared' } | { of: 'modes' } | null;
 let awaited: Awaited = null;
 
-/** The line was cut: what it had announced does not come. */
+/** For a new connection: what the old one announced does not come. */
 export function forgetAwaited(): void {
   awaited = null;
 }
@@ -78,7 +78,7 @@ function take(message: ServerEvent): void {
   }
 }
 
-/** Rows of seven numbers, or written out. */
+/** Reactions are rows of seven numbers, or written out. */
 function reactionOf(row: Reaction | number[]): Reaction {
   if (!Array.isArray(row)) return row;
   const [node, fx, fy, fz, mx, my, mz] = row;
@@ -103,7 +103,7 @@ function forget(next: StudioDocument): void {
   forgetMaking();
 }
 
-/** Numbers of tiles and nodes mean others on other tiles. */
+/** Numbers of tiles and nodes have no meaning on other tiles. */
 function forgetNumbers(): void {
   target.value = [];
   selectedTiles.value = new Set();
@@ -116,7 +116,7 @@ function forgetMaking(): void {
   lookedAt.value = null;
 }
 
-/** Forgets the paint ahead of the server that is now in the document. */
+/** Forgets the pending paint that is now in the document. */
 function confirmPainting(): void {
   const now = store.documentNow.value as StudioDocument;
   const ahead = [...pending.value].filter(([tile, pattern]) => (now.palette[now.painting[tile]] ?? '') !== pattern);

@@ -22,7 +22,7 @@ export async function base64(file: Blob): Promise<string> {
   return btoa(text);
 }
 
-/** Says what went wrong. */
+/** Gives a file, or shows why not. */
 async function give(name: string, make: () => Promise<Blob | null>): Promise<void> {
   try {
     await giveFile(name, make);
@@ -55,7 +55,7 @@ export interface ExportRow {
   words: string;
   made?: Made;
 }
-/** Our words for kinds of file that people know; others come with the program's. */
+/** Our words for kinds of file that people know; others have the program's words. */
 const KNOWN: ExportRow[] = [
   { ending: 'html', title: W.files.webPage, words: W.files.theBentSurfaceIn },
   { ending: 'glb', title: W.files.gltf, words: W.files.movingForSlides },
@@ -81,11 +81,11 @@ export function offered(): ExportRow[] {
   return rows.filter(({ ending }) => ending !== 'png').sort((a, b) => place(a) - place(b));
 }
 
-/** Files hold the answer to the load. A mode, or a step on the way to the load, is only to be seen here. */
-/** Files that move show all of the way. */
+/** Animated files show the whole load path. */
 const MOVES = 'glb';
 const STEPS = '30';
 
+/** Files hold the result under the full load: modes, and steps on the way to it, are only shown here. */
 function isAnotherShape(ending: string, made?: Made): boolean {
   const now = shapes.peek();
   if (ending === MOVES && now?.kind === 'path') return false;
@@ -99,7 +99,7 @@ export async function exportTo({ ending, made }: ExportRow): Promise<void> {
     tell(W.files.filesContainTheResult, 'error');
     return;
   }
-  // The page's address may say more than the token, which is not of the file.
+  // The page's address may hold more than the token. Only the token belongs to the request.
   const query = new URLSearchParams({ token: new URLSearchParams(location.search).get('token') ?? '' });
   query.set('to', `${stem()}.${ending}`);
   if (ending === MOVES) query.set('steps', STEPS);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Folders on the machine of the server, for who opens or saves a project there.
+// Folders on the server's machine, for opening and saving projects there.
 
 import { signal } from '@preact/signals';
 import type { FolderListing } from '../protocol/requests';
@@ -17,7 +17,7 @@ export interface FolderQuestion {
   /** The folder that is shown first; left out: the document's. */
   folder?: string;
 }
-/** The panel that is open, and what takes the path; null: none. */
+/** The open panel, and the function that takes its path; null: none is open. */
 export const folderAsked = signal<(FolderQuestion & { answer: (path: string | null) => void }) | null>(null);
 /** What the panel shows; null while it loads. */
 export const folderNow = signal<FolderListing | null>(null);
@@ -25,7 +25,7 @@ export const folderTrouble = signal<string | null>(null);
 
 const ENDINGS = ['.json'];
 
-/** Shows a folder; a later call overtakes an earlier one. Where it cannot be read, the last one stays, with the reason. */
+/** Shows a folder; a later call overtakes an earlier one. If it cannot be read, the present folder stays. */
 let latest = 0;
 export async function goTo(path?: string): Promise<void> {
   const mine = ++latest;
@@ -46,7 +46,7 @@ export async function askForPath(question: FolderQuestion): Promise<string | nul
   return path;
 }
 
-/** A name as typed, in a folder: a whole path stays one, and the file ends with .json. */
+/** The path of a typed name in a folder: an absolute path stays as it is, and .json is added if missing. */
 export function pathOf(typed: string, folder: string | undefined): string | null {
   const name = typed.trim();
   if (!name) return null;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // All loads of the selected load case times one factor: forces, moments, weight, prescribed displacements, and the
-// factors of load cases that act as well. The loads at a factor of 1 are remembered, so that 0 is not the end of them.
+// factors of load cases that act as well. The loads at a factor of 1 are kept: they come back after 0.
 
 import { computed, signal } from '@preact/signals';
 import { DOFS, type Load, type LoadCase, type Prescribed, type Vector } from '../protocol/messages';
@@ -10,7 +10,7 @@ import { loadCase } from './store';
 type Loads = Pick<LoadCase, 'loads' | 'prescribed' | 'gravity' | 'combines'>;
 
 export const MOST_FACTOR = 2;
-/** Of the numbers of a load case: what is scaled and scaled back is the same but for rounding. */
+/** A relative difference of numbers below this is rounding: they may have been scaled and scaled back. */
 const ROUNDING = 1e-12;
 
 /** Never -0. */
@@ -49,7 +49,7 @@ const base = signal<{ name: string; loads: Required<Loads> } | null>(null);
 const numbersOf = (value: unknown): number[] =>
   typeof value === 'number' ? [value] : typeof value === 'object' && value ? Object.values(value).flatMap(numbersOf) : [];
 
-/** The factor of some loads that others have; null: they are no multiple of them. */
+/** The factor between `loads` and the present ones; null: these are no multiple of them. */
 function factorOf(present: Required<Loads>, loads: Required<Loads>): number | null {
   const sizes = (one: Required<Loads>): number[] => [...one.loads.flatMap(({ force, moment, per_area, per_length }) => numbersOf([force, moment, per_area, per_length])),
     ...one.prescribed.flatMap((entry) => DOFS.flatMap((dof) => numbersOf(entry[dof]))), ...one.gravity, ...one.combines.map(({ factor }) => factor)];
@@ -65,16 +65,16 @@ function knownFactor(now: LoadCase | null): number | null {
   return now && known && now.name === known.name ? factorOf(scaledLoads(now, 1), known.loads) : null;
 }
 
-/** How many times the loads at first the present ones are; 1 of others. */
+/** The present loads as a multiple of the remembered ones; 1 if they are none. */
 export const loadFactor = computed<number>(() => knownFactor(loadCase.value) ?? 1);
 
-/** Before the factor changes: the loads that it is a factor of. */
+/** Remembers the loads before the factor changes, unless they are known. */
 export function beginFactor(): void {
   const now = loadCase.peek();
   if (now && knownFactor(now) === null) base.value = { name: now.name, loads: scaledLoads(now, 1) };
 }
 
-/** While it is slid; one slide is one step of undo. */
+/** Sets the factor while it is slid; one slide is one step of undo. */
 export function slideFactor(factor: number, merge: string): void {
   const loads = base.peek()?.loads;
   if (loads) dragLoadCase(() => scaledLoads(loads, factor), merge);

@@ -10,10 +10,10 @@ export type FieldName =
 
 export const field = signal<FieldName>('displacement');
 const ON_BARS: Partial<Record<FieldName, string>> = { N: 'N', T: 'T', M2: 'M2', M3: 'M3', V2: 'V2', V3: 'V3', von_mises: 'von_mises', stress: 'stress', utilization: 'von_mises' };
-/** The values shown for the bar under the pointer. */
+/** The fields shown for the bar that was clicked. */
 export const ALL_ON_BARS = ['N', 'V2', 'V3', 'T', 'M2', 'M3', 'stress', 'von_mises'];
 const isBarProbed = computed(() => probed.value?.kind === 'beam');
-/** The fields of bars, by the server's names, that the present colours need, or the bar that is pointed at. */
+/** The fields of bars, by the server's names, that are needed for the colours or for the clicked bar. */
 export const beamFields = computed<string[]>(() => {
   if (isBarProbed.value) return ALL_ON_BARS;
   const name = ON_BARS[field.value];
@@ -32,10 +32,10 @@ export const showRest = signal(false);
 export const showMarks = signal(true);
 export const shadows = signal(true);
 
-/** In perspective, or parallel: lengths across the view can be compared. */
+/** In perspective, or parallel, where lengths across the view can be compared. */
 export const projection = signal<'perspective' | 'parallel'>('perspective');
 
-/** Playback of a load path or of a mode: which shape, and the phase within it. */
+/** Playback of a load path or of modes: whether it runs, and which shape is shown. */
 export const playing = signal(false);
 export const shapeIndex = signal(0);
 

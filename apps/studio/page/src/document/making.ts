@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a surface is to be cut or printed, as one writes it: entries of `fretwork export`.
+// How a surface is to be cut or printed, as people type it: options of `fretwork export`.
 
 import { signal } from '@preact/signals';
 import { W } from '../words';

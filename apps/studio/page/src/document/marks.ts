@@ -42,7 +42,7 @@ const supports = computed<{ nodes: number[]; fixed: Dof[] }[]>(() => {
   return [loadCase.value, ...others].flatMap((one) => one?.supports?.map(({ fixed }, i) => ({ nodes: one.marks.supports[i], fixed })) ?? []);
 });
 
-/** Each held node once, with all that holds it. */
+/** Each held node once, with all components that are fixed. */
 export const heldNodes = computed<HeldNode[]>(() => {
   const all = new Map<number, Set<Dof>>();
   for (const support of supports.value) {
@@ -67,7 +67,7 @@ export const prescribedMarks = computed<PrescribedMark[]>(() =>
 );
 
 export const size = ([x, y, z]: Vector): number => Math.hypot(x, y, z);
-/** What a load has of the two; the colours are named alike. */
+/** Whether a load has a force, a moment or both; the colours have the same names. */
 export const loadKinds = (mark: Pick<LoadMark, 'force' | 'moment'>): ('force' | 'moment')[] => (['force', 'moment'] as const).filter((kind) => size(mark[kind]) > 0);
 export const hasGravity = computed(() => size(loadCase.value?.gravity ?? [0, 0, 0]) > 0);
 export const isHeld = computed(() => heldNodes.value.length > 0);

@@ -46,12 +46,12 @@ export async function giveFile(name: string, make: () => Promise<Blob | null>): 
   await file.close();
 }
 
-/** The dialog has made an empty file already. */
+/** Removes the empty file that the dialog has made. */
 async function leaveNothing(picked: Picked | 'download'): Promise<void> {
   if (picked !== 'download') await picked.remove?.();
 }
 
-/** Who closes the dialog wants no file; where it may not be shown, the browser's downloads take the file. */
+/** Whoever closes the dialog wants no file. If it may not be shown, the file becomes a download. */
 function refusal(error: unknown): 'closed' | 'download' {
   return error instanceof DOMException && error.name === 'AbortError' ? 'closed' : 'download';
 }

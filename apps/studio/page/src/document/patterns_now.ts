@@ -7,7 +7,7 @@ import { pending } from './ui';
 const painting = computed(() => documentNow.value?.painting);
 const palette = computed(() => documentNow.value?.palette ?? []);
 
-/** The pattern of each tile, '' where it has none; with what was just painted here and is on its way. */
+/** The pattern of each tile, '' where it has none, including paint that is on its way to the server. */
 export const tilePatterns = computed<string[]>(() => {
   const ahead = pending.value;
   const ids = palette.value;

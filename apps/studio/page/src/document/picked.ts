@@ -42,14 +42,14 @@ const MICROMETRES = 1e6;
 const down = (value: number): number => Math.floor(value * MICROMETRES) / MICROMETRES;
 const up = (value: number): number => Math.ceil(value * MICROMETRES) / MICROMETRES;
 
-/** The box between two corners, in whole micrometres, not smaller: files are read by people. */
+/** The box between two corners, rounded outwards to whole micrometres, because people read the files. */
 export function boxBetween([x, y]: Point, [u, v]: Point): [number, number, number, number] {
   return [down(Math.min(x, u)), down(Math.min(y, v)), up(Math.max(x, u)), up(Math.max(y, v))];
 }
 
 const near = (value: number): number => Math.round(value * MICROMETRES) / MICROMETRES;
 
-/** The circle around a point through another one, in whole micrometres, not smaller. */
+/** The circle around a point through another one, in whole micrometres, its radius rounded up. */
 export function circleThrough([x, y]: Point, [u, v]: Point): Circle {
   const center: Point = [near(x), near(y)];
   return { center, radius: up(Math.hypot(u - center[0], v - center[1])) };

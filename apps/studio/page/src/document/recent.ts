@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The project files that were open on this page's machine, the newest first. The browser keeps the list.
+// The project files that were open in this browser, the newest first. The browser keeps the list.
 
 import { effect, signal } from '@preact/signals';
 import { documentNow } from './store';
@@ -25,7 +25,7 @@ function keep(list: readonly string[]): void {
   localStorage.setItem(KEY, JSON.stringify(list));
 }
 
-/** A file that can no longer be opened. */
+/** For a file that can no longer be opened. */
 export const forgetRecent = (path: string): void => keep(recent.peek().filter((other) => other !== path));
 
 effect(() => {

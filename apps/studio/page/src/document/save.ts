@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A document goes to its file. A file that somebody else has changed is replaced only by who wants that.
+// Saves a document to its file. A file that somebody else has changed is replaced only on request.
 
 import { signal } from '@preact/signals';
 import { Refusal } from '../protocol/connection';
@@ -24,7 +24,7 @@ async function askAboutConflict(conflict: SaveConflict, kind: string): Promise<C
 
 /** Where a file is written. */
 interface Place {
-  /** Left out: the own file of what is shown. */
+  /** Left out: the document's own file. */
   path?: string;
   /** The hash of the file that it may replace. */
   replaces?: string;
@@ -33,14 +33,14 @@ interface Place {
 export interface Saver {
   /** For people: "project". */
   kind: string;
-  /** Fails with a Refusal that has the conflict, where a file would be lost. */
+  /** Fails with a Refusal that has the conflict if a file would be lost. */
   write(place: Place): Promise<unknown>;
   elsewhere(): Promise<boolean>;
   /** Opens the file, and gives up the changes. */
   reload(path: string): Promise<boolean>;
 }
 
-/** Saves, and asks where that would replace a file that nobody here has seen. Resolves to whether it lies there now. */
+/** Saves, and asks before it replaces a file that nobody here has seen. Resolves to true if it is saved. */
 export async function saveBy(saver: Saver, place: Place): Promise<boolean> {
   try {
     await saver.write(place);
@@ -67,12 +67,12 @@ const PROJECTS: Saver = {
   reload: async (path) => (await tryAsk('open', { path, discard: true })) !== null,
 };
 
-/** To its file; a document that has none asks for one. Resolves to whether it lies there now. */
+/** Saves to the document's file; asks for one if there is none. Resolves to true if it is saved. */
 export async function save(): Promise<boolean> {
   return documentNow.peek()?.path ? saveBy(PROJECTS, {}) : saveElsewhere();
 }
 
-/** To another file, which is the document's from then on. */
+/** Saves to another file, which is the document's from then on. */
 export async function saveElsewhere(): Promise<boolean> {
   const path = await askForPath({ purpose: 'save', kind: PROJECT, name: projectName() });
   return path ? saveBy(PROJECTS, { path }) : false;

@@ -5,7 +5,7 @@ import { answered, positioned } from './store';
 
 const LONGEST_WAIT_MS = 1000;
 
-/** Resolves when a revision grows beyond what it is now; to false after a second in which it has not. */
+/** Resolves to true when a revision has grown, or to false if it has not grown within a second. */
 function grown(revision: ReadonlySignal<number>): Promise<boolean> {
   const before = revision.peek();
   return new Promise((resolve) => {
@@ -20,7 +20,7 @@ function grown(revision: ReadonlySignal<number>): Promise<boolean> {
   });
 }
 
-/** When the live model has answered something newer than it has now, be it in words. */
+/** When the live model has answered a newer revision, with a solution or an error. */
 export const settled = (): Promise<boolean> => grown(answered);
-/** When newer positions are shown, be they provisional. */
+/** When newer positions are shown, also provisional ones. */
 export const shownAnew = (): Promise<boolean> => grown(positioned);

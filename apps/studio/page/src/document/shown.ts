@@ -17,7 +17,7 @@ export interface Shown {
 export const phase = signal(0.25);
 const MODE_SIZE = 0.12;
 
-/** null: at rest, without colours, because nothing is known or what is known is not the answer. */
+/** null: at rest, without colours, because there is no result, or it is not the answer. */
 export const shown = computed<Shown | null>(() => {
   const now = shapes.value;
   if (!now || now.shapes.length === 0) {
@@ -29,7 +29,7 @@ export const shown = computed<Shown | null>(() => {
   return { solution, fields: [], factor: swing(solution) };
 });
 
-/** The same, if it is of the bars that there are. */
+/** The same; null if it belongs to other bars than the present. */
 export const shownOfBars = computed<Shown | null>(() => {
   const now = shown.value;
   return now && now.solution.nodes === beams.value?.nodes ? now : null;
@@ -89,7 +89,7 @@ function tick(when: number): void {
   requestAnimationFrame(tick);
 }
 
-/** Whole once all of it is there; then it plays. */
+/** Plays once all shapes have come. */
 effect(() => {
   const now = shapes.value;
   if (now && now.shapes.length === now.expected && !playing.peek()) play();

@@ -27,11 +27,11 @@ export const beams = signal<Beams | null>(null);
 export const live = signal<SolvedModel | null>(null);
 /** The newest revision of the document that the live model has answered, with a solution or in words. */
 export const answered = signal(0);
-/** The newest revision whose positions are shown, be they provisional. */
+/** The newest revision whose positions are shown, also provisional ones. */
 export const positioned = signal(0);
 /** Why the live model has no newer solution, in words; null when it has. */
 export const problem = signal<string | null>(null);
-/** Why what is drawn is not the answer to what is held and loaded; null when it is. */
+/** Why the drawn shape is not the result of the supports and loads; null when it is. */
 export const notTheAnswer = computed<string | null>(() => {
   if (problem.value) return problem.value;
   const info = live.value?.info;
@@ -39,7 +39,7 @@ export const notTheAnswer = computed<string | null>(() => {
 });
 /** The last solution of other models, by name: the full model on demand. */
 export const others = signal<ReadonlyMap<string, SolvedModel>>(new Map());
-/** Work that lasts: which model, and how far it is (0 to 1). */
+/** Long work: which model, and how much of it is done (0 to 1). */
 export const working = signal<{ model: string; share: number; background: boolean } | null>(null);
 /** The error of the live model against another one, on the nodes. */
 export const compared = signal<{ mean: number; largest: number; relative: number; solution: Solution | null } | null>(null);
@@ -59,10 +59,10 @@ export const shapes = signal<Shape | null>(null);
 /** How far the live solution is from the full model's, as estimated; null: not known, or not doubtful. */
 export const estimated = signal<EstimatedError | null>(null);
 
-/** Whether the present painting can be made; null while that is looked at. */
+/** Whether the present painting can be made; null while this is checked. */
 export const making = signal<Making | null>(null);
 
-/** The newest word of a count of a layout's patterns. */
+/** The newest message of a count of a layout's patterns. */
 export const countSoFar = signal<CountSoFar | null>(null);
 
 export const patternTable = signal<PatternTable | null>(null);

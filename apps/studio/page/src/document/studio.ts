@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The line to the server: what is asked, and who takes what it sends.
+// The connection to the server: requests to it, and who takes its messages.
 
 import { batch, effect } from '@preact/signals';
 import { Connection } from '../protocol/connection';
@@ -14,7 +14,7 @@ function socketAddress(): string {
   return `${scheme}://${location.host}/socket${location.search}`;
 }
 
-/** Whether a server is there that does not know this address: it is of an earlier run. */
+/** Whether a server answers but refuses this address, because the address is from an earlier run. */
 const isRefused = (): Promise<boolean> =>
   fetch(`/${location.search}`, { method: 'HEAD' }).then((answer) => answer.status === 403, () => false);
 
@@ -51,7 +51,7 @@ function opened(): void {
   );
 }
 
-/** Sends the server the fields that are shown; it sends no others. */
+/** Tells the server which fields are shown, because it sends only these. */
 effect(() => {
   const fields = beamFields.value;
   if (store.hello.peek()) void ask('show', { fields }).catch(() => undefined);

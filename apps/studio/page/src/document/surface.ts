@@ -26,7 +26,7 @@ export interface Surface {
 const tessellation = computed(() => documentNow.value?.tiles);
 const vertices = computed(() => documentNow.value?.vertices);
 
-/** Replaced when the tessellation changes, not with each edit of it. */
+/** Replaced when the tessellation changes, not with each edit of the document. */
 export const surface = computed<Surface | null>(() => {
   if (!tessellation.value || !vertices.value) return null;
   return makeSurface(documentNow.peek() as StudioDocument);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where nodes are wanted to go: the target of a design. It belongs to the page; a design takes it along.
+// The target of a design: where nodes should go. It belongs to the page; the request for a design has it.
 
 import { computed, signal } from '@preact/signals';
 import type { FreeVector, TargetGoals, Vector } from '../protocol/messages';
@@ -13,7 +13,7 @@ export interface TargetEntry {
 
 export const target = signal<readonly TargetEntry[]>([]);
 
-/** Each node has one target: what was wanted of it before goes. */
+/** Each node has one target: a new one replaces the old one. */
 export function withEntry(entries: readonly TargetEntry[], added: TargetEntry): TargetEntry[] {
   const taken = new Set(added.nodes);
   const rest = entries.map(({ nodes, wanted }) => {
@@ -44,7 +44,7 @@ export const goalsOf = (entries: readonly TargetEntry[]): TargetGoals => ({
   goals: entries.map(({ nodes, wanted }) => ({ nodes, displacements: wanted })),
 });
 
-/** The wanted displacement of a node, which follows its present one where it is free. */
+/** The wanted displacement of a node, with its present values where components are free. */
 export const followed = (wanted: FreeVector, present: Vector): Vector => wanted.map((value, c) => value ?? present[c]) as Vector;
 
 export interface TargetNode {
@@ -84,6 +84,6 @@ export function errorOf(nodes: readonly TargetNode[]): TargetError | null {
   };
 }
 
-/** Where the live shape is against the target. */
+/** The distances of the live shape from the target. */
 export const liveTarget = computed<TargetNode[]>(() => targetNodes(target.value, live.value?.solution.displacement ?? null));
 export const liveError = computed(() => errorOf(liveTarget.value));

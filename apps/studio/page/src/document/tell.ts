@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Short words to the person in front of the page, where nothing closer to the place would be seen.
+// Short messages to the user, for what has no better place on the page.
 
 import { signal } from '@preact/signals';
 import { inShownUnits } from './units';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands in the way of the surface as it is: counted in the status line, with the places.
+// The problems of the present surface, which the status line counts, and their places.
 
 import { computed, signal } from '@preact/signals';
 import { patternless } from './patterns_now';
@@ -12,7 +12,7 @@ export type ProblemKind = MakingPlace['kind'] | 'unpainted' | 'stress';
 export interface Problem {
   kind: ProblemKind;
   count: number;
-  /** In the plane, the worst first; may be fewer than there are. */
+  /** In the plane, the worst first; may be fewer than `count`. */
   places: Point[];
 }
 

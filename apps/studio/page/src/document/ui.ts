@@ -35,7 +35,7 @@ export const brushOrFirst = computed(() => brush.value ?? documentNow.value?.pal
 
 export const selectedTiles = signal<ReadonlySet<number>>(new Set());
 export const selectedNodes = signal<ReadonlySet<number>>(new Set());
-/** The load or prescribed displacement that is shown in full. */
+/** The load, prescribed displacement or target whose row is open. */
 export const activeEntry = signal<{ kind: 'load' | 'prescribed' | 'target'; index: number } | null>(null);
 
 export type Split = 'both' | 'plane' | 'space';
@@ -46,7 +46,7 @@ export const galleryWide = signal(false);
 export const helpOpen = signal(false);
 export const startOpen = signal(false);
 
-/** The tile, node or bar under the pointer, in either view. */
+/** The node or bar whose values are shown, in either view. */
 export const probed = signal<{ kind: 'node' | 'beam'; index: number } | null>(null);
 
 /** Tiles that were painted here and are not yet confirmed by the server. */

@@ -70,7 +70,7 @@ export function shown(value: number | null | undefined, quantity: Quantity, syst
   return `${digits(value * per)}${space}${name}`;
 }
 
-/** A text of the program with its lengths, which are in metres or millimetres, in the units that are shown. */
+/** A text of the program, with its lengths (m or mm) and points (m) converted to the shown units. */
 export function inShownUnits(text: string): string {
   const length = (value: string, unit = 'm'): string => shown(Number(value) / (unit === 'mm' ? 1e3 : 1), 'length');
   return text
@@ -78,7 +78,7 @@ export function inShownUnits(text: string): string {
     .replace(/\((-?[\d.]+(?:e[-+]?\d+)?), (-?[\d.]+(?:e[-+]?\d+)?)\)/g, (_, x: string, y: string) => `(${length(x)}, ${length(y)})`);
 }
 
-/** A text with its values, which are in SI, in the units that are shown: `{0}` stands for the first of them. */
+/** A text in which `{0}` becomes the first value, `{1}` the second, each (in SI) in the shown units. */
 export function withShownValues(text: string, values: { value: number; quantity: Quantity }[]): string {
   return text.replace(/\{(\d+)\}/g, (mark, place: string) => {
     const own = values[Number(place)];
@@ -86,7 +86,7 @@ export function withShownValues(text: string, values: { value: number; quantity:
   });
 }
 
-/** A number as typed, with a comma or a point, with or without a unit that it may end in; null if it is none. */
+/** A typed number, in SI. It has a comma or a point, and may end in a unit. null if the text is no number. */
 export function typed(text: string, quantity: Quantity, system = unitSystem.value): number | null {
   const match = /^\s*([-+−]?[\d.,]+(?:e[-+]?\d+)?)\s*([^\d\s].*)?$/i.exec(text);
   if (!match) return null;

@@ -6,7 +6,7 @@ const LAYOUTS = 'layout';
 /** The layout to begin with, beside the page. */
 const BEGIN = 'layout';
 
-/** The address of the page of layouts, or of surfaces: with the token, and whatever else it has. */
+/** The address of the page of layouts, or of surfaces: with the token and the other keys of this one. */
 export function pageAddress(page: 'layout' | null, search = location.search): string {
   const query = new URLSearchParams(search);
   query.delete(PAGE);

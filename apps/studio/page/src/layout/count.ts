@@ -8,7 +8,7 @@ import type { Vector } from '../protocol/messages';
 import type { LayoutCount, LayoutFile } from '../protocol/requests';
 import { draft, textOf } from './draft';
 
-/** The last count that came to its end, with the places of the nodes that its patterns are drawn between. */
+/** The last count that ended, with the places of the layout's nodes, between which its patterns are drawn. */
 export const counted = signal<(LayoutCount & { places: readonly Vector[] }) | null>(null);
 /** The count that is under way. */
 const under = signal<number | null>(null);

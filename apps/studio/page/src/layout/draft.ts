@@ -70,7 +70,7 @@ function show(look: LayoutLook, select: number | null): void {
   });
 }
 
-/** Asks for another layout than the one that is shown; takes it if it is one. */
+/** Asks the program for a changed layout, and shows the layout or the reason for a refusal. */
 async function draw(wanted: { layout?: LayoutFile; change?: LayoutChange }, gesture: string): Promise<void> {
   const now = draft.peek();
   if (!now) return;
@@ -85,7 +85,7 @@ async function draw(wanted: { layout?: LayoutFile; change?: LayoutChange }, gest
   }
 }
 
-/** Takes the place of the layout that is shown. */
+/** Shows a layout in the place of the present one. */
 function begin(next: Draft, before: readonly LayoutLook[]): void {
   ++opened;
   ++numbering;
@@ -96,7 +96,7 @@ function begin(next: Draft, before: readonly LayoutLook[]): void {
   });
 }
 
-/** It waits for the requests before it, so that the layout that is asked for last is the one that is shown. */
+/** Waits for earlier requests, so that the layout that was asked for last is shown. */
 export function openLayout(from: string): Promise<boolean> {
   return inTurn(async () => {
     try {
@@ -127,7 +127,7 @@ export function recoverLayout({ layout, saved, path, hash }: UnsavedLayout): Pro
   });
 }
 
-/** The layout that was just written to a file. */
+/** Notes that a layout was written to a file. */
 export function savedAs(layout: LayoutFile, file: { path: string; hash: string }): void {
   const now = draft.peek();
   if (now) draft.value = { ...now, ...file, saved: textOf(layout) };

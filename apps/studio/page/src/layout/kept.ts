@@ -19,7 +19,7 @@ function kept(): UnsavedLayout | null {
   }
 }
 
-/** From the first layout that is shown on. */
+/** Keeps changes, once a layout is shown. */
 export function keepUnsaved(): void {
   effect(() => {
     const now = draft.value;

@@ -24,7 +24,7 @@ function NameField() {
   );
 }
 
-/** Choosing one opens it; the field always shows its own words. */
+/** Choosing a layout opens it; the field always shows its own title. */
 function BeginWith() {
   return (
     <select id="layout-begin" class="choice" aria-label={W.layouts.begin} data-tip={W.layouts.beginTip} value=""

@@ -9,7 +9,7 @@ import { removeSelected } from './keys';
 
 const KINDS: readonly NodeKind[] = ['center', 'radial', 'face', 'interface'];
 
-/** Nodes come and go; by which steps they move. */
+/** Adds and removes nodes, and sets the steps of their moves. */
 export function LayoutTools() {
   const hasCenter = draft.value?.layout.center ?? true;
   return (

@@ -11,7 +11,7 @@ import { changesMade, draft, type Draft, inTurn, isUnsaved, openLayout, savedAs 
 const kind = W.layouts.kind;
 const folderOf = (path: string | null): { folder?: string } => (path ? { folder: path.replace(/[\\/][^\\/]*$/, '') || '/' } : {});
 
-/** Its own file is replaced as it was read or written last. */
+/** The own file, to be replaced only as it was read or written last. */
 function ownFile({ path, hash }: Draft): { path: string; replaces?: string } {
   if (path === null) throw new Error(W.layouts.noFile);
   return { path, ...(hash === null ? {} : { replaces: hash }) };
@@ -30,7 +30,7 @@ const LAYOUTS: Saver = {
   reload: openLayout,
 };
 
-/** To its file; a layout that has none asks for one. Resolves to whether it lies there now. */
+/** Saves to the layout's file; asks for one if there is none. Resolves to true if it is saved. */
 export async function saveLayout(): Promise<boolean> {
   await changesMade();
   return draft.peek()?.path ? saveBy(LAYOUTS, {}) : saveLayoutElsewhere();
@@ -54,7 +54,7 @@ async function mayGo(): Promise<boolean> {
   return may;
 }
 
-/** Another layout by its name. */
+/** Opens another layout by its name. */
 export async function beginWith(name: string): Promise<void> {
   if (await mayGo()) await openLayout(name);
 }

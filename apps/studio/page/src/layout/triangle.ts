@@ -6,7 +6,7 @@ import type { Point, Vector } from '../protocol/messages';
 
 export const SIDE = 100;
 export const HEIGHT = (SIDE * Math.sqrt(3)) / 2;
-/** Of v0, v1 and v2, y downwards. */
+/** The places of v0, v1 and v2, y downwards. */
 export const CORNERS: readonly Point[] = [[SIDE / 2, 0], [0, HEIGHT], [SIDE, HEIGHT]];
 
 export const toPlane = (place: Vector): Point => [0, 1].map((c) => place.reduce((sum, share, i) => sum + share * CORNERS[i][c], 0)) as Point;
@@ -18,16 +18,16 @@ export function toPlace([x, y]: Point): Vector {
   return [first, 1 - first - third, third];
 }
 
-/** How near to a side a node that is added belongs to it: a coordinate. */
+/** A node that is added nearer to a side than this (a coordinate) lies on the side. */
 const BESIDE = 0.06;
-/** The kind of node that somebody means who points there. */
+/** The kind of node that is meant by a double-click at a place. */
 export function kindAt([first, second, third]: Vector): NodeKind {
   if (first > 1 - BESIDE) return 'center';
   if (first < BESIDE) return 'interface';
   return Math.min(second, third) < BESIDE ? 'radial' : 'face';
 }
 
-/** The side v0 v1 or v0 v2 that a radial node lies on, or the one below: from its first end to its other. */
+/** The two ends of the side on which a radial or an interface node lies; null for other nodes. */
 function sideOf({ kind, place }: LayoutNode): [number, number] | null {
   if (kind === 'interface') return [1, 2];
   if (kind === 'radial') return place[2] === 0 ? [0, 1] : [0, 2];
@@ -39,7 +39,7 @@ const WAYS: Record<string, Point> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], Ar
 /** The coordinates by which a face node goes one step. */
 const FACE_STEPS: Record<string, Vector> = { ArrowLeft: [0, 1, -1], ArrowRight: [0, -1, 1], ArrowUp: [2, -1, -1], ArrowDown: [-2, 1, 1] };
 
-/** Where a node wants to go by a key, in steps of 1 / grid; null: nowhere. */
+/** The place to which a key moves a node, in steps of 1 / grid; null: it does not move. */
 export function placeByKey(node: LayoutNode, key: string, grid: number): Vector | null {
   const way = WAYS[key];
   if (!way || node.kind === 'center') return null;

@@ -49,7 +49,7 @@ interface NodeProps {
   node: LayoutNode;
   onDrag: (index: number, event: PointerEvent) => void;
 }
-/** Whether a node goes where the selected one goes. */
+/** Whether a node moves when the selected one is moved. */
 function goesAlong(index: number, { kind }: LayoutNode): boolean {
   const selected = selectedNode.value === null ? null : draft.value?.nodes[selectedNode.value];
   return (selected?.twins.includes(index) ?? false) && (kind !== 'face' || keepsMirror.value);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Before a file is replaced that somebody else has written, it is asked which of the two is kept.
+// Asks which file is kept, before a file that somebody else has written is replaced.
 
 import { nameOf } from '../document/names';
 import { conflictAsked } from '../document/save';

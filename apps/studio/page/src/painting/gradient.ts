@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import type { Point } from '../protocol/messages';
-/** Patterns for `fretwork paint` whose field is 0 at one point and 1 at another; beyond, the first and the last pattern go on. */
+/** A text for --patterns, whose field is 0 at one point and 1 at another; the end patterns go on beyond. */
 export function alongLine(from: Point, to: Point): string {
   const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
   const length2 = dx * dx + dy * dy;

@@ -19,7 +19,7 @@ import { DesignSearch } from './design_search_fields';
 const AXES = ['x', 'y', 'z'] as const;
 const typedWish = signal<FreeVector>([null, null, null]);
 
-/** A component that nobody has typed is as it is now: then the target is dragged away from there. */
+/** The typed displacement. If none is typed, the present one along z, from which a drag begins. */
 function wishFor(nodes: readonly number[]): FreeVector[] {
   const typed = typedWish.peek();
   if (typed.some((value) => value !== null)) return nodes.map(() => typed);

@@ -41,7 +41,7 @@ function moveChosen(): void {
   selectedNodes.value = new Set();
 }
 
-/** On what is chosen, or on all. */
+/** Loads what is chosen, or all. */
 function coverChosen(): void {
   const box = boxOfAll();
   if (!box) return;

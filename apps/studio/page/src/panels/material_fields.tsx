@@ -43,7 +43,7 @@ export function MaterialFields() {
   const { material } = setting;
   const { width, height } = sizeOf(setting.section);
   const isRectangle = setting.section.type === undefined;
-  // The newest format; the server keeps the first that a setting needs.
+  // The newest format; the server writes the oldest one that has all keys.
   const withPart = (part: Partial<Setting>): Setting => ({ ...setting, format: 'fretwork/setting/3', ...part });
   const change = (part: Partial<Setting>) => setSetting(withPart(part));
   const bears = (strength: number | undefined) => change({ material: { ...material, strength } });
@@ -54,7 +54,7 @@ export function MaterialFields() {
         <Choice label={W.materialFields.material} value={preset?.name ?? ''} options={[...(preset ? [] : [{ value: '', title: W.materialFields.custom }]), ...PRESETS.map(({ name }) => ({ value: name, title: name }))]}
           onPick={(name) => {
             const row = PRESETS.find((one) => one.name === name);
-            // The strength is that of the material before.
+            // The strength was that of the old material.
             if (row) change({ material: { ...material, strength: undefined, young_modulus: row.young_modulus, density: row.density } });
           }} />
       </div>

@@ -14,7 +14,7 @@ export interface Listener {
   binary(message: Beams | Solution): void;
   /** Called after every (re)connection, before anything else is asked. */
   opened(): void;
-  /** Whether a server answers that does not take this page: then it is not tried again. */
+  /** Whether a server answers but refuses this page: then no connection is tried again. */
   isRefused(): Promise<boolean>;
 }
 

@@ -40,10 +40,10 @@ export interface Load extends Selection {
 export interface LoadShares {
   nodes: number[];
   shares: number[];
-  /** N and N m; of a load on an area or a line all of it. */
+  /** N and N m; for a load on an area or a line, the whole of it. */
   force: Vector;
   moment: Vector;
-  /** m2 of a load on an area, m of one on a line. */
+  /** The loaded area (m2) or length (m); null: neither. */
   extent: number | null;
 }
 /** The nodes that each entry of a load case acts on, as the program finds them; in the order of the entries. */
@@ -117,7 +117,7 @@ export interface TileModel {
   name: string;
   summary: string;
   large_displacements: boolean;
-  /** Every bar of every tile: others are compared with it. */
+  /** True: it has every bar of every tile, and others are compared with it. */
   reference?: boolean;
   /** Parameters that are fitted to the responses of a pattern: the model needs a library of these. */
   parameters?: { name: string; unit: string }[];
@@ -194,7 +194,7 @@ export interface Solved {
   fields: string[];
   reactions?: Reaction[];
   background?: boolean;
-  /** The first step towards the answer, which follows. */
+  /** The first step towards the answer. The answer follows. */
   provisional?: boolean;
   step?: number;
   steps?: number;
@@ -263,7 +263,7 @@ export interface MakingPlace {
   width: number;
 }
 export interface Making {
-  /** None: nothing stands in the way of making it. */
+  /** Empty: nothing prevents making the surface. */
   words: string[];
   /** How many there are, also beyond those that are listed. */
   counts: Record<MakingPlace['kind'], number>;

@@ -57,7 +57,7 @@ export type NewDocument = Discarding & ({ example: string } | ({ outline: SentOu
 export type PaintRequest = Merging &
   (
     | { tiles: readonly number[]; pattern: string }
-    /** A choice in the words of `fretwork paint`; without `tiles` of all of them. */
+    /** A choice in the words of `fretwork paint`; without `tiles`, it paints all tiles. */
     | { tiles?: readonly number[]; patterns: string; palette: string; file?: SentFile }
   );
 
@@ -88,7 +88,7 @@ export interface FolderListing {
   home: string | null;
   folders: FolderEntry[];
   files: FolderEntry[];
-  /** Entries beyond the most that are listed. */
+  /** The number of entries that are too many to list. */
   left_out: number;
 }
 
@@ -99,11 +99,11 @@ export interface RetileRequest {
   angle?: number;
   /** The name of a layout; left out: the document's. */
   layout?: string;
-  /** `keep`: by place; `made:one`: one that can be made; else the pattern of all tiles. */
+  /** `keep`: stay by place; `made:one`: a pattern that can be made; else the id of one for all tiles. */
   patterns?: string;
   preview?: true;
 }
-/** The tiles that come, or have come. */
+/** The new tiles, made or previewed. */
 export interface Retiled {
   tiles: number;
   interface_nodes: number;
@@ -140,7 +140,7 @@ export interface LayoutNode {
   /** Barycentric, for v0, v1 and v2. */
   place: Vector;
   exact: [string, string, string];
-  /** The nodes that move with it, or would. */
+  /** The nodes that move with it; faces, with `mirror`. */
   twins: number[];
 }
 /** A layout with its nodes and candidate edges. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The picture of an example card: its bent bars, drawn from its answer by tests/browser/examples.test.mjs, which fails
-// where a picture is not that of the answer.
+// The picture of an example card: the bent bars of the example's result. tests/browser/examples.test.mjs
+// draws it, and fails if a picture does not match the result.
 
 const FILES = import.meta.glob<string>('./pictures/*.svg', { query: '?raw', import: 'default', eager: true });
 

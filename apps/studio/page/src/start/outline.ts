@@ -15,7 +15,7 @@ export const outline = signal<File | null>(null);
 export const measured = signal<Measured | null>(null);
 /** Which part of the drawing is tiled: LARGEST, ALL, or a number as text, 1 the largest. */
 export const part = signal<string>(LARGEST);
-/** How wide the surface shall be; null as drawn. */
+/** How wide the surface shall be; null: as drawn. */
 export const wantedWidth = signal<number | null>(null);
 /** Whether the faces of a mesh become the tiles, as they are. */
 export const keepsFaces = signal(false);

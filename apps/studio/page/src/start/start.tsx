@@ -59,7 +59,7 @@ async function takeTour(): Promise<void> {
   });
 }
 
-/** A file that is no longer there leaves the list. */
+/** A file that cannot be opened leaves the list. */
 async function openRecent(path: string): Promise<void> {
   await begin(W.start.opening, (left) => ask('open', { path, ...left }));
   if (trouble.peek()) forgetRecent(path);

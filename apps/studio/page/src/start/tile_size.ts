@@ -7,9 +7,9 @@ import { HEXAGON } from '../document/fitting_side';
 import { measured, tilesAbout, tileSize, width } from './outline';
 import { W } from '../words';
 
-/** The program takes no more. */
+/** The program takes no more tiles. */
 const MOST_TILES = 100_000;
-/** The studio follows edits of these without waiting. */
+/** With up to this many tiles, edits are followed without waiting. */
 const QUICK_TILES = 3000;
 /** Whether fewer can be made depends on the shape, and only the program can decide. */
 const FEWEST_TILES = 3;
@@ -29,7 +29,7 @@ export interface SizeAdvice {
   isPossible: boolean;
 }
 
-/** With two digits, rounded as it is said. */
+/** The side for this many tiles, with two digits. */
 function sideFor(tiles: number, round = Math.round): number {
   const now = measured.peek();
   if (!now) return 0;

@@ -32,7 +32,7 @@ export const retiling = signal(false);
 
 const area = computed(() => (surface.value?.polygons ?? []).reduce((sum, polygon) => sum + areaOf(polygon), 0));
 export const side = computed(() => wantedSide.value ?? Number((surface.value?.side ?? DEFAULT_SIDE).toPrecision(3)));
-/** By the tiles that there are: those at the edge are smaller than hexagons. */
+/** By the present number of tiles, because tiles at the edge are smaller than hexagons. */
 export const tilesAbout = computed(() => {
   const now = surface.value;
   return now && wantedSide.value !== null ? Math.round(now.tiles.length * (now.side / side.value) ** 2) : null;
@@ -41,7 +41,7 @@ const sideOf = (tiles: number): number => Math.sqrt(area.value / (HEXAGON * tile
 /** Sides that give a number of tiles that one can work with. */
 export const sideRange = computed(() => ({ least: Math.min(sideOf(MOST), side.value), most: Math.max(sideOf(FEWEST), side.value) }));
 
-/** With patterns of another layout none can be kept. */
+/** With another layout, no pattern can be kept. */
 export const isOtherLayout = computed(() => wantedLayout.value !== null && wantedLayout.value !== documentNow.value?.layout);
 export const patterns = computed<Patterns>(() => (isOtherLayout.value ? 'made:one' : wantedPatterns.value));
 
@@ -52,7 +52,7 @@ export const request = computed<RetileRequest>(() => ({
   patterns: patterns.value === 'brush' ? (brushOrFirst.value ?? 'keep') : patterns.value,
 }));
 const isSame = (a: RetileRequest, b: RetileRequest): boolean => JSON.stringify(a) === JSON.stringify(b);
-/** What would come if it were applied now. */
+/** The new tiles if they were applied now. */
 export const comes = computed(() => (preview.value && isSame(preview.value.of, request.value) ? preview.value.tiles : null));
 
 const previews = new Latest<RetileRequest>(async (of) => {
@@ -65,7 +65,7 @@ const previews = new Latest<RetileRequest>(async (of) => {
   }
   retiling.value = false;
 });
-/** When a slider is let go, a number typed, a choice made. */
+/** Asks for a preview: a slider was let go, a number typed, or a choice made. */
 export function lookAhead(): void {
   retileTrouble.value = null;
   previews.push(request.peek());

@@ -14,7 +14,7 @@ export interface Step {
   words: string;
   /** Where it is done. */
   mode: Mode;
-  /** What it is done with: selectors, the last of which that is there is pointed at. */
+  /** What it is done with: selectors. The last one that is on the page is pointed at. */
   at: readonly string[];
   /** The step is done once this is another text than when the step began. */
   mark: () => string;
@@ -48,7 +48,7 @@ function beginStep(index: number | null): void {
   tourStep.value = index;
 }
 export const startTour = (): void => beginStep(0);
-/** Once another surface than this one is shown: a request for it is answered before. */
+/** Starts once another surface is shown: the request for it is answered before that. */
 export function startTourAfter(before: StudioDocument | null): void {
   const stop = documentNow.subscribe((now) => {
     if (!now || now.vertices === before?.vertices) return;

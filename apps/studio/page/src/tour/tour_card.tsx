@@ -47,7 +47,7 @@ function placeOf(selectors: readonly string[]): Place | null {
   return box && box.width > 0 ? { left: box.left - ROOM, top: box.top - ROOM, width: box.width + 2 * ROOM, height: box.height + 2 * ROOM } : null;
 }
 
-/** Around what the step is done with; it takes no clicks. */
+/** A ring around what the step is done with. It takes no clicks. */
 function Ring() {
   const [place, setPlace] = useState<Place | null>(null);
   const selectors = pointers.value;

@@ -7,7 +7,7 @@
 
 namespace fretwork::base::detail {
 
-/// Closes what was opened.
+/// Owns an open descriptor.
 class OpenFile {
   public:
     explicit OpenFile(int descriptor) : descriptor_(descriptor) {}

@@ -16,7 +16,7 @@ std::string print(const char* format, double value) {
     return buffer;
 }
 
-/// Which multiples of powers of ten an axis of some length marks.
+/// The multiples of powers of ten that an axis of this length marks.
 std::vector<double> factors_of(double decades) {
     if (decades > 2.2) return {1.0};
     if (decades > 1.0) return {1.0, 2.0, 5.0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the marks of supports and loads mean.
+// The legend of supports and loads.
 #pragma once
 
 #include <fretwork/exports/drawings/detail/surface_parts.hpp>
@@ -18,8 +18,8 @@ struct ConditionMarks {
 };
 
 /// The legend of a load case below a drawing: each kind of mark that is drawn, with its meaning and the
-/// largest value of all loads, in as many lines as the drawing's width needs. If loads are not drawn, their
-/// share is stated.
+/// largest value of all loads. The legend has as many lines as the drawing's width needs. If only some loads
+/// are drawn, it states how many.
 class ConditionLegend {
   public:
     /// @param conditions  null: there is no legend

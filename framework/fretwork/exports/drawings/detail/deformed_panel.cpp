@@ -19,8 +19,8 @@ using geometry::Box;
 using geometry::Point2;
 
 constexpr int kBands = 16;           ///< colours of a scale
-constexpr double kLegendStep = 1.5;  ///< of lines of a legend, in heights of the text
-constexpr double kEdge = 2.4;        ///< of a line's width: the white below it, which hides what is behind
+constexpr double kLegendStep = 1.5;  ///< between lines of a legend, in text heights
+constexpr double kEdge = 2.4;        ///< width of the white edge, which hides lines behind, in line widths
 
 /// The lengths of all displacements; zeros if there are no results.
 std::vector<double> displacement_sizes(const LineSet& lines) {
@@ -35,11 +35,11 @@ double largest_displacement(const LineSet& lines) {
     return sizes.empty() ? 0.0 : *std::ranges::max_element(sizes);
 }
 
-/// A deformed view before its furniture: projected lines, and the box with room for a legend above and a
+/// A deformed view before its annotations: projected lines, and the box with room for a legend above and a
 /// scale bar below.
 struct View {
     std::vector<std::vector<Point2>> points;      ///< for each layer
-    std::vector<std::vector<double>> nearnesses;  ///< the same, to the viewer, m
+    std::vector<std::vector<double>> nearnesses;  ///< of these points to the viewer, m
     std::vector<Point2> rest;
     Box box;
 };
@@ -103,7 +103,7 @@ void draw_colour_bar(SvgCanvas& canvas, const Point2& start, double width) {
     const double step = width / kBands;
     for (int band = 0; band < kBands; ++band) {
         const double x = start.x + band * step;
-        // Each reaches under the next: no seams where renderers smooth edges.
+        // Each swatch reaches under the next, because renderers that smooth edges show seams.
         const double end = band + 1 < kBands ? x + 1.5 * step : x + step;
         const std::array<Point2, 4> swatch = {Point2{x, start.y}, Point2{end, start.y},
                                               Point2{end, start.y + text}, Point2{x, start.y + text}};
@@ -111,8 +111,8 @@ void draw_colour_bar(SvgCanvas& canvas, const Point2& start, double width) {
     }
 }
 
-/// The white below the lines of a net. Where lines meet, it begins only where it touches none of those that
-/// are drawn already: it would cut wedges out of them.
+/// The white edges below lines. Where lines meet, a white edge begins only where it is clear of the lines
+/// that are drawn already, because it would cut wedges out of them.
 class WhiteEdges {
   public:
     WhiteEdges(const LineSet& lines, const Segments& segments, double width)
@@ -131,7 +131,7 @@ class WhiteEdges {
     }
 
   private:
-    /// From an end of a line outwards: where its white is clear of the lines that are drawn there.
+    /// The distance from an end of a line to where its white edge is clear of the lines that are drawn there.
     [[nodiscard]] double gap(std::size_t line, std::size_t end) const {
         const int node = lines_.lines[line][end];
         double gap = 0.0;
@@ -147,8 +147,8 @@ class WhiteEdges {
         return {to.x - from.x, to.y - from.y};
     }
 
-    /// How far along a line its white meets another line that leaves the same node; no farther than that
-    /// reaches.
+    /// The distance along a line up to which its white edge meets another line from the same node. It is at
+    /// most the reach of the other line.
     [[nodiscard]] double parting(const Point2& line, const Point2& other) const {
         const double clear =
             0.5 * (kEdge + 1.0) * width_;  // between the axes of white and line, whose ends are round
@@ -164,7 +164,7 @@ class WhiteEdges {
     std::vector<std::vector<std::size_t>> drawn_at_;  ///< by node
 };
 
-/// What lies below the lines of a layer.
+/// The content below the lines of a layer.
 enum class Below { Nothing, OtherStates };
 
 /// The lines of a layer of a view.
@@ -179,8 +179,8 @@ struct SeenLines {
     }
 };
 
-/// Lines that are nearer to the viewer hide those behind them: the farthest are drawn first, by their
-/// middles. Over other states there is no white, which would tear their lines where both meet.
+/// Draw the lines, the farthest middle first, so that nearer lines hide those behind them. Lines over other
+/// states have no white edges, because these would cut the lines of the other states.
 /// @param colour_of  gives a line's colour
 template <class ColourOf>
 void draw_lines(SvgCanvas& canvas, const SeenLines& seen, Below below, const ColourOf& colour_of) {
@@ -223,7 +223,7 @@ SvgCanvas deformed_panel(std::span<const DeformedLayer> layers, const DeformedVi
     draw_rest(canvas, view, options);
     for (std::size_t i = 0; i < layers.size(); ++i) {
         canvas.layer(layers[i].label);
-        // The first is seen beside those that lie upon it.
+        // The first layer is wider: it shows beside those upon it.
         const double width = (i == 0 ? 1.0 : 0.8) * line_width(view.box);
         draw_lines(canvas, {layers[i].lines, view.points[i], view.nearnesses[i], width},
                    i == 0 ? Below::Nothing : Below::OtherStates,

@@ -19,7 +19,7 @@ double round_length(double most) {
     return power;
 }
 
-/// As a share of the height, in DejaVu Sans; other fonts are narrower.
+/// The width as a share of the height, in DejaVu Sans; other fonts are narrower.
 double character_width(char c) {
     constexpr std::string_view kNarrow = "iljI|.,:;' ()";
     constexpr std::string_view kMiddle = "-frtsJ";

@@ -30,7 +30,7 @@ void write_lines(SvgCanvas& canvas, const geometry::Point2& place, std::span<con
 inline constexpr double kLineStep = 1.25;
 /// "12.5 mm"
 std::string millimetres(double metres);
-/// A number with three digits.
+/// A number with at most three digits.
 std::string short_number(double value);
 
 /// A bar of a round length, at most a fifth of the drawing's width, with its length above it in text of this

@@ -19,7 +19,7 @@ using geometry::Point2;
 using simulation::Conditions;
 using simulation::Surface;
 
-/// The surface with what is drawn on it, and the part of the plane that this takes.
+/// The projection of a surface, the marks on it, and the box around both.
 struct Subject {
     Projection projection;
     ConditionMarks marks;
@@ -42,8 +42,8 @@ Subject make_subject(const Surface& surface, const Conditions* conditions, const
     return subject;
 }
 
-/// Of many marks some that are far apart: first the one nearest to the middle of all, then always the one
-/// that is farthest from those that are taken.
+/// If there are many marks, a few that are far apart. The first is nearest to the middle of all marks, and
+/// each further one is farthest from those already taken.
 std::vector<LoadMark> few_of(std::vector<LoadMark> marks) {
     constexpr std::size_t kMost = 32;  // more hide what is below them
     constexpr std::size_t kFew = 16;
@@ -53,7 +53,7 @@ std::vector<LoadMark> few_of(std::vector<LoadMark> marks) {
         middle.x += mark.to.x / static_cast<double>(marks.size());
         middle.y += mark.to.y / static_cast<double>(marks.size());
     }
-    std::vector<double> gaps;  // of each mark to those that are taken; before the first, its nearness
+    std::vector<double> gaps;  // from each mark to those taken; at first, its nearness to the middle
     for (const LoadMark& mark : marks) gaps.push_back(-distance(mark.to, middle));
     std::vector<LoadMark> few;
     for (bool is_first = true; few.size() < kFew; is_first = false) {
@@ -67,7 +67,7 @@ std::vector<LoadMark> few_of(std::vector<LoadMark> marks) {
     return few;
 }
 
-/// Forces and moments are thinned out each for themselves, so that no kind is lost.
+/// Thin out forces and moments separately, so that neither kind is lost.
 std::vector<LoadMark> few_of_each_kind(const std::vector<LoadMark>& marks) {
     std::vector<LoadMark> few;
     for (const LoadMark::Kind kind : {LoadMark::Kind::Force, LoadMark::Kind::Moment}) {

@@ -25,7 +25,7 @@ constexpr const char* kPrescribedColour = "#b2451f";
 constexpr const char* kPaleFace = "#eef1f4";
 constexpr const char* kPaleBeam = "#98a2ac";
 
-/// The row of an interface node: these are the first nodes of every model.
+/// The place of an interface node. These nodes are the first ones of every model.
 Point2 node_place(const Surface& surface, mechanics::NodeIndex node) {
     return surface.tessellation.interface_nodes[tiling::InterfaceIndex(node.value)];
 }
@@ -66,7 +66,7 @@ void draw_ring(SvgCanvas& canvas, const LoadMark& mark, const Colour& colour) {
     canvas.segments(cross, line);
 }
 
-/// Text over bars is drawn on a plate.
+/// Draw a pale plate for a text over bars.
 void draw_ground(SvgCanvas& canvas, const Point2& corner, const Point2& size) {
     const std::array<Point2, 4> corners = {{corner,
                                             {corner.x + size.x, corner.y},

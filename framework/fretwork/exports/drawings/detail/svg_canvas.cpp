@@ -14,7 +14,7 @@ namespace {
 using geometry::Box;
 using geometry::Point2;
 
-/// A micrometre is more than any printer or eye resolves.
+/// Rounded to 0.001: no printer or eye resolves a micrometre.
 std::string rounded(double value) {
     char buffer[32];
     std::snprintf(buffer, sizeof buffer, "%.3f", value);
@@ -24,7 +24,7 @@ std::string rounded(double value) {
     return text == "-0" ? "0" : text;
 }
 
-/// Nowhere else: quotes in texts are escaped.
+/// Only ids contain this: quotes in texts are escaped.
 constexpr std::string_view kIdStart = " id=\"";
 
 /// Text that is valid as an id: other characters become hyphens.

@@ -67,7 +67,7 @@ class SvgCanvas {
     void circle(const geometry::Point2& center, double radius, const Style& style);
     /// A circle that is shaded as a ball.
     void ball(const geometry::Point2& center, double radius, const Colour& colour);
-    /// An arrow from `from` to `to`. Its head has the length `head`, or that of the arrow if that is shorter.
+    /// An arrow from `from` to `to`. Its head has the length `head`, but is no longer than the arrow.
     void arrow(const geometry::Point2& from, const geometry::Point2& to, double head, const Style& style);
     /// One line of text of a given height; `text` may hold any characters.
     void text(const geometry::Point2& place, std::string_view text, double height,

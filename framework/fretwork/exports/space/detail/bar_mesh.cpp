@@ -37,7 +37,7 @@ BentBar bent_bar(const BarScene& scene, std::size_t bar, double scale) {
     return {p0, p1, length * turn0 * along, length * turn1 * along, turn0, turn1};
 }
 
-/// A piece for every five degrees between the ends, and against the chord.
+/// One piece for every five degrees of the largest turn, from end to end or from end to chord.
 int pieces_of(const BentBar& bar) {
     const double length = (bar.p1 - bar.p0).norm();
     if (length == 0.0) return 0;
@@ -154,7 +154,7 @@ class Builder {
     void add_vertex(const Vector3d& place, const Vector3d& normal, const Vector3f& colour) {
         mesh_.vertices.push_back({place.cast<float>(), normal.cast<float>(), colour});
     }
-    /// Between two pairs of vertices in a row.
+    /// Add a quad between two successive pairs of vertices.
     void add_quad(std::uint32_t first) {
         mesh_.triangles.push_back({first, first + 1, first + 2});
         mesh_.triangles.push_back({first + 1, first + 3, first + 2});

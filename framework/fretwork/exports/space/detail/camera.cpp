@@ -12,7 +12,7 @@ namespace fretwork::exports::detail {
 namespace {
 
 constexpr double kHalfHeight = 0.22;  // tangent of half of the field of view: that of a lens of 80 mm
-constexpr double kFilled = 0.92;      // of the picture
+constexpr double kFilled = 0.92;      // share of the picture
 
 Eigen::Matrix3d axes_of(const ViewOptions& view) {
     const Eigen::Vector3d right(std::cos(view.azimuth), std::sin(view.azimuth), 0.0);
@@ -30,7 +30,7 @@ double seen_area(const std::vector<Eigen::Vector3d>& face, const Eigen::Vector3d
     return 0.5 * std::abs(area.dot(sight));
 }
 
-/// How much is seen, of the tiles' area and of the displacements.
+/// A measure of how much of the tiles' area and of the displacements is seen.
 double quality(std::span<const std::vector<Eigen::Vector3d>> faces, std::span<const Eigen::Vector3d> moves,
                const Eigen::Vector3d& sight) {
     double area = 0.0;
@@ -60,7 +60,7 @@ Eigen::Vector3d Camera::ray(double x, double y) const {
     return axes_ * Eigen::Vector3d(x * kHalfHeight * aspect_, y * kHalfHeight, -1.0);
 }
 
-/// Perspective makes the place depend on the distance: a few rounds settle it.
+/// Place the eye. In perspective, its place depends on its distance, so the method is iterative.
 void Camera::fit(std::span<const Eigen::Vector3d> points) {
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& point : points) box.extend(Eigen::Vector3d(axes_.transpose() * point));
@@ -88,7 +88,7 @@ ViewOptions best_view(std::span<const std::vector<Eigen::Vector3d>> faces,
     ViewOptions best;
     double best_quality = -1.0;
     for (int a = 0; a < kAzimuths; ++a) {
-        // Off the axes, along which rows of tiles would hide each other.
+        // Off the axes, because rows of tiles would hide each other along the axes.
         const double azimuth = (a + 0.5) * 2.0 * std::numbers::pi / kAzimuths - std::numbers::pi;
         for (const double elevation : {18.0 * kDegree, 25.0 * kDegree, 32.0 * kDegree}) {
             const ViewOptions view{azimuth, elevation};

@@ -64,12 +64,12 @@ struct Measures {
     int height = 3 * line + bar + 2 * margin;
 };
 
-constexpr int kValues = 5;  // below the colours
+constexpr int kValues = 5;  // values below the colours
 
 }  // namespace
 
 int legend_height(PixelSize size) {
-    constexpr int kSmallest = 300;  // pixels wide; below, the legend would be as large as the surface
+    constexpr int kSmallest = 300;  // pixels; below this size, the legend would be as large as the surface
     return size.width < kSmallest || size.height < kSmallest ? 0 : Measures(size).height;
 }
 

@@ -20,10 +20,10 @@ struct Legend {
 /// is narrower or lower than 300 pixels.
 int legend_height(PixelSize size);
 
-/// A picture (red, green, blue and opacity, a byte each) of this size with a legend in its strip: the field's
-/// title with its unit, the colours with values below them, the largest value beyond the range with its
-/// colour, and the note. Letters have a grey that is legible on white and on black; the rest of the strip is
-/// transparent. Without a strip (legend_height() is 0), the result is `pixels`.
+/// A picture (red, green, blue and opacity, a byte each) of this size with a legend in its strip. The legend
+/// shows the field's title with its unit, the colours with values below them, the largest value beyond the
+/// range with its colour, and the note. Letters have a grey that is legible on white and on black. The rest
+/// of the strip is transparent. Without a strip (legend_height() is 0), the result is `pixels`.
 /// @param pixels  of the picture above the strip
 std::vector<std::uint8_t> with_legend(std::vector<std::uint8_t> pixels, PixelSize size, const Legend& legend);
 

@@ -15,8 +15,8 @@ using Eigen::Vector3f;
 
 constexpr int kBlock = 16;  ///< texels, along a side
 
-/// The range of columns in which a triangle crosses a row of the grid. Thin triangles across the picture fill
-/// little of their boxes.
+/// The range of columns in which a triangle crosses a row of the grid. It saves time, because thin triangles
+/// across the picture fill little of their boxes.
 std::array<float, 2> crossing(const std::array<Vector2f, 3>& corners, float y) {
     std::array<float, 2> range = {std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest()};
     for (std::size_t k = 0; k < 3; ++k) {

@@ -178,7 +178,7 @@ class Reader {
         return dof - 1;
     }
 
-    /// The parameter OP for earlier steps.
+    /// The parameter OP of a card; without it, MOD.
     [[nodiscard]] StepOperation operation_of(const Card& card) const {
         deck_.require_choice(card, "OP", {"MOD", "NEW"});
         return card.has("OP") && card.parameters.at("OP") == "NEW" ? StepOperation::New : StepOperation::Mod;

@@ -31,7 +31,7 @@ std::string direction_text(Eigen::Vector3d direction) {
 }
 
 /// A rigid motion in words. It is a translation t of the center and a rotation w; w is multiplied by the
-/// size, so both have one unit.
+/// size, so both have the same unit.
 std::string motion_text(const Eigen::Matrix<double, 6, 1>& motion) {
     const Eigen::Vector3d translation = motion.head<3>();
     const Eigen::Vector3d rotation = motion.tail<3>();
@@ -66,7 +66,7 @@ Eigen::Matrix<double, 6, 6> held_motion_form(const Frame& frame, const std::vect
 std::optional<FreeMotion> free_motion(const Frame& frame, const std::vector<std::size_t>& part,
                                       const std::vector<DofSet>& held) {
     const geometry::SymmetricEigen eigen = geometry::symmetric_eigen(held_motion_form(frame, part, held));
-    // Square of a ratio of lengths, for supports a millionth of the size apart.
+    // The square of a ratio of lengths: supports within a millionth of the size hold no rotation.
     constexpr double kZero = 1e-12;
     if (eigen.values[0] > kZero) return std::nullopt;
     return FreeMotion{NodeIndex(part.front()), part.size() > 1, motion_text(eigen.vectors.col(0))};

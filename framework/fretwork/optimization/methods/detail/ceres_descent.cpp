@@ -33,7 +33,8 @@ Linearization embed(const CurvatureEvaluation& model, const std::vector<Eigen::I
     if (size > 0) {
         Eigen::MatrixXd H = model.curvature(free, free);
         const double floor = std::max(H.diagonal().maxCoeff(), 1e-300);
-        // Keeps H positive definite in spite of round-off; the added term also keeps the root below real.
+        // This term keeps H positive definite in spite of round-off. It also keeps the square root for the
+        // last residual real.
         H.diagonal().array() += 1e-13 * floor;
         const Eigen::LLT<Eigen::MatrixXd> factor(H);
         result.residuals.head(size) = factor.matrixL().solve(model.gradient(free));
@@ -46,7 +47,7 @@ Linearization embed(const CurvatureEvaluation& model, const std::vector<Eigen::I
     return result;
 }
 
-/// The predicted gain of an undamped step by the model of embed().
+/// The gain of an undamped step that the model of embed() predicts.
 double foreseen_gain(const Linearization& model) {
     return 0.5 * model.residuals.head(model.residuals.size() - 1).squaredNorm();
 }

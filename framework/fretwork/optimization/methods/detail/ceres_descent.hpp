@@ -9,7 +9,7 @@ namespace fretwork::optimization::detail {
 /// A descent by Ceres on the problem's generalized Gauss-Newton model. See make_ceres_multistart.
 class CeresDescent final : public StagedDescent {
   public:
-    /// The evaluator and the options outlive the descent.
+    /// The evaluator and the options have to outlive the descent.
     CeresDescent(Evaluator& evaluator, const ContinuationOptions& options, Eigen::VectorXd start);
 
     Ending run_stage(double smoothing) override;

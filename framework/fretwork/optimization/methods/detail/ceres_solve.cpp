@@ -30,7 +30,7 @@ class RememberingCost final : public ceres::CostFunction {
         return true;
     }
 
-    /// Evaluate, unless the point is the same as at the last call.
+    /// Evaluate the point if it is new. False if its residuals are not finite.
     [[nodiscard]] bool can_evaluate(const Eigen::VectorXd& point) const {
         if (last_point_.size() == 0 || last_point_ != point) {
             last_ = linearize_(point);

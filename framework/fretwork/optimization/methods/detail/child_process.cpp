@@ -24,7 +24,8 @@ constexpr std::size_t kLongestLine = 1 << 20;
     throw base::IoError(command, "", std::string("cannot be started: ") + std::strerror(fault));
 }
 
-/// How the command begins: with both ends of its standard streams on the socket, signals as usual.
+/// The state in which the command starts: standard input and output on the socket, default signals, a
+/// process group of its own.
 class Beginning {
   public:
     explicit Beginning(int socket) {
@@ -50,7 +51,7 @@ class Beginning {
     Beginning(const Beginning&) = delete;
     Beginning& operator=(const Beginning&) = delete;
 
-    /// Start a shell that runs the command; the error number, 0 if there is none.
+    /// Start a shell that runs the command. Returns an error number; 0 if the shell was started.
     int spawn(std::string command, pid_t& process) const {
         std::string shell = "sh";
         std::string option = "-c";
@@ -68,7 +69,7 @@ int exit_code_of(int status) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : kKilled + WTERMSIG(status);
 }
 
-/// True if the process has ended; its number stays taken until somebody waits for it.
+/// True if the process has ended. The process is not reaped, so its id stays in use.
 bool has_ended(pid_t process) {
     siginfo_t info{};
     return ::waitid(P_PID, static_cast<id_t>(process), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
@@ -110,7 +111,7 @@ std::optional<std::string> ChildProcess::read_line() {
         std::array<char, 4096> part{};
         const ssize_t size = ::recv(socket_, part.data(), part.size(), 0);
         if (size < 0 && errno == EINTR) continue;
-        if (size <= 0) return std::nullopt;  // a line without an end is none
+        if (size <= 0) return std::nullopt;  // a last line without LF is dropped
         const std::size_t before = unread_.size();
         unread_.append(part.data(), static_cast<std::size_t>(size));
         end = unread_.find('\n', before);

@@ -16,7 +16,7 @@ class ChildProcess {
   public:
     /// Start the command. The control stops all waiting for it within 50 ms. Throws IoError.
     ChildProcess(const std::string& command, const base::Control& control);
-    /// Kills what still runs.
+    /// Kills the running processes.
     ~ChildProcess();
     ChildProcess(const ChildProcess&) = delete;
     ChildProcess& operator=(const ChildProcess&) = delete;
@@ -26,9 +26,9 @@ class ChildProcess {
     std::optional<std::string> read_line();
     /// Write a line. A line that the command no longer reads is lost. Throws Stopped.
     void write_line(const std::string& text);
-    /// Close the command's input, wait up to a second for its end, and kill what is left of its process
-    /// group. Returns its exit code, or 128 plus the number of the signal that ended it; none if it did not
-    /// end within the second. Throws Stopped.
+    /// Close the command's input, wait up to a second until the command ends, and kill the rest of its
+    /// process group. Returns the command's exit code, or 128 plus the number of the signal that ended the
+    /// command; none if the command did not end within the second. Throws Stopped.
     std::optional<int> finish();
 
   private:

@@ -15,7 +15,7 @@ struct Destroy {
 };
 using Method = std::unique_ptr<nlopt_opt_s, Destroy>;
 
-/// A value on the scale, and the slope of the scale at this value.
+/// A scaled objective, and its derivative with respect to the objective.
 struct Scaled {
     double value;
     double rate;

@@ -13,9 +13,9 @@ namespace fretwork::optimization::detail {
 enum class ObjectiveScale {
     AsItIs,
     /// The inverse hyperbolic sine of the objective: about its logarithm if it is large, about the objective
-    /// itself near zero, and defined for both signs. The order of values stays the same. A method that takes
-    /// its first step from the gradient needs this scale if the objective falls through many powers of ten,
-    /// because a slope of 1e10 gives no useful length of a step.
+    /// itself near zero, and defined for both signs. The order of values stays the same. Some methods take
+    /// their first step from the gradient. They need this scale if the objective falls through many powers of
+    /// ten: a slope of 1e10 gives no useful step length.
     Compressed,
 };
 

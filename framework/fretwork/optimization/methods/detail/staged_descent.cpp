@@ -16,8 +16,8 @@ double share_distance(const StagedDescent& one, const StagedDescent& other, cons
     return ((one.point() - other.point()).array() / (bounds.upper - bounds.lower).array()).abs().maxCoeff();
 }
 
-/// The descents to continue. Of descents that have met, only the lowest is kept, and none that is kept lies
-/// far above the lowest of all. The lowest comes last.
+/// The descents to continue. Of descents that have met, only the lowest is kept. A descent far above the
+/// lowest of all is not kept. The lowest comes last.
 Descents promising(Descents descents, const MultistartOptions& options, const Bounds& bounds) {
     std::ranges::stable_sort(descents, {}, [](const auto& descent) { return descent->value(); });
     const double lowest = descents.front()->value();
@@ -27,7 +27,7 @@ Descents promising(Descents descents, const MultistartOptions& options, const Bo
         const bool is_met = std::ranges::any_of(kept, [&](const auto& other) {
             return share_distance(*descent, *other, bounds) < options.merging_distance;
         });
-        const bool is_far = descent->value() > highest;  // false if the limit is infinity times 0
+        const bool is_far = descent->value() > highest;  // false if `highest` is NaN: infinity times 0
         if (!is_met && !is_far) kept.push_back(std::move(descent));
     }
     std::ranges::reverse(kept);

@@ -22,7 +22,7 @@ class StagedDescent {
 using MakeDescent = std::function<std::unique_ptr<StagedDescent>(Eigen::VectorXd start)>;
 
 /// Run descents together, stage by stage, from the best of the sampled points. After each stage, descents
-/// that have met continue as one, and descents far above the lowest end. See MultistartOptions.
+/// that have met continue as one, and a descent far above the lowest descent ends. See MultistartOptions.
 RunOutcome run_multistart(Evaluator& evaluator, const MultistartOptions& options,
                           const MakeDescent& make_descent);
 

@@ -50,7 +50,7 @@ BestRun::BestRun(const Evaluator& evaluator)
 void BestRun::add(RunOutcome run) {
     const int dead = outcome_.dead_starts + (run.ending == Ending::Invalid ? 1 : 0);
     is_over_ = run.ending == Ending::BudgetSpent;
-    // The value of a dead start belongs to a point drawn at random, not to the end of a descent.
+    // The value of a dead start belongs to its starting point, not to the end of a descent.
     const bool is_better = run.ending != Ending::Invalid && evaluator_.best_value() < best_value_;
     const bool is_first = outcome_.ending == Ending::Invalid;
     if (run.ending != Ending::Invalid) best_value_ = evaluator_.best_value();

@@ -104,7 +104,7 @@ async function rasterized({ text, width, height }: FramedPicture, ratio: number)
   return canvas;
 }
 
-/** As a PNG on transparent ground, with fine light and shadows. */
+/** The view as a PNG on transparent ground, with fine light and shadows. */
 export async function pngPicture(view: SceneView): Promise<Blob> {
   const ratio = 2 * view.stage.renderer.getPixelRatio();
   const part = await cropped(await view.stage.picture());
@@ -172,7 +172,7 @@ function marksDrawn(view: VectorView, scene: SceneView): string {
 /** A mark at a place, if that lies before the camera. */
 const marked = (project: Projector, place: Vector3, draw: (at: Flat) => string): string => (project.ahead(place, place) ? draw(project.see(place)) : '');
 
-/** A displacement that is given. */
+/** The mark of a prescribed displacement. */
 const diamond = ({ x, y }: Flat, size: number): string =>
   `<path d="M${[[x, y - size], [x + size, y], [x, y + size], [x - size, y]].map((corner) => corner.map((one) => one.toFixed(1)).join(' ')).join('L')}Z" fill="${themeColour('--move')}"/>`;
 
@@ -203,7 +203,7 @@ function boxOf(drawing: string): Area {
   return { left: x - MARGIN, top: y - MARGIN, width: width + 2 * MARGIN, height: height + 2 * MARGIN };
 }
 
-/** As lines and areas, for drawings and print. */
+/** The view as an SVG of lines and areas, for drawings and print. */
 export function svgPicture(scene: SceneView): string {
   const { clientWidth: width, clientHeight: height } = scene.stage.renderer.domElement;
   const view = { camera: scene.stage.camera, width, height };

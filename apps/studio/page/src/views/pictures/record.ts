@@ -19,13 +19,13 @@ const MEGABIT = 1e6;
 /** How much of a video is recorded; null: none is. */
 export const recorded = signal<number | null>(null);
 
-/** What the browser can record, the smallest first. */
+/** The first type that the browser can record, the smallest first. */
 export const videoType = (isSupported: (type: string) => boolean): string | undefined =>
   ['video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm'].find(isSupported);
 
 export const canRecord = (): boolean => typeof MediaRecorder !== 'undefined' && videoType((type) => MediaRecorder.isTypeSupported(type)) !== undefined;
 
-/** What each frame shows: a step of the path (there, a rest, and back), or a moment of one swing. */
+/** What each frame shows: a step of the path (there, a rest, and back), or a moment of a swing. */
 export function framesOf(kind: 'path' | 'vibration' | 'buckling', steps: number): number[] {
   if (kind !== 'path') return Array.from({ length: 2 * MODE_FRAMES }, (_, i) => (i / MODE_FRAMES) % 1);
   const each = Math.max(1, Math.ceil(LEAST_PATH_FRAMES / steps));

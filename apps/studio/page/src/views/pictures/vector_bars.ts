@@ -28,7 +28,7 @@ interface Piece {
 const PIECES = 4;
 const digits = (value: number): string => value.toFixed(1);
 
-/** Pixels, and how far away (the clip coordinate w: metres in perspective, one in parallel views). */
+/** Pixels, and how far away: `depth` is -1 on the near plane and 1 on the far plane of the camera. */
 interface SeenPoint {
   x: number;
   y: number;

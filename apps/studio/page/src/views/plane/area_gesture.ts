@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Choose things by click, box, circle or lasso; with Shift they are added to what is chosen, and taken away if they all are.
+// Choose things by click, box, circle or lasso. With Shift they are added to the chosen ones, or taken away
+// if all of them are chosen already.
 
 import type { Point, Selection } from '../../protocol/messages';
 import { boxBetween, circleThrough } from '../../document/picked';
@@ -50,7 +51,7 @@ function shapeOf(how: Area, points: readonly Point[]): Shape {
   return how === 'lasso' ? { kind: 'lasso', points: [...points] } : { kind: how, from: points[0], to: points[points.length - 1] };
 }
 
-/** Of a box its corners, of a circle its middle and a point on it; a lasso is no rule. */
+/** The rule of a box by its corners, or of a circle by its middle and a point on it; null for a lasso. */
 function ruleOf(how: Area, from: Point, to: Point): Selection | null {
   if (how === 'box') return { box: boxBetween(from, to) };
   return how === 'circle' ? { circle: circleThrough(from, to) } : null;

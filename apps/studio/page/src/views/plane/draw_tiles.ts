@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lower layer: tiles and their bars in real width. Redrawn when the view changes; where tiles are painted, there only.
+// The lower layer: tiles and their bars in real width. Redrawn when the view changes; after painting, only
+// where tiles have changed.
 
 import { fanSegments } from '../../pattern/fan';
 import { neighbours, type Surface } from '../../document/surface';
@@ -82,7 +83,7 @@ export function drawTiles(context: CanvasRenderingContext2D, view: Viewport, rat
   for (const tile of changed) drawAgain(context, view, picture, tile);
 }
 
-/** A tile and its neighbours, into which its bars reach by half their width; and theirs reach in from around them. */
+/** Draws a tile and its neighbours, into which its bars reach by half their width, as bars around do. */
 function drawAgain(context: CanvasRenderingContext2D, view: Viewport, picture: TilePicture, tile: number): void {
   context.save();
   context.clip(outline(picture.surface, ringsAround(tile, 1, neighbours.peek())));

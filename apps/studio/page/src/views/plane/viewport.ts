@@ -62,7 +62,7 @@ export function fit(): void {
 }
 
 const PLACE_SIDES = 12;
-/** A place in the middle, near enough to see its tile apart from others. */
+/** Shows a place in the middle, near enough to see its tile apart from others. */
 export function seePlace(place: Point): void {
   const now = surface.peek();
   const view = viewport.peek();

@@ -32,7 +32,7 @@ class Shape {
   }
 }
 
-/** Along x from 0 to 1; y and z across the section, 1 wide. */
+/** A bar along x from 0 to 1, with y and z across its section, which is 1 wide. */
 export function barGeometry(pieces: number): InstancedBufferGeometry {
   const shape = new Shape();
   for (const { normal, corners } of FACES) {

@@ -56,7 +56,7 @@ export class Bars {
   get factor(): number {
     return this.uniforms.factor.value;
   }
-  /** A quick picture without a graphics card has straight bars and no joints; what is seen through has none at all. */
+  /** A quick picture without a graphics card has straight bars and no joints. Transparent bars have none. */
   set quality(quality: Quality) {
     const fine = quality === 'fine' || !drawsInSoftware;
     const isLight = !drawsInSoftware || (this.beams?.beams ?? 0) < MANY_BARS;
@@ -113,7 +113,7 @@ export class Bars {
     writeVectors(this.uniforms.places.value, beams.place);
   }
 
-  /** Where everything moved. Nothing is allocated. */
+  /** Sets where everything moved, and allocates nothing. */
   setSolution(solution: Solution): void {
     writeVectors(this.uniforms.moves.value, solution.displacement);
     writeVectors(this.uniforms.turns.value, solution.rotation);

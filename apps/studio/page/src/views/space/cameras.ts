@@ -71,7 +71,10 @@ export class Cameras {
     return this.now;
   }
 
-  /** Where to look, and how far away (or how large) the picture must be, to see all of some places, as the camera is turned now. `usable`: the share of the height that nothing covers. */
+  /**
+   * Where to look, and how far away (or how large) the picture must be, so that all places are seen with the
+   * present direction of the camera. `usable`: the share of the height that nothing covers.
+   */
   seeing(places: readonly Vector3[], usable: number): { center: Vector3; distance: number; halfHeight: number } {
     const turn = this.now.quaternion.clone().invert();
     const seen = places.map((place) => place.clone().applyQuaternion(turn));

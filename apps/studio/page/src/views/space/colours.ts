@@ -10,7 +10,7 @@ export type ColourMap = 'sizes' | 'signed';
 export type ColourChoice = 'standard' | 'cividis' | 'grey';
 const KEY = 'fretwork.colours';
 const kept = localStorage.getItem(KEY);
-/** Of sizes: as drawings have them; fair to the colour-blind and even in lightness; or without colours. */
+/** The scale of sizes: that of drawings; cividis, for the colour-blind and even in lightness; or grey. */
 export const colourChoice = signal<ColourChoice>(kept === 'cividis' || kept === 'grey' ? kept : 'standard');
 
 export function chooseColours(choice: ColourChoice): void {
@@ -24,7 +24,7 @@ const OWN: Record<Exclude<ColourChoice, 'standard'>, string[]> = {
   grey: ['#2b2b2b', '#e6e6e6'],
 };
 
-/** At equal distances, straight between each other; grey before the server has answered. */
+/** Colours at equal distances, interpolated linearly; grey before the server has answered. */
 function stops(map: ColourMap): string[] {
   const choice = colourChoice.value;
   if (map === 'sizes' && choice !== 'standard') return OWN[choice];

@@ -52,7 +52,7 @@ function lengths(vectors: Float32Array, into: Float32Array): void {
   for (let i = 0, at = 0; i < into.length; ++i, at += 3) into[i] = Math.hypot(vectors[at], vectors[at + 1], vectors[at + 2]);
 }
 
-/** How much of its strength the material bears at both ends of each bar; null where one of both is not known. */
+/** The utilization at both ends of each bar; null if the stress or the strength is not known. */
 export function utilization(solution: Solution, names: readonly string[], strength: number | null): Float32Array | null {
   const stress = solution.beamFields[names.indexOf('von_mises')];
   return stress && strength !== null ? stress.map((value) => Math.abs(value) / strength) : null;

@@ -29,7 +29,7 @@ export interface Drag {
 }
 
 const REACH_PX = 18;
-/** Of a finger. */
+/** For a finger. */
 export const TOUCH_REACH_PX = 32;
 const AXES = { ux: new Vector3(1, 0, 0), uy: new Vector3(0, 1, 0), uz: new Vector3(0, 0, 1) };
 
@@ -99,7 +99,7 @@ function written({ load, extent }: LoadMark, key: 'force' | 'moment', vector: Ve
   return { [load.per_length ? 'per_length' : 'per_area']: vector.map((value) => value / extent) as Vector };
 }
 
-/** Up and down; with Shift in the plane of the picture. */
+/** Drags a target up and down; with Shift, in the plane of the picture. */
 function dragTarget(index: number, start: [number, number], view: View): Drag {
   const entry = target.peek()[index];
   const origin = entryPlace(entry);

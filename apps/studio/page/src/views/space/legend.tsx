@@ -15,7 +15,7 @@ import { LegendEditor } from './legend_editor';
 import { W } from '../../words';
 import { interpolated, legend } from './legend_state';
 
-/** Colours are asked for that are a share of what is not known. */
+/** The colours of utilization are wanted, but no strength is known. */
 const lacksStrength = computed(() => live.value !== null && field.value === 'utilization' && strength.value === null);
 
 const LacksStrength = () => (

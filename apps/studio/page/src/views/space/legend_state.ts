@@ -3,7 +3,7 @@
 import { signal } from '@preact/signals';
 import type { FieldRow } from './fields';
 
-/** Whether what lies inside of tiles is drawn after their rims, because the model does not know it. */
+/** Whether the insides of tiles are interpolated from their rims, because the model does not know them. */
 export const interpolated = signal(false);
 /** The present meaning of the colours in the 3D view; null when there are none. */
 export const legend = signal<{ row: FieldRow; low: number; high: number; isCut: boolean } | null>(null);

@@ -16,7 +16,7 @@ const SHADOW_PIXELS = drawsInSoftware ? 1024 : 2048;
 const DOWN_TO = 0.35;
 const GOLDEN = [0.7548776662466927, 0.5698402909980532];
 
-/** Well spread over the unit square, however many are taken. */
+/** Points that are well spread over the unit square, however many are taken. */
 export const spread = (index: number, start = 0.5): [number, number] => [(start + GOLDEN[0] * index) % 1, (start + GOLDEN[1] * index) % 1];
 
 const FLOOR_LIGHT = /* glsl */ `

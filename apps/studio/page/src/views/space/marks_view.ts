@@ -31,7 +31,7 @@ type Vector3Numbers = readonly [number, number, number];
 export const takenAs = { pushes: null as boolean | null };
 /** Arrows that press down and arrows that pull up both stand on the surface, so that they are seen. */
 export const pushes = (vector: Vector3Numbers): boolean => takenAs.pushes ?? vector[2] < 0;
-/** From its nodes to the end of an arrow that can be taken. */
+/** The vector from a load's nodes to the end of its arrow that is dragged. */
 export const reachOf = (vector: Vector3Numbers, scale: number): Vector3 => new Vector3(...vector).multiplyScalar(pushes(vector) ? -scale : scale);
 
 export class MarksView {

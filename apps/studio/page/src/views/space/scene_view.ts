@@ -25,7 +25,7 @@ import { TargetView } from './target_view';
 
 /** Solutions whose gaps were filled for the drawing. */
 const filled = new WeakSet<object>();
-/** How far beyond the flat surface, in its sizes, the camera goes along with bent places: at first, and to see all. */
+/** How far the view follows bent places, in sizes of the flat surface: at first, and to see all. */
 const MOST_SHOWN = 0.35;
 const ALL_SHOWN = 3;
 const BLUE = '#4a8ee0';

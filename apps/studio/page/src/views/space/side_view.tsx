@@ -21,7 +21,7 @@ const STEP_PX = 3;
 const axis = signal<SideAxis>(0);
 const drawn = signal<readonly Point[] | null>(null);
 
-/** The nodes that a curve is the target of: the selected ones, or all. */
+/** The nodes for which a curve becomes the target: the selected ones, or all. */
 const sideNodes = computed<SideNode[]>(() => {
   const places = surface.value?.nodes ?? [];
   const chosen = selectedNodes.value;
@@ -45,7 +45,7 @@ const scale = computed(() => {
   };
 });
 
-/** In the units of the view, which may be drawn smaller. */
+/** The pointer in the units of the view, which may be drawn smaller. */
 function pointOf(event: PointerEvent): Point {
   const matrix = (event.currentTarget as SVGSVGElement).getScreenCTM();
   const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix?.inverse());

@@ -4,7 +4,7 @@ import type { Vector } from '../../protocol/messages';
 
 const CLOSE = Math.cos((14 * Math.PI) / 180);
 
-/** A vector that nearly runs along an axis runs along it, and its size is a round number of two digits. */
+/** A vector that nearly runs along an axis is put onto the axis, and its size gets two significant digits. */
 export function snapped(vector: Vector): Vector {
   const size = Math.hypot(...vector);
   if (size === 0) return vector;

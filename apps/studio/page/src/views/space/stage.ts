@@ -26,7 +26,7 @@ const DIRECTIONS: Record<ViewName, [number, number, number]> = { iso: [-0.45, -1
 
 export interface Framing {
   places: readonly Vector3[];
-  /** From where it is seen now, if null. */
+  /** null: from where it is seen now. */
   from: ViewName | null;
 }
 
@@ -46,7 +46,7 @@ export class Stage {
   private rest = 0;
   private size = { width: 1, height: 1 };
   private usable = 1;
-  /** For tests on machines that draw in software: everything but the drawing. */
+  /** Draws nothing by itself, for tests on machines that draw in software. */
   private readonly paused = window.fretworkPaused === true;
   private framing: Framing | null = null;
   private readonly before = new Set<(quality: Quality) => void>();
@@ -69,7 +69,7 @@ export class Stage {
     this.before.add(action);
   }
 
-  /** Called right after each quick picture, while it can be read. Returns what ends that. */
+  /** Called right after each quick picture, while it can be read. Returns a function that ends this. */
   afterDraw(action: () => void): () => void {
     this.after.add(action);
     return () => this.after.delete(action);
@@ -112,7 +112,7 @@ export class Stage {
     this.rest = window.setTimeout(() => this.refine(), REST_MS);
   }
 
-  /** At once, in the place of a picture that was asked for. */
+  /** Draws at once, in the place of a picture that was asked for. */
   drawOnce(): void {
     cancelAnimationFrame(this.asked);
     this.asked = 0;
@@ -165,7 +165,7 @@ export class Stage {
     step();
   }
 
-  /** Whether the graphics card has finished the commands before. */
+  /** Returns a check that the graphics card has finished the commands so far. */
   private fence(): () => boolean {
     const context = this.renderer.getContext() as WebGL2RenderingContext;
     const sync = context.fenceSync(context.SYNC_GPU_COMMANDS_COMPLETE, 0);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The target of a design: where each of its nodes is wanted, coloured by how far it is from there, and a line to where it is.
+// The target of a design: the wanted place of each node, coloured by the node's distance from it, with a line
+// to the node.
 
 import { CylinderGeometry, Group, OctahedronGeometry, Quaternion, SphereGeometry, Vector3 } from 'three';
 import { designed } from '../../document/design';
