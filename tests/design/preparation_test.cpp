@@ -71,5 +71,32 @@ TEST(Search, MakesAUsefulPaintingSoon) {
     EXPECT_LT(beginning.painted->trial.objective, 0.25 * uniform.front().trial.objective);
 }
 
+/// A point that is worse than the start of a search is none to show, though it is the first of its search.
+TEST(Search, NotesNoPointThatIsWorseThanItsStart) {
+    const Planted planted;
+    std::vector<double> shown;
+    DesignOptions options = test::design_options(planted.project);
+    options.on_better = [&](const DesignProgress& progress) { shown.push_back(progress.misfit); };
+    Preparation preparation = prepare(planted.project, nullptr, planted.target, options);
+    Trials trials(std::move(preparation.parts));
+    const TimeLimit time(0.0);
+    DesignReport report;
+    Search search(trials, options, time, report);
+    Solved start{trials.uniform(0), {}};
+    start.trial.objective = 0.5;
+    search.forget_best();
+    search.begin_at(start);
+    Solved worse{trials.uniform(1), {}};
+    worse.trial.objective = 0.75;
+    search.note(worse);
+    EXPECT_FALSE(search.best_point());
+    EXPECT_TRUE(shown.empty());
+    Solved better{trials.uniform(2), {}};
+    better.trial.objective = 0.25;
+    search.note(better);
+    EXPECT_EQ(search.best_point(), better.point);
+    EXPECT_EQ(shown, std::vector<double>{0.5});
+}
+
 }  // namespace THIS_TEST
 }  // namespace fretwork::design::detail

@@ -33,7 +33,7 @@ constexpr int kDefectRounds = 6;
 constexpr int kLeftForLastRound = 3;
 /// The largest number of uniform paintings that are checked in full until one has an equilibrium.
 constexpr std::size_t kUniformChecks = 3;
-/// A defect round that gains less than this share is the last one without other starts.
+/// After a defect round that gains less than this share, the next one searches from other starts.
 constexpr double kLeastDefectGain = 0.02;
 /// The target is unreachable if the bound is at least this share of the flat surface's misfit.
 constexpr double kHopeless = 0.5;
@@ -69,6 +69,7 @@ class Designer {
         }
         aim_beside(starts);
         put_in_front(std::move(beginning.painted), starts);
+        search_.begin_at(starts.front());
         Solved found = search_.improve(starts.front(), reserve());
         best_ = found.point;
         report_.starts.push_back(std::sqrt(found.trial.objective));
@@ -160,8 +161,8 @@ class Designer {
                "load may have one, or a search with more solutions may find one";
     }
 
-    /// Solves uniform paintings, and checks the best one, which comes first. The most promising ones get
-    /// their own best unknowns.
+    /// Returns solved uniform paintings, the best first; the most promising ones get their own best
+    /// unknowns. Checks them in full until one has an equilibrium, at most kUniformChecks.
     std::vector<Solved> solve_uniform(std::vector<Solved> known) {
         std::vector<Solved> starts = search_.try_uniform(palette(), choice_.coordinates, std::move(known));
         if (starts.empty()) throw base::InputError(no_equilibrium());
@@ -290,6 +291,7 @@ class Designer {
             trials_.set_aims(defect(solved.trial, checked_->check));
             solved.trial.objective = trials_.objective_of(solved.trial.displacements);
             search_.forget_best();
+            search_.begin_at(solved);
             const Solved found =
                 has_gained ? search_.improve(std::move(solved), reserve())
                            : search_.improve_from_others(std::move(solved), {}, reserve(), kLeftForLastRound);
@@ -305,7 +307,7 @@ class Designer {
         if (!best_ || !time_.has_left(reserve())) return;
         const int before = trials_.solutions();
         const Trial trial = trials_.solve(*best_, options_.control);
-        trials_.count_solutions(before - trials_.solutions());  // they are not counted
+        trials_.count_solutions(before - trials_.solutions());  // those of relax() do not count
         if (!trial.is_found) return;
         report_.relaxed = search_.relaxed_misfit({*best_, trial});
     }

@@ -167,7 +167,7 @@ class CaseLinearizer {
         model_.flexibility = 0.5 * (all + all.transpose());
     }
 
-    /// A unit of each prescribed entry at its nodes.
+    /// A column for each prescribed entry: one at its dofs, zero elsewhere.
     [[nodiscard]] MatrixXd prescribed_units() const {
         const auto& entries = state_.session.load_case().prescribed;
         MatrixXd units = MatrixXd::Zero(linear_.loads.size(), std::ssize(entries));

@@ -37,7 +37,8 @@ struct ExtendedPalette {
     Eigen::MatrixXd coordinates;
 };
 /// Condense further candidates of the whole palette: as many as prepare() allows, but at least the 128 most
-/// different and the earlier candidates. The indices of these do not change. Throws Stopped.
+/// different and the earlier candidates. The indices of the earlier candidates do not change. Throws
+/// Stopped.
 ExtendedPalette extend_palette(Trials& trials, const std::vector<pattern::NamedPattern>& whole,
                                const DesignOptions& options);
 

@@ -16,7 +16,7 @@ constexpr double kLeastRadius = 1e-5;
 constexpr double kLargestRadius = 4.0;
 /// Proposals of one table, each with a smaller radius.
 constexpr int kMostProposals = 4;
-/// Steps that gain less than this share of the objective are no gain.
+/// A step must be predicted to gain more than this share of the objective.
 constexpr double kLeastGain = 0.005;
 /// A step from another start must be predicted to gain this, except on small surfaces.
 constexpr double kWorthwhileGain = 0.02;
@@ -88,9 +88,18 @@ bool Search::may_go_on(double reserve) const {
     return may_solve() && time_.has_left(reserve + step_seconds_);
 }
 
+bool Search::keeps_mass(const Point& point) const {
+    return options_.max_mass <= 0.0 || trials_.mass_of(point) <= options_.max_mass;
+}
+
+void Search::begin_at(const Solved& start) {
+    best_ = keeps_mass(start.point) ? start.trial.objective : -1.0;
+    best_point_.reset();
+}
+
 void Search::note(const Solved& solved) {
-    if (options_.max_mass > 0.0 && trials_.mass_of(solved.point) > options_.max_mass) return;
     if (best_ >= 0.0 && solved.trial.objective >= best_) return;
+    if (!keeps_mass(solved.point)) return;
     best_ = solved.trial.objective;
     best_point_ = solved.point;
     const DesignProgress progress{trials_.solutions(), most_solutions_, time_.seconds(), std::sqrt(best_)};
@@ -98,8 +107,8 @@ void Search::note(const Solved& solved) {
     if (options_.on_better) options_.on_better(progress);
 }
 
-/// The patterns of the painting, and in even rounds the shortlist, in odd rounds as many at random; or those
-/// of `limited_`.
+/// The patterns of the painting, with max_patterns those of kept tiles, and others: those of `limited_` if
+/// there are any, else the shortlist in even rounds, and as many at random in odd rounds.
 std::vector<std::size_t> Search::columns_for(const Point& point, int round) const {
     std::set<std::size_t> chosen(point.patterns.begin(), point.patterns.end());
     if (options_.max_patterns > 0) {
@@ -175,7 +184,7 @@ Search::Step Search::step(Solved& current, double& radius, int round, const Dema
     SweepOptions sweeps{.allowed = allowed_of(columns),
                         .most_mass = mass_for_groups(current.point, table, start),
                         .control = options_.control.silent()};
-    const bool is_too_heavy = options_.max_mass > 0.0 && trials_.mass_of(current.point) > options_.max_mass;
+    const bool is_too_heavy = !keeps_mass(current.point);
     for (int proposal = 0; proposal < kMostProposals && radius >= kLeastRadius && may_solve(); ++proposal) {
         options_.control.check();
         sweeps.radius = radius;
@@ -222,7 +231,8 @@ Solved Search::descend(Solved start, double reserve, const Demand& demand) {
     Solved current = std::move(start);
     double radius = kFirstRadius;
     int failures = 0;
-    // The aims may have moved since the start was solved. Other starts are solved again below.
+    // The aims may have moved since the start was solved. If another point was solved since, the start is
+    // solved again below, because tables are made at the last equilibrium.
     if (trials_.is_at(current.point))
         current.trial.objective = trials_.objective_of(current.trial.displacements);
     for (int round = 0; may_go_on(reserve); ++round) {

@@ -88,7 +88,7 @@ class Search {
 
     /// The reason why the last improve() ended.
     [[nodiscard]] DesignEnd end() const { return end_; }
-    /// The best point that note() has taken since the search began or since the last forget_best().
+    /// The best point that note() has taken since the last begin_at() or forget_best(), if any.
     [[nodiscard]] const std::optional<Point>& best_point() const { return best_point_; }
     /// Forget the best point. Called after Trials::set_aims(), which changes the objective of every point.
     void forget_best() {
@@ -106,8 +106,13 @@ class Search {
     void grant(int solutions) { most_solutions_ += solutions; }
     /// Add a solved point to the history if it is the best so far and keeps DesignOptions::max_mass.
     void note(const Solved& solved);
+    /// Let note() take only points that are better than the start of a search, or any point if the start is
+    /// above DesignOptions::max_mass.
+    void begin_at(const Solved& start);
 
   private:
+    /// True if a painting keeps DesignOptions::max_mass, or if there is no such limit.
+    [[nodiscard]] bool keeps_mass(const Point& point) const;
     void try_one_uniform(std::size_t pattern, std::vector<Solved>& found);
     [[nodiscard]] std::size_t predicted_best(const std::vector<Solved>& found,
                                              const std::vector<std::size_t>& palette,

@@ -7,7 +7,7 @@
 namespace fretwork::design::detail {
 namespace {
 
-/// A surface is small if it has at most this number of groups x columns.
+/// A surface is small if it has at most this number of groups x patterns, and max_patterns is 0.
 constexpr std::size_t kSmallTable = 300;
 /// The largest number of changes of one group, and of two groups, that are solved around one painting.
 constexpr std::size_t kMostNeighbours = 60;
@@ -48,7 +48,7 @@ std::vector<Point> Search::promising(Solved& best) {
         Point next = painted(best.point, choice, columns);
         next.unknowns = trials_.bounded(next.unknowns + choice.steps);
         if (is_seen(next) || next == best.point) continue;
-        if (options_.max_mass > 0.0 && trials_.mass_of(next) > options_.max_mass) continue;
+        if (!keeps_mass(next)) continue;
         points.push_back(std::move(next));
     }
     if (can_rank_all() && points.size() > kMostRanked) points.resize(kMostRanked);

@@ -10,8 +10,8 @@ namespace fretwork::design::detail {
 namespace {
 
 /// For the first painting: the number of uniform paintings before it, the largest number of steps from the
-/// best of these, and the radius of the first step. The steps end at the share kEarlyShare of its objective,
-/// or if a step is predicted to gain less than kEarlyGain of the present one.
+/// best of these, and the radius of the first step. The steps end at kEarlyShare times the objective of this
+/// best one, or if a step is predicted to gain less than kEarlyGain times the present objective.
 constexpr std::size_t kEarlyUniform = 3;
 constexpr int kEarlySteps = 5;
 constexpr double kEarlyRadius = 0.5;
@@ -83,10 +83,7 @@ std::vector<Solved> Search::try_uniform(const std::vector<std::size_t>& palette,
         is_tried[next] = true;
     }
     std::ranges::stable_sort(found, {}, [](const Solved& solved) { return solved.trial.objective; });
-    if (options_.max_mass > 0.0)
-        std::ranges::stable_partition(found, [this](const Solved& solved) {
-            return trials_.mass_of(solved.point) <= options_.max_mass;
-        });
+    std::ranges::stable_partition(found, [this](const Solved& solved) { return keeps_mass(solved.point); });
     return found;
 }
 
