@@ -57,7 +57,8 @@ std::vector<NamedFile> named_files(const Program& program) {
     return files;
 }
 
-/// Refuses a link to a file with another ending, because that file is of another kind.
+/// Refuses a link to a file with another ending, because that file is of another kind. Files that are updated
+/// may be such links.
 void check_link(const NamedFile& file) {
     const fs::path target = base::link_target(file.path);
     if (file.role == FileRole::Update || target.extension() == file.path.extension()) return;

@@ -11,7 +11,7 @@ namespace fretwork::app {
 /// names will lead to one file once it is written.
 bool is_same_file(const std::filesystem::path& left, const std::filesystem::path& right);
 
-/// Whether a path is there, but no file and no folder: /dev/stdout, /dev/null, a pipe.
+/// Whether a path exists and is neither a regular file nor a folder: /dev/null, a pipe, a terminal.
 bool is_device(const std::filesystem::path& path);
 
 // The kinds of content of files that this program makes, as content_of() names them. A JSON file has the K of

@@ -33,9 +33,9 @@ std::int64_t nanoseconds_now() {
     return std::int64_t{1'000'000'000} * now.tv_sec + now.tv_nsec;
 }
 
-/// Programs such as timeout(1) signal a process and its group, which is twice within microseconds. A person
-/// needs longer to press Ctrl-C again. A second SIGTERM does nothing, because SIGKILL ends a program at once.
-/// In nanoseconds.
+/// The least time between two Ctrl-C of a person, in nanoseconds. Programs such as timeout(1) signal both a
+/// process and its group, so that two signals come within microseconds. A second SIGTERM does nothing:
+/// whoever wants to end the program at once has SIGKILL.
 constexpr std::int64_t kLeastPause = 200'000'000;
 
 extern "C" void note_signal(int signal) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fretwork-step writes the solid of a project's surface to a STEP file. It is a separate program, because it
+// fretwork-step writes the solids of a project's surface to a STEP file. It is a separate program, because it
 // needs OpenCASCADE.
 #include "step_text.hpp"
 
@@ -29,7 +29,7 @@ struct Options {
     bool json = false;
 };
 
-/// Refuse to replace a file that is no STEP file.
+/// Refuse a path without the ending of a STEP file, and an existing file that is no STEP file.
 void require_replaceable(const std::filesystem::path& path) {
     if (path.extension() != ".step" && path.extension() != ".stp")
         throw base::InputError(path.string(), "", "has another ending than .step and .stp");

@@ -83,7 +83,7 @@ Studio::Impl::Impl(const StudioOptions& options)
     if (options.project)
         show(read_document(*options.project));
     else
-        kept_.take_place(std::nullopt, std::nullopt);  // reports now if there can be none
+        kept_.take_place(std::nullopt, std::nullopt);  // so that warning() tells if work cannot be kept
 }
 
 Studio::Impl::~Impl() = default;

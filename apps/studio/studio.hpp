@@ -23,7 +23,7 @@ struct StudioOptions {
 class Studio {
   public:
     /// The server listens when the constructor returns. Throws InputError if project or layout cannot be
-    /// read, IoError if the port is taken.
+    /// read or the address is malformed, IoError if the port is taken or the address is not this machine's.
     explicit Studio(const StudioOptions& options);
     Studio(const Studio&) = delete;
     Studio& operator=(const Studio&) = delete;

@@ -131,7 +131,7 @@ class Studio::Impl final : public Service {
     KeptWork kept_;
     LiveView view_;
     std::vector<ExportRequest> waiting_exports_;
-    RetilingPtr last_retiling_;  ///< null: none; kept because the same tiles follow a preview
+    RetilingPtr last_retiling_;  ///< null: none; the request after a preview wants the same tiles
     Background files_;           ///< work of a second or two
     /// The counts of patterns, by the page that wants them. A new count ends the one before.
     std::map<ClientId, Background> counts_;

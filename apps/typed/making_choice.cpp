@@ -10,7 +10,7 @@ namespace fretwork::typed {
 namespace {
 
 double read_length(const std::string& name, const std::string& text) {
-    constexpr double kLarge = 0.05;  // m; a larger number without a unit means mm
+    constexpr double kLarge = 0.05;  // m; without a unit, this length or a larger one is refused
     base::refuse_missing_unit(name, text, kLarge);
     return base::parse_length_above_zero(name, text);
 }

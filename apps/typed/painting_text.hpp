@@ -13,8 +13,8 @@ struct PaintingText {
     /// `colours:FILE.svg`; empty: no painting.
     std::string patterns{};
     /// The patterns to choose from: a painting file, or ids joined by commas; empty: the calibrated patterns
-    /// of the library. With random:SEED, an id may have a weight, `ID=3`. With colours:FILE.svg, every id
-    /// needs a colour, `red=ID`.
+    /// of the library. With random:SEED, an id may have a weight, `ID=3`. With colours:FILE.svg, only ids are
+    /// valid, at least one, and every id needs a colour, `red=ID`.
     std::string palette{};
     std::string property{};  ///< property of patterns, for field and image
     std::string range{};     ///< range of the property, SI: `0.02,0.1`
@@ -23,7 +23,8 @@ struct PaintingText {
     std::string prefix = "--";
 };
 
-/// Read the choice. Throws InputError that names the entry if it is malformed or does not fit `patterns`.
+/// Read the choice. Throws InputError that names an entry if this entry is malformed or does not fit the
+/// other entries.
 simulation::PaintingChoice read_painting(const PaintingText& text);
 
 }  // namespace fretwork::typed

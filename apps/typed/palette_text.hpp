@@ -11,8 +11,8 @@
 namespace fretwork::typed {
 
 /// The source of a palette's patterns, as a person writes it: ids joined by commas; "library" for all
-/// patterns of the library; "all" for all valid patterns of the layout; "sample:N" for N valid patterns of
-/// the layout, drawn at random.
+/// patterns of the library; "all" for all valid patterns of the layout; "sample:N" for N different valid
+/// patterns of the layout, drawn at random, or fewer if a limited number of draws finds no more.
 struct PaletteText {
     std::string text;
     std::uint64_t seed = 1;

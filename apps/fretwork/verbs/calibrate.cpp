@@ -215,7 +215,8 @@ void warn_of_spent_budgets(const Library& library, std::span<const pattern::Name
              "--budget, or change --starts");
 }
 
-/// A failed search can end with an ordinary number. Only beside similar calibrations it stands out.
+/// Warns of searches that may have failed. Such a search can end with an ordinary number, which stands out
+/// only beside those of similar calibrations.
 void warn_of_odd_searches(const Result& result) {
     if (result.report.dead_starts > 0)
         warn(std::to_string(result.report.dead_starts) +

@@ -132,7 +132,7 @@ std::string rejection_sheet(const NodeLayout& layout, const pattern::Enumeration
                                         drawing_options(enumeration));
 }
 
-/// Draw some patterns, print them, and make the files of them.
+/// Choose some patterns at random, print their ids, and make the files of them.
 void sample(const NodeLayout& layout, const pattern::EnumerationOptions& enumeration, PatternFiles& files,
             const EnumerateOptions& options) {
     const auto drawn = pattern::PatternSampler(layout, enumeration, options.seed).draw(options.sample);
@@ -187,7 +187,7 @@ std::string filter_help() {
     return text;
 }
 
-/// Adds the options on valid patterns.
+/// Adds the options that say which patterns are valid.
 void add_rules(CLI::App& verb, EnumerateOptions& options) {
     verb.add_option("--layout", options.layout, "Node layout: a name or a file")->capture_default_str();
     verb.add_option("--edges", options.edges,

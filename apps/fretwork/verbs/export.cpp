@@ -90,8 +90,8 @@ bool any_is(const Writers& writers, bool (exports::WriterRow::*is)() const) {
     return std::ranges::any_of(writers, [&](const auto* writer) { return (writer->*is)(); });
 }
 
-/// An .svg has a drawing from above if there is no result. With a result and a case, it has that drawing
-/// beside the others.
+/// Refuses options that none of the drawings uses. An .svg shows the surface from above if there is no
+/// result, or if there are results and a case: then beside the deformed surfaces.
 void refuse_ignored_in_drawings(const CLI::App& verb, const ExportOptions& options, const Writers& writers) {
     const bool has_svg = std::ranges::any_of(
         writers, [](const auto* writer) { return writer->is_drawing() && !writer->is_picture(); });

@@ -97,7 +97,7 @@ void add_tiles(std::set<TileIndex>& chosen, const char* option, const std::vecto
     }
 }
 
-/// Returns all tiles if no option selects any.
+/// The tiles that the options select, or all tiles if none of these options is given.
 std::vector<TileIndex> chosen_tiles(const PaintOptions& options, const tiling::Tessellation& tessellation) {
     std::set<TileIndex> chosen;
     add_tiles(chosen, "--tiles", options.tiles,

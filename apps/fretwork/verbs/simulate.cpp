@@ -76,7 +76,8 @@ void add_drawings(const SimulateOptions& options, const Surface& surface,
         files.add(path, exports::find_writer(path).write(scene).text);
 }
 
-/// Adds the load steps or stages for ParaView. Throws if a file beside the named one exists and is not ours.
+/// Adds the load steps or stages for ParaView, each as a file beside the named one. Throws InputError if such
+/// a file exists and fretwork has not made it.
 void add_series(const SimulateOptions& options, const Surface& surface,
                 const simulation::SurfaceResult& result, base::FileBatch& files) {
     if (options.series.empty()) return;

@@ -87,7 +87,7 @@ void name_library(Project& project, const TileOptions& options, const Library* l
     project.library_hash = library->content_hash();
 }
 
-/// Throws InputError if a load case that stays selects nothing on the new tiles.
+/// Throws InputError if an entry of a load case that stays selects nothing on the new tiles.
 void check_what_stays(const Project& project, const TileOptions& options) {
     for (const simulation::LoadCase& load_case : project.load_cases) {
         try {
@@ -210,7 +210,7 @@ void run(const TileOptions& options) {
     wanted.setting = wanted_setting(options, library);
     const outlines::OutlineFile file = read_outline(options, width);
     tell(file, options);
-    // Only here Ctrl-C asks to stop, since files may be half-written. Before and after, it ends the program.
+    // Ctrl-C asks to stop only here, where files may be half-written. Before and after, it ends the program.
     std::optional<LongWork> work(std::in_place);
     wanted.control = work->control();
     simulation::NewProject made = make(file, wanted, library);

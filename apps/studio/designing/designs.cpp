@@ -41,7 +41,7 @@ bool is_nearer(const DesignReport& one, const DesignReport& other) {
     return one.error && (!other.error || one.error->mean < other.error->mean);
 }
 
-/// The result of the design: the answer or, if it is nearer to the target, the sketch.
+/// The result of the design: the answer, or the sketch if that is nearer to the target.
 DesignReport best_of(const DesignReport& sketch, DesignReport answer) {
     if (!is_nearer(sketch, answer)) return answer;
     DesignReport best = sketch;

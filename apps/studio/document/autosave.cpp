@@ -85,7 +85,7 @@ AutosavePlace::AutosavePlace(const fs::path& folder, const std::optional<fs::pat
     const std::string stem = stem_of(document);
     for (int number = 1; number <= kMostPlaces && !lock_; ++number) {
         file_ = folder / ((number == 1 ? stem : stem + "-" + std::to_string(number)) + ".json");
-        // An existing file has the unsaved work of another studio, and must not be lost.
+        // An existing file has unsaved work that a studio left behind, and must not be lost.
         if (!fs::exists(file_)) lock_ = try_lock(file_);
     }
     if (!lock_)

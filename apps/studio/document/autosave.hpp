@@ -29,7 +29,8 @@ struct AutosaveLabel {
 /// it while this object lives.
 class AutosavePlace {
   public:
-    /// Take a place that no studio holds and that has no file. Makes the folder. Throws IoError.
+    /// Take a place that no studio holds and that has no file. Makes the folder. Throws IoError, or
+    /// InputError if the place's lock file cannot be opened.
     ///
     /// @param document  the document's file; none: it was never saved
     AutosavePlace(const std::filesystem::path& folder, const std::optional<std::filesystem::path>& document);

@@ -15,7 +15,7 @@ struct ProjectFile {
     std::filesystem::path path;
     std::optional<std::string> hash;
 };
-/// The SHA-256; nothing if there is no such file. Throws IoError if it cannot be read.
+/// The SHA-256 of a file; nothing if there is no such file. Throws InputError if it cannot be read.
 std::optional<std::string> hash_of_file(const std::filesystem::path& path);
 
 /// The document of a server: its history, its file, and the selected load case.

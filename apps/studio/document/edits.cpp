@@ -97,7 +97,7 @@ std::size_t read_index(const JsonReader& json, std::size_t last) {
     return json.integer(0, static_cast<long long>(last));
 }
 
-/// Checks that all load cases in combinations exist.
+/// Checks that each combination names only other load cases that exist and are no combinations.
 void check_combinations(const std::vector<LoadCase>& cases) {
     for (const LoadCase& load_case : cases) (void)simulation::combined(load_case, cases);
 }

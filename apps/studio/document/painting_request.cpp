@@ -77,7 +77,8 @@ Painted tile_by_tile(const State& state, const JsonReader& request) {
     return result;
 }
 
-/// The named tiles, or all if none are named, in the order of the command: random choices depend on it.
+/// The named tiles, each once, or all if none are named. They are in ascending order, as the command takes
+/// them: random choices depend on the order.
 std::vector<TileIndex> chosen_tiles(const State& state, const JsonReader& request) {
     std::vector<std::size_t> numbers(state.tile_count());
     std::iota(numbers.begin(), numbers.end(), std::size_t{0});

@@ -24,7 +24,7 @@ std::optional<pattern::NodeLayout> read_other_layout(const JsonReader& json, con
     const auto name = json.find("layout");
     if (!name) return std::nullopt;
     const std::string text = read_name_or_path(*name);
-    // The document's own layout is known, even if its file lies elsewhere.
+    // The document has its own layout: a search by name would not find it if its file lies elsewhere.
     if (text == state.ground->layout.name()) return std::nullopt;
     pattern::NodeLayout layout = pattern::find_node_layout(text);
     if (layout == state.ground->layout) return std::nullopt;

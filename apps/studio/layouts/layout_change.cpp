@@ -198,7 +198,7 @@ ChangedLayout with_interface(NodeLayoutDescription next, const LayoutChange& cha
         change.to ? share_of(*change.to, Region::Interface) : middle_of_gap(lower, {Rational(0), kMiddle});
     const Rational share = grid_share(wanted, hand);
     if (share != kMiddle) insert_share(shares, Rational(1) - share);
-    const std::size_t number = insert_share(shares, share);  // after the twin, which would shift it
+    const std::size_t number = insert_share(shares, share);  // last: inserting the twin may shift it
     NodeLayout layout(std::move(next));
     const LayoutNodeIndex node = node_of(layout, Region::Interface, number);
     return {std::move(layout), node};
@@ -214,8 +214,8 @@ HandPlace to_doubles(const ExactPlace& place) {
     return {place[0].to_double(), place[1].to_double(), place[2].to_double()};
 }
 
-/// The place inside of the triangle that is farthest from all nodes and from the sides, of a grid of about a
-/// 24th of a side.
+/// The place inside of the triangle that is farthest from all nodes and from the sides. Places on a grid with
+/// steps of about a 24th of a side are tried.
 ExactPlace most_room(const NodeLayout& layout, const LayoutHand& hand) {
     constexpr std::int64_t kTried = 24;
     const std::int64_t stride = std::max<std::int64_t>(1, hand.steps / kTried);

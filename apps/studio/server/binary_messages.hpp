@@ -32,7 +32,7 @@ BeamFields read_beam_fields(const base::JsonReader& json);
 /// The message has all wanted fields, or none if the state has no forces.
 std::string solution_message(const simulation::BeamState& state, const FrameStamp& stamp,
                              const BeamFields& fields);
-/// Has no beam fields.
+/// The message has no beam fields.
 ///
 /// @param node_fields  a row for each node, a column for each field
 std::string motion_message(const mechanics::NodeValues& nodes, const FrameStamp& stamp,

@@ -42,7 +42,7 @@ void paint(Project& project, const NamedPattern& pattern) {
     for (tiling::Tile& tile : project.tessellation.tiles) tile.pattern = 0;
 }
 
-/// The surface with the bars of two tiles.
+/// The surface with the bars of two tiles only.
 simulation::Surface only_tiles(simulation::Surface surface, const std::array<tiling::TileIndex, 2>& kept) {
     std::vector<tiling::Tile>& tiles = surface.tessellation.tiles;
     for (std::size_t t = 0; t < tiles.size(); ++t) {

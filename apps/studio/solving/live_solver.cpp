@@ -13,13 +13,14 @@
 namespace fretwork::studio {
 namespace {
 
-// While somebody drags, input comes faster than solves end. A solve is stopped only if it has taken longer
-// than the patience, or nothing would ever be seen; and never after kLongestSilence without an answer.
+// While somebody drags, input comes faster than solves end: nothing would ever be seen if it stopped every
+// solve. A solve that has shown nothing yet is stopped only if it has taken longer than the patience, and
+// never after kLongestSilence without an answer.
 constexpr std::chrono::milliseconds kLeastPatience{100};
 constexpr std::chrono::milliseconds kMostPatience{400};
 constexpr std::chrono::milliseconds kLongestSilence{1000};
-/// During this time without an answer, newer input stops a solve whose first iterate is shown. Then an
-/// equilibrium is due: first iterates become worse the farther they are from the last equilibrium.
+/// During this time without an answer, newer input stops a solve whose first iterate is shown. After this
+/// time, an equilibrium is due: first iterates become worse the farther they are from the last equilibrium.
 constexpr std::chrono::milliseconds kLongestApproximation{200};
 /// Loads that have not moved for so long are at rest.
 constexpr std::chrono::milliseconds kRest{150};

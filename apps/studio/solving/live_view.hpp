@@ -18,8 +18,8 @@ struct AnswerToExport {
 /// The event and the message of a solution. With `more` in the event, newer solutions do not replace it.
 Outgoing solved_message(const SolvedSurface& solved, const BeamFields& fields, const base::Json& more = {});
 
-/// The newest results of the live solver for the document that is shown: it sends them to the pages, and
-/// keeps them for pages that come later, for files and for comparisons. Used on the server's thread.
+/// Sends the newest results of the live solver for the shown document to the pages, and keeps them for pages
+/// that come later, for files and for comparisons. Used on the server's thread.
 class LiveView {
   public:
     explicit LiveView(Pages& pages) : pages_(pages) {}

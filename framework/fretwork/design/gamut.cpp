@@ -33,7 +33,7 @@ std::vector<int> nodes_around(const tiling::Tessellation& tessellation,
     return {nodes.begin(), nodes.end()};
 }
 
-/// The normal of the plane that fits the nodes best. Seen against it, the nodes run around as at rest.
+/// The normal of the plane that fits the nodes best, on the side that faces z at rest.
 Eigen::Vector3d normal_of(const Places& own, const Eigen::Matrix<double, Eigen::Dynamic, 2>& rest) {
     Eigen::Vector3d normal = Eigen::JacobiSVD<Places>(own, Eigen::ComputeFullV).matrixV().col(2);
     // The map from rest to space keeps the sense of turning.

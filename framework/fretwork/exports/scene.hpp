@@ -60,7 +60,7 @@ struct Scene {
     std::vector<LabelledResult> results{};  ///< results; the first is the main result
     double displacement_scale = 1.0;        ///< factor on displacements in drawings and pictures
     /// Direction of the viewer of deformed states. None: pictures and pages choose the best direction, and
-    /// drawings take that of ViewOptions.
+    /// drawings take the default of ViewOptions.
     std::optional<ViewOptions> view{};
     PictureOptions picture{};  ///< size and colours of pictures
     /// Strength to which utilizations refer, Pa; none: the strength in the setting.

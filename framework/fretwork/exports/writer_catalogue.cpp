@@ -23,7 +23,8 @@ LineSet main_lines(const Scene& scene) {
                                  : result_lines(scene.surface, scene.results.front().result);
 }
 
-/// The paper's colours of the full model (grey) and the reduced model (blue), for the layers in their order.
+/// The colour of a layer by its index: first the paper's grey (full model), then its blue (reduced model),
+/// then further colours.
 std::string layer_colour(std::size_t index) {
     constexpr std::array<const char*, 4> kColours = {"#8a8f94", "#2166ac", "#d6604d", "#1b7837"};
     return kColours[index % kColours.size()];

@@ -19,7 +19,7 @@ void each_segment(const Contour& contour, const Visit& visit) {
         visit(contour[i], contour[(i + 1) % contour.size()].place);
 }
 
-/// Grow a box to hold an arc, except for the arc's ends.
+/// Grow a box to hold the extreme points inside an arc. The caller adds the arc's ends.
 void include_arc(Box& box, const ContourPoint& from, const Point2& to) {
     const Arc arc = arc_between(from, to);
     const double start = std::atan2(from.place.y - arc.center.y, from.place.x - arc.center.x);

@@ -44,8 +44,8 @@ struct Cell {
 /// A corner of the material, or a place on its arcs, that points into empty space.
 struct Tip {
     Point2 place;
-    Point2 in;   ///< direction of the contour before
-    Point2 out;  ///< direction behind
+    Point2 in;   ///< direction of the contour before the tip
+    Point2 out;  ///< direction of the contour after the tip
 };
 
 /// Finds the gaps between all contours of a shape.

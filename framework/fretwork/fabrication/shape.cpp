@@ -54,8 +54,8 @@ void require_below_surface(const BarPlan& plan, const ShapeOptions& options) {
 }
 
 /// Makes the contours around the material, region by region; the lines of the bars bound the regions. The
-/// empty part of each region is computed separately, so that most Boolean operations have some ten edges, in
-/// large surfaces, too.
+/// empty part of each region is computed separately, so that most Boolean operations have few edges, even in
+/// large surfaces.
 class ShapeMaker {
   public:
     ShapeMaker(const BarPlan& plan, const ShapeOptions& options)

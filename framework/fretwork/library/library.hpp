@@ -155,8 +155,8 @@ class Library {
     /// The patterns with a calibration of a model that has parameters, in the order of patterns().
     [[nodiscard]] std::vector<pattern::NamedPattern> fitted_patterns() const;
     /// Find patterns by their behaviour. Only patterns with properties are found; fill() computes properties.
-    /// Throws InputError if an expression of the query is invalid. The error names "where" or "sort" as its
-    /// source, and the place.
+    /// Throws InputError if an expression of the query is invalid. The error names its source ("where",
+    /// "sort", or "where or sort" if SQLite does not say which) and, if it is known, the place.
     [[nodiscard]] FoundPatterns find(const PatternQuery& query) const;
     /// The objectives of all calibrations of a key, ascending.
     [[nodiscard]] std::vector<double> objectives(const CalibrationKey& key) const;

@@ -31,8 +31,8 @@ Made ceres_residuals(CeresResidualsOptions options, Options common) {
     return make_ceres_residuals(options);
 }
 
-/// The smoothing of ceres-multistart's continuation stages. The rows ceres-smoothed.. have the same stages,
-/// so a comparison with ceres-multistart does not depend on the stages.
+/// The smoothing of ceres-multistart's continuation stages. The row ceres-smoothed and its variants have the
+/// same stages, so a comparison with ceres-multistart does not depend on the stages.
 std::vector<double> stages() {
     return ContinuationOptions{}.smoothing;
 }

@@ -41,7 +41,7 @@ inline constexpr int kMostEdgesWalked = 20;
 /// Count the graphs that each filter rejects, and the valid graphs, which all filters accept. Up to
 /// kMostEdgesWalked candidate edges, every graph is walked. With more candidate edges, a search counts the
 /// valid graphs. For filters about pairs, loads and groups of edges, the rejected graphs are counted without
-/// walking them, unless this count is too large. All other columns stay empty.
+/// walking them, unless that takes too much memory or time. All other columns stay empty.
 Census take_census(const NodeLayout& layout, const EnumerationOptions& options = {});
 /// Take the census with the `valid` counts of an earlier search under the same options. The counts are
 /// ignored if every graph is walked.

@@ -41,7 +41,8 @@ struct FilterKind {
 /// All filters, in the order of the columns of the census: the paper's six first.
 std::span<const FilterKind> filter_catalogue();
 
-/// The filter with this name. Throws InputError that suggests the nearest name.
+/// The filter with this name. Throws InputError that suggests the nearest name or, if none is near, lists
+/// all names.
 const FilterKind& find_filter_kind(std::string_view name);
 
 /// The choice of a filter and its number.

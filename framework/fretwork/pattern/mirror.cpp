@@ -33,8 +33,8 @@ std::optional<EdgeIndex> edge_image(const NodeLayout& layout, const Edge& edge) 
     const Edge image = moved_to_left_side(layout, {std::min(*first, *second), std::max(*first, *second)});
     const auto& candidates = layout.candidate_edges();
     const auto found = std::lower_bound(candidates.begin(), candidates.end(), image);
-    // The image is not a candidate if a face node lies on it. The edge may still be a candidate, because the
-    // layout need not be symmetric.
+    // The image is not a candidate if a face node lies on it. The edge itself is a candidate all the same,
+    // because the layout need not be symmetric.
     if (found == candidates.end() || *found != image) return std::nullopt;
     return EdgeIndex(found - candidates.begin());
 }

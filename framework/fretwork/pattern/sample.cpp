@@ -121,8 +121,9 @@ std::vector<Pattern> PatternSampler::draw(std::size_t count, std::uint64_t most_
     const base::Task task(impl.options.control, "draw", count);
     for (std::uint64_t fruitless = 0; impl.drawn.size() < count;) {
         if (is_hopeless)
-            throw base::NumericalError("the layout '" + impl.layout.name() +
-                                       "' has no graph with the wanted numbers of edges and symmetry");
+            throw base::NumericalError(
+                "the layout '" + impl.layout.name() +
+                "' has no graph without conflicts and with the wanted number of edges");
         if (fruitless >= most_trials)
             throw base::NumericalError("no valid pattern of the layout '" + impl.layout.name() +
                                        "' was found in " + std::to_string(fruitless) + " trials");

@@ -38,7 +38,7 @@ class PatternSampler {
     ~PatternSampler();
 
     /// The next `count` patterns. Draws are independent, so a pattern may be drawn more than once. Throws
-    /// NumericalError without proposals, or if `most_trials` trials in a row find no valid pattern.
+    /// NumericalError if there are no proposals, or if `most_trials` trials in a row find no valid pattern.
     std::vector<Pattern> draw(std::size_t count, std::uint64_t most_trials = 100'000'000);
 
     /// Estimate the number of valid patterns from the first `trials` trials, whatever was drawn before.

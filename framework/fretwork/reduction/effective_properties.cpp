@@ -49,7 +49,8 @@ MatrixXd periodic_fluctuations(int nodes, int nodes_a_side) {
     return result;
 }
 
-/// The energy per area of macroscopic modes, minimized over periodic fluctuations.
+/// The second derivatives of the energy per area with respect to the amplitudes of the macroscopic modes,
+/// with the energy minimized over periodic fluctuations.
 Matrix3d homogenized(const MatrixXd& K, const MatrixXd& macroscopic, const MatrixXd& periodic, double area) {
     // The matrix is singular, because translations cost no energy. The system is still solvable, and any
     // solution is valid.

@@ -34,7 +34,8 @@ constexpr int kMostTiles = 100000;
 constexpr double kMostRefinedTiles = 20000;
 constexpr int kAnglesOfMany = 2;  // number of lattices that are sketched if there are many refined tiles
 constexpr double kBytesPerTile = 8000;  // measured, rounded up
-/// The largest sum of the tiles of all starts that are tried in full. A small outline is tried in more ways.
+/// The largest sum of the tiles of the starts that are tried in full. The best start is always tried, and
+/// remeshing does not count. A small outline is thus tried in more ways.
 constexpr double kTilesInFinal = 1600;
 constexpr double kTilesInGraded = 500;   // the same if the wanted side varies
 constexpr double kSketchingShare = 0.2;  // share of the remaining progress
@@ -51,7 +52,7 @@ constexpr double kLimbArea = 0.01;    // share of the outline's area that may be
 constexpr int kSidesTried = 5;        // number of smaller sides tried before an outline is refused
 constexpr double kNextSide = 0.7;     // factor from one tried side to the next
 constexpr double kFewTiles = 4;       // smallest number of tiles tried: an outline may be smaller than a tile
-constexpr double kMostTilesTried = 400;   // with all tried sides together, which takes seconds
+constexpr double kMostTilesTried = 400;   // number of tiles with all tried sides; so many take seconds
 constexpr double kTipArea = 1e-3;         // share of the outline's area that a sharp tip may lose
 constexpr double kTipsArea = 8e-3;        // share that all tips together may lose
 constexpr double kNegligibleArea = 4e-4;  // share of the outline's area; smaller narrow parts are ignored
@@ -77,7 +78,8 @@ std::vector<double> sketched_angles(const TilingProblem& problem, double turned_
     return angles;
 }
 
-/// The starts with the best sketches, best first, as many as the number of tiles allows, and often remeshing.
+/// The starts with the best sketches, best first, as many as the number of tiles allows. Remeshing follows if
+/// there are several and the wanted side is uniform, and is the only start if no lattice is sketched.
 std::vector<Start> best_starts(const TilingProblem& problem, double turned_by, SharedTask& task) {
     const bool is_graded = !problem.field.is_uniform();
     const std::vector<double> angles = sketched_angles(problem, turned_by);

@@ -120,8 +120,8 @@ TessellationResult tessellate_parts(const std::vector<outlines::Outline>& parts,
 ///
 /// Throws InputError or GeometryError that names a face if the face is not convex, or does not share whole
 /// sides with its neighbours (a vertex in the middle of a side, an overlap, two faces on the same side of an
-/// edge). Throws also if the faces are not connected by sides, or if two faces without a common side touch in
-/// a vertex.
+/// edge). Throws also if the faces are not connected by sides, or if the rim of the mesh touches itself in a
+/// vertex.
 TessellationResult read_mesh_tessellation(const std::filesystem::path& path,
                                           const pattern::NodeLayout& layout);
 

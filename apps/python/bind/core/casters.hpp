@@ -40,8 +40,8 @@ concept Worded = std::is_enum_v<Enum> && requires {
 /// names the nearest word if the word is unknown.
 int place_of_word(py::handle object, const char* kind, std::span<const char* const> words);
 
-/// The component names of a set of dofs. Returns false if the object is neither a text nor iterable. Throws
-/// InputError for an unknown word.
+/// Reads a set of dofs from the names of its components. Returns false if the object is neither a text nor
+/// iterable. Throws InputError for an unknown word.
 bool read_dofs(py::handle object, mechanics::DofSet& dofs);
 py::object dof_names(const mechanics::DofSet& dofs);
 

@@ -64,7 +64,7 @@ class Record {
         add_field(type_, name, set);
         return *this;
     }
-    /// A field that is read-only later.
+    /// A field that can be read, and is set only when an object is made.
     template <class Owner, class Member>
     Record& constant(const char* name, Member Owner::*member, const char* doc) {
         type_.def_property_readonly(name, getter<const Member&>(member), doc);

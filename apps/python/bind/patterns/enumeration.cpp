@@ -12,7 +12,7 @@
 
 namespace pybind11::detail {
 
-/// Counts of graphs: beyond 64 bits.
+/// Counts of graphs, which may need more than 64 bits.
 template <>
 struct type_caster<fretwork::pattern::GraphCount> {
     PYBIND11_TYPE_CASTER(fretwork::pattern::GraphCount, const_name("int"));

@@ -155,7 +155,8 @@ auto ask_model(const ModelOrName& given, const TileCase& tile, const Answer& ans
     return answer(ModelTile(model, tile.layout, tile.pattern, tile.setting));
 }
 
-/// The number of interface nodes, the first nodes of a frame. Throws InputError if it has fewer.
+/// The given number of interface nodes, which are the first nodes of a frame. Throws InputError if the number
+/// is below 1, or if the frame has fewer nodes.
 int checked_interface(const mechanics::Frame& frame, int interface_nodes) {
     if (interface_nodes < 1 || interface_nodes > std::ssize(frame.nodes))
         throw base::InputError("the frame has " + std::to_string(frame.nodes.size()) + " nodes, and " +

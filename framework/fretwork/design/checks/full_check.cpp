@@ -35,7 +35,7 @@ FullCheck check_in_full(const Trials& trials, const Point& point, BeamDemand bea
         auto result = session->solve(control.silent());
         ++check.solutions;
         if (!result.solution.is_stable_equilibrium()) {
-            // The path from flat loses its stability: go on along the stable branch.
+            // The path from flat ends at no stable equilibrium: solve again, along the stable branch.
             check.error.is_stable_from_flat = false;
             options.branch = mechanics::Branch::Stable;
             session.emplace(surface, trials.load_case_at(point, c), options);

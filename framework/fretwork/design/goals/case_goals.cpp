@@ -17,7 +17,8 @@ using mechanics::NodeValues;
 using tiling::InterfaceIndex;
 using tiling::Tessellation;
 
-/// Below this distance, m, a node lies on the mesh; the mesh's normal then replaces the direction to it.
+/// Up to this distance, m, a node lies on the mesh. The mesh's normal then replaces the direction from the
+/// mesh to the node.
 constexpr double kOnSurface = 1e-9;
 /// A wanted displacement above this multiple of the surface's size is an error of units.
 constexpr double kFarthest = 10.0;

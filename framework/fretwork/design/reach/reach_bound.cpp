@@ -102,7 +102,8 @@ class LinearSurface {
         factors_[1].compute(matrix(above_));
     }
 
-    /// K_A^-1 and K_B^-1 times forces. Vectors have six rows for each node; held rows are zero.
+    /// K_A^-1 and K_B^-1 times forces. Vectors have six rows for each node. Held rows of the forces do not
+    /// count; those of the results are zero.
     [[nodiscard]] std::array<VectorXd, 2> answers(const VectorXd& forces) const {
         VectorXd free(free_count_);
         for (Index i = 0; i < forces.size(); ++i) {
@@ -221,8 +222,9 @@ class Observations {
     Index nodes_;
 };
 
-/// The distance from the wanted observations to the ellipsoid of the observations around `middle`. The first
-/// direction is the difference from `middle`, and the ellipsoid's shape makes each next one (Lanczos).
+/// The distance from the wanted observations to the ellipsoid of the observations around `middle`, in the
+/// space of at most kDirections directions. The first direction is the difference from `middle`, and the
+/// ellipsoid's shape makes each next one (Lanczos).
 double distance_along(const LinearSurface& surface, const Observations& observations, double radius,
                       const VectorXd& middle, const base::Control& control) {
     const VectorXd off = observations.wanted() - middle;

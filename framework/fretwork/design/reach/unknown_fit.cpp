@@ -8,12 +8,12 @@
 namespace fretwork::design::detail {
 namespace {
 
-constexpr int kFirstSteps = 3;  // of each uniform painting
-constexpr int kMostSteps = 10;  // of the best of them
+constexpr int kFirstSteps = 3;  // at most, for each of the kFitted paintings
+constexpr int kMostSteps = 10;  // then for the best of them
 constexpr int kMostHalvings = 3;
 /// A step that gains less than this share of the objective ends the fit. Errors are compared only to 1 %.
 constexpr double kSmallGain = 1e-3;
-/// Uniform paintings that get their own best unknowns.
+/// The largest number of uniform paintings that get their own best unknowns.
 constexpr std::size_t kFitted = 4;
 /// The largest factor by which a guess scales displacements.
 constexpr double kMostGuessed = 5.0;
@@ -63,7 +63,7 @@ Eigen::VectorXd wanted_step(Trials& trials, const Solved& current, const DesignO
 
 Solved fit_unknowns(Trials& trials, Solved start, const DesignOptions& options, int steps) {
     Solved current = std::move(start);
-    current.trial = trials.solve(current.point, options.control);  // tables need the last equilibrium
+    current.trial = trials.solve(current.point, options.control);  // tables are made at the last equilibrium
     for (int count = 0; count < steps && current.trial.is_found; ++count) {
         Eigen::VectorXd step = wanted_step(trials, current, options);
         double gained = 0.0;

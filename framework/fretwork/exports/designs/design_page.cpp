@@ -28,7 +28,7 @@ std::string motion_text(const mechanics::NodeValues& rows) {
     return detail::packed(numbers);
 }
 
-/// The page shows the largest distance of a node with several goals.
+/// A bent shape with all of its goals. For a node with several goals, the page shows the largest distance.
 Json shape_json(const CaseShape& shape, Eigen::Index nodes) {
     Json goals = Json::array();
     for (const CaseShape::GoalNode& goal : shape.goals)

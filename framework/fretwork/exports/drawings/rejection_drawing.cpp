@@ -18,7 +18,7 @@ using pattern::Rejection;
 
 constexpr const char* kFace = "#f4f6f8";
 
-/// The rejections in rows, each of successive ones by a filter.
+/// The rejections in rows: successive rejections by the same filter are one row.
 std::vector<std::vector<const Rejection*>> rows_by_filter(std::span<const Rejection> rejections) {
     std::vector<std::vector<const Rejection*>> rows;
     for (const Rejection& rejection : rejections) {

@@ -95,7 +95,7 @@ std::vector<Light> lights(const detail::Camera& camera, PixelSize size) {
     return lights;
 }
 
-/// The light at a lit point.
+/// A point that may be lit, and the light that it receives.
 struct Receiver {
     Vector3f place;
     Vector3f normal;
@@ -267,7 +267,7 @@ class Picture {
             pixels_[p].ground = kShadowOnGround * ground_shadow(p) * fading(p);
     }
 
-    /// Weighs each value with its two neighbours at a distance in the list.
+    /// Replaces each value by a weighted mean of it and the two values `distance` places before and after.
     void smooth(std::size_t distance) {
         const std::vector<float> before = ground_grid_;
         for (std::size_t p = distance; p + distance < before.size(); ++p)

@@ -16,7 +16,7 @@ using ClipperLib::Paths;
 using geometry::Polygon;
 
 constexpr double kPerMetre = 1e9;  ///< grid points
-/// Smaller areas are only rounding to the grid, between corners that should be one.
+/// Smaller areas come only from rounding to the grid, between corners that should be one.
 constexpr double kLeastArea = 1e-12;  // m2
 /// Corners nearer to each other than kLeastStep are merged. Corners nearer to a straight line than
 /// kLeastDeviation are removed.
@@ -150,7 +150,7 @@ std::vector<int> circles_of_edges(const Polygon& polygon, std::span<const Disc> 
     return circles;
 }
 
-/// The angle that an edge takes at the center of a circle.
+/// The angle that an edge subtends at the center of a circle, rad, counterclockwise positive.
 double angle_at(const Point2& center, const Point2& from, const Point2& to) {
     return turn(from - center, to - center);
 }
@@ -201,7 +201,8 @@ class ArcFinder {
         return circles_[i] >= 0 || circles_[before(i)] >= 0;
     }
 
-    /// The corner between an arc and its neighbour: on the arc's circle, and on a neighbour that is a line.
+    /// The corner between an arc and its neighbour. It lies on the arc's circle and, if the neighbour is a
+    /// line, also on that line.
     [[nodiscard]] Point2 end_of_arc(std::size_t i) const {
         const bool arc_before = circles_[before(i)] >= 0;
         const Disc& circle = disc(arc_before ? before(i) : i);

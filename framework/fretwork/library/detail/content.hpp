@@ -14,8 +14,8 @@ std::string content_hash(Database& database);
 /// The content hash as it was computed for tables of schema 3.
 std::string schema3_content_hash(Database& database);
 
-/// Write each table of content and the view `behaviour` as one CSV file, but the layout and the setting as
-/// JSON files.
+/// Write layout.json, setting.json, and one CSV file for each other table of content and for the view
+/// `behaviour`.
 void export_csv(Database& database, const std::filesystem::path& folder);
 
 }  // namespace fretwork::library::detail

@@ -32,7 +32,7 @@ class ResponseReader {
   public:
     ResponseReader(const Database& database, const ResponseShape& shape);
     /// The responses of a pattern in the order of the setting's scenarios; empty if none are stored. Throws
-    /// InputError if a row belongs to no stored state.
+    /// InputError if a row belongs to no stored state or to no interface node.
     std::vector<reduction::Response> read(std::string_view pattern_id);
 
   private:

@@ -11,7 +11,7 @@ namespace fretwork::optimization {
 /// The methods search in the unit box.
 struct PagmoOptions {
     OptimizerOptions common{};  ///< number of starts, and seed
-    /// A run ends if the objective differs by less than this number in its population. It also ends if the
+    /// A run ends if the objectives of its population differ by less than this number. It also ends if the
     /// variables (as shares of the box) vary by less than this number.
     double tolerance = 1e-8;
     int largest_generations = 100'000;  ///< largest number of generations in one run

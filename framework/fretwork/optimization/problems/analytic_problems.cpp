@@ -107,8 +107,8 @@ AnalyticProblem rastrigin(int n) {
             0.0, VectorXd::Zero(n)};
 }
 
-/// sin(pi w_1)^2 + sum (w_i - 1)^2 (1 + 10 sin(pi w_i + 1)^2) + (w_n - 1)^2 (1 + sin(2 pi w_n)^2) with
-/// w = 1 + (x - 1) / 4 [LevyMontalvo1985].
+/// sin(pi w_1)^2 + sum (w_i - 1)^2 (1 + 10 sin(pi w_i + 1)^2) + (w_n - 1)^2 (1 + sin(2 pi w_n)^2), with the
+/// sum over i = 1 .. n - 1 and w = 1 + (x - 1) / 4 [LevyMontalvo1985].
 class Levy {
   public:
     static VectorXd residuals(const VectorXd& x) {

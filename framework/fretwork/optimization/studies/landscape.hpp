@@ -26,8 +26,8 @@ struct Landscape {
     /// continuation; "sharp", by only the last stage of the default continuation; "residuals", by Ceres on
     /// the residuals without smoothing.
     std::string descents;
-    /// The objective and the smoothed objectives along each variable, through the best of all points in
-    /// `descents` of a problem.
+    /// For each problem, the objective and the smoothed objectives along each variable, through the best of
+    /// the problem's points in `descents`.
     std::string sections;
 };
 

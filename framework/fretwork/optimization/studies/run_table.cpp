@@ -88,7 +88,8 @@ std::string row_fault(const std::vector<std::string>& cells) {
     return is_trace(cells[17]) ? "" : "its trace is not a list of cost:value";
 }
 
-/// The difference between the command of a row and the command of its method; empty if they are equal.
+/// A message if the command of a row is not the command of its method. Empty if the commands are equal, or if
+/// the study does not have the method.
 std::string other_command(const std::string& stored, const RunKey& key,
                           std::span<const Contender> contenders) {
     const auto contender = std::ranges::find(contenders, key.optimizer,

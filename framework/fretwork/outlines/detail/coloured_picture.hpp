@@ -10,7 +10,7 @@
 namespace fretwork::outlines::detail {
 
 /// The filled shapes of an SVG, in the order in which they are painted, with their colours: "#rrggbb", or ""
-/// for a gradient.
+/// for a gradient, a pattern or a colour that parse_colour() does not know.
 struct ColouredPicture {
     Picture picture;
     std::vector<std::string> colours;

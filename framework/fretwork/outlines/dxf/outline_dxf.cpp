@@ -224,7 +224,7 @@ class DxfReader {
     DxfFile file_;
     Flattening how_{.tolerance = kFlatteningTolerance};
     DrawnLines lines_;
-    std::vector<int> line_numbers_;  // lines in the file of the open lines
+    std::vector<int> line_numbers_;  // for each open line, its line in the file
     std::vector<std::size_t> open_;  // indices of the open lines that enclose nothing
     std::vector<const DxfFile::Block*> inserting_;
     Remarks remarks_;

@@ -65,7 +65,7 @@ Mesh make_mesh(const MeshFile& file, const std::filesystem::path& path) {
         if (!mesh.add_face(vertices).is_valid())
             throw base::GeometryError(
                 path.string(), "face " + std::to_string(face),
-                "does not fit to the faces before it: at most two faces may share a side, and they must "
+                "does not fit the faces before it: at most two faces may share a side, and they must "
                 "run along it in opposite directions");
     }
     return mesh;

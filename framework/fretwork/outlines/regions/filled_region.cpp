@@ -164,7 +164,7 @@ Places places_of(const Polygon& curve) {
     return std::min(begun_at_the_least(std::move(places)), begun_at_the_least(std::move(back)));
 }
 
-/// The number of shapes that fill the same area as an earlier shape.
+/// The number of shapes with the same loops and the same rule as an earlier shape; clips are ignored.
 int count_doubled(const std::vector<FilledShape>& shapes) {
     std::set<std::pair<std::vector<Places>, FillRule>> seen;
     int doubled = 0;

@@ -11,7 +11,9 @@ namespace fretwork::outlines::detail {
 struct JoinedLines {
     /// The given lines without repeated lines, then the lines that close gaps.
     std::vector<geometry::Polygon> lines;
-    std::vector<std::size_t> given;  ///< index of the given line of each line; for a gap, a line at the gap
+    /// For each of `lines`, the index of its given line; for a line that closes a gap, of one given line at
+    /// the gap.
+    std::vector<std::size_t> given;
     int gaps = 0;
     double widest_gap = 0.0;  ///< metres
     int doubled = 0;

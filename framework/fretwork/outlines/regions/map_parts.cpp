@@ -23,8 +23,8 @@ using geometry::Polygon;
 using Halfedge = PlanarMap::Halfedge_handle;
 using Face = PlanarMap::Face_handle;
 
-/// The largest number of rounds. Rounding crossings to doubles may make new crossings. One more round
-/// is rarely needed for them, and many rounds never.
+/// The largest number of rounds. If lines were welded, or if rounding crossings to doubles has made new
+/// crossings (which is rare), one more round is needed, but never many.
 constexpr int kMostRounds = 5;
 
 /// A closed curve with the filled area on its left.

@@ -25,8 +25,8 @@ bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// The factor of a unit, which transforms in style sheets have. Lengths become pixels, and angles become
-/// degrees.
+/// The factor that turns a length into pixels, or an angle into degrees. Only transforms in style sheets
+/// have units.
 double factor_of_unit(std::string_view unit, const SvgText& text) {
     if (unit.empty() || unit == "px" || unit == "deg") return 1;
     if (unit == "rad") return 1 / kDegree;

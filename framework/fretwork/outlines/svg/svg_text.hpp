@@ -20,7 +20,7 @@ class SvgText {
     [[nodiscard]] bool at_number();         ///< true if a number follows, after white space and commas
     [[nodiscard]] double number();          ///< a finite number
     [[nodiscard]] bool flag();              ///< 0 or 1; no separator needs to follow
-    [[nodiscard]] char letter();            ///< the next character, white space and commas skipped
+    [[nodiscard]] char letter();            ///< an ASCII letter, after white space and commas
     [[nodiscard]] std::string_view word();  ///< letters and %, possibly none; does not skip separators
     void expect(char wanted);
     [[noreturn]] void fail(const std::string& message) const;

@@ -31,7 +31,7 @@ class IndependentSets {
     IndependentSets(std::vector<Word> conflicts, Word edges, std::size_t most_parts,
                     const base::Control& control = {});
 
-    /// False if counting gave up. No other function may be called after that.
+    /// False if counting gave up; in this case, no other function may be called.
     [[nodiscard]] bool is_counted() const { return is_counted_; }
     /// The number of sets of each size.
     [[nodiscard]] const CountsBySize& counts() const { return all_.tails.front(); }

@@ -13,7 +13,8 @@ GraphCount binomial(int n, int k);
 
 /// The number of graphs of each size that keep one rule, counted without walking them: conflicts by
 /// independent sets, capacities by a table of loads, covers by inclusion and exclusion. None if the count
-/// would take too much memory or time, or if no such count exists for the form of the rule.
+/// would take too much memory or time, if a capacity is above 100, or if no such count exists for the form
+/// of the rule.
 std::optional<CountsBySize> count_graphs_that_keep(const Rule& rule, int edge_count);
 
 }  // namespace fretwork::pattern::detail

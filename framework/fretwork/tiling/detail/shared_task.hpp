@@ -20,8 +20,8 @@ class SharedTask {
     [[nodiscard]] const base::Control& control() const { return control_; }
     /// Throws base::Stopped if the caller has asked to stop.
     void check() const { control_.check(); }
-    /// Start a part of about `most_steps` steps, worth `share` of the remaining progress. No other thread may
-    /// use the task during this call. Throws base::Stopped.
+    /// Start a part of usually at most `most_steps` steps, worth `share` of the remaining progress. No other
+    /// thread may use the task during this call. Throws base::Stopped.
     void begin_part(std::size_t most_steps, double share);
     /// Count a step as done. Throws base::Stopped.
     void advance();

@@ -22,7 +22,8 @@ constexpr int kSearchRounds = 6;
 constexpr double kFinestFactor = 0.45;       // smallest share of the start's factor that is tried
 constexpr double kGoodSideError = 0.008;     // ends the search for the density
 constexpr double kAcceptedSideError = 0.01;  // below, regularity decides
-/// kGoodSideError where wanted sides differ from place to place. Their mean is matched less closely.
+/// The same as kGoodSideError, if wanted sides differ from place to place; then their mean is matched less
+/// closely.
 constexpr double kGoodGradedError = 0.06;
 constexpr int kRegularizingIterations = 60;
 constexpr int kRepairs = 4;  // rounds of collapsing short sides
@@ -233,8 +234,8 @@ Sketch make_sketch(const TilingProblem& problem, const Start& start, SharedTask&
 
 namespace {
 
-/// True if the first of two densities of one start is better: by the side error above kAcceptedSideError,
-/// then by defects, then by the side error.
+/// True if the first of two densities of one start is better. Tiles count first, then the side error (all
+/// errors up to kAcceptedSideError are equal), then the number of defects, then the exact side error.
 bool is_better_density(const Candidate& first, const Candidate& second) {
     const auto key = [](const Candidate& candidate) {
         return std::tuple(candidate.dual.cells.empty(), std::max(candidate.side_error, kAcceptedSideError),

@@ -14,7 +14,7 @@ namespace {
 using geometry::Point2;
 using geometry::Polygon;
 
-/// An uncovered place is named if it is above this share of the area that may stay uncovered.
+/// If too much is uncovered, each place is named whose area is above this share of the allowed area.
 constexpr double kNotableShare = 0.02;
 
 /// The areas between a stretch of a curve and the straight line through its ends, on the right and on the

@@ -44,7 +44,7 @@ class Centroids {
         }
     }
 
-    /// The centroid of a site's tile; nothing for a tile that is turned over.
+    /// The centroid of a site's tile; nothing if the tile is turned over or has no area.
     std::optional<Point2> of(std::size_t site) {
         const Polygon polygon = polygon_of(dual_, site);
         if (polygon.size() < 3 || !(geometry::signed_area(polygon) > 0)) return std::nullopt;

@@ -44,7 +44,7 @@ class Divider {
         if (!from.loop.is_valid() || from.loop != to.loop || dual_.cells[side.cell].size() >= kMostSides)
             return false;
         const ClosedCurve& curve = rim_.curves[from.loop];
-        // The side runs backwards, or around the whole curve.
+        // The side runs backwards, or along more than half of the curve.
         if (curve.way(from.along, to.along) > 0.5 * curve.length()) return false;
         const double length = distance(from.place, to.place);
         return length > kLong * usual_side(side) && length > 2 * wanted_.smallest;

@@ -16,7 +16,7 @@ struct StraightSide {
 /// the side, at least a tenth of the side from its ends. Otherwise it is the wanted place.
 geometry::Point2 convex_place(geometry::Point2 wanted, const StraightSide& side);
 
-/// The limits of the lengths of tiles' sides.
+/// The wanted sides of tiles, and the smallest side allowed.
 struct WantedSides {
     const SizeField& field;
     double smallest;  ///< smallest side allowed, m

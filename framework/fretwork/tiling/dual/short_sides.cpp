@@ -11,7 +11,7 @@ namespace {
 
 using geometry::Point2;
 
-constexpr double kShort = 0.4;  // share of the wanted side, or of the mean side of the adjacent tiles
+constexpr double kShort = 0.4;  // share of the wanted side, or of the adjacent tiles' mean side if smaller
 // Factor on the smallest side allowed, because sides change a little afterwards.
 constexpr double kMargin = 1.05;
 

@@ -139,7 +139,8 @@ Painting random_painting(std::size_t tiles, std::span<const WeightedPattern> pat
     std::vector<double> shares;  // sum of the weights up to and including each pattern
     for (const WeightedPattern& choice : patterns) {
         if (!(choice.weight > 0.0) || !std::isfinite(choice.weight))
-            throw base::InputError("the weight of " + choice.pattern.id + " is not above zero");
+            throw base::InputError("the weight of " + choice.pattern.id +
+                                   " is not a finite number above zero");
         painting.patterns.push_back(choice.pattern);
         shares.push_back((shares.empty() ? 0.0 : shares.back()) + choice.weight);
     }

@@ -13,8 +13,8 @@ namespace {
 
 using geometry::Point2;
 
-// All values are shares of the spacing.
-// smallest radius of a circle without sites that is filled; 0.58 in a regular lattice
+// The lengths are shares of the spacing.
+// Smallest radius of a circle without sites that is filled; the radius is 0.58 in a regular lattice.
 constexpr double kEmptyRadius = 0.8;
 constexpr double kHalfBand = 0.45;       // the same radius between points of the rim
 constexpr double kRimDistance = 0.35;    // smallest distance of a filling site from the rim

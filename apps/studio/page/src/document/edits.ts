@@ -132,7 +132,10 @@ const replaced = <T>(list: readonly T[] | undefined, index: number, entry: T): T
   (list ?? []).map((old, i) => (i === index ? entry : old));
 const without = <T>(list: readonly T[] | undefined, index: number): T[] => (list ?? []).filter((_, i) => i !== index);
 
-/** Holds nodes. Earlier supports let them go; one by side, box or circle stays if the new fixes as much. */
+/**
+ * Holds nodes. Earlier supports let them go. One that is a rule, such as a side, a box or a circle, stays
+ * whole if it has other nodes, too, and if the new support fixes as much.
+ */
 export function hold({ where, nodes }: { where: Selection; nodes: readonly number[] }, fixed: Support['fixed'], held: readonly number[][]): void {
   const taken = new Set(nodes);
   const isWithin = (support: Support) => isRule(support) && support.fixed.every((dof) => fixed.includes(dof));

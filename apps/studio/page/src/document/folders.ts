@@ -25,8 +25,11 @@ export const folderTrouble = signal<string | null>(null);
 
 const ENDINGS = ['.json'];
 
-/** Shows a folder; a later call overtakes an earlier one. If it cannot be read, the present folder stays. */
 let latest = 0;
+/**
+ * Shows a folder; a later call overtakes an earlier one. If the folder cannot be read, the present one stays,
+ * and the reason is shown.
+ */
 export async function goTo(path?: string): Promise<void> {
   const mine = ++latest;
   folderTrouble.value = null;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The time from an input event to the new positions that it causes: it makes the studio feel instant. The
-// browser test reads these times.
+// The time from an input event to the new positions that it causes. If it is short, the studio feels instant.
+// The browser test reads these times.
 // Inputs of a drag that newer ones overtook are never answered and do not count.
 
 const KEPT = 500;

@@ -49,7 +49,7 @@ const base = signal<{ name: string; loads: Required<Loads> } | null>(null);
 const numbersOf = (value: unknown): number[] =>
   typeof value === 'number' ? [value] : typeof value === 'object' && value ? Object.values(value).flatMap(numbersOf) : [];
 
-/** The factor between `loads` and the present ones; null: these are no multiple of them. */
+/** The factor by which the present loads are a multiple of `loads`; null: they are no multiple. */
 function factorOf(present: Required<Loads>, loads: Required<Loads>): number | null {
   const sizes = (one: Required<Loads>): number[] => [...one.loads.flatMap(({ force, moment, per_area, per_length }) => numbersOf([force, moment, per_area, per_length])),
     ...one.prescribed.flatMap((entry) => DOFS.flatMap((dof) => numbersOf(entry[dof]))), ...one.gravity, ...one.combines.map(({ factor }) => factor)];
@@ -80,7 +80,7 @@ export function slideFactor(factor: number, merge: string): void {
   if (loads) dragLoadCase(() => scaledLoads(loads, factor), merge);
 }
 
-/** As typed. */
+/** Sets the factor that was typed. */
 export function setFactor(factor: number): void {
   beginFactor();
   const loads = base.peek()?.loads;

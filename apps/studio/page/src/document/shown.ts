@@ -29,7 +29,7 @@ export const shown = computed<Shown | null>(() => {
   return { solution, fields: [], factor: swing(solution) };
 });
 
-/** The same; null if it belongs to other bars than the present. */
+/** The same; null if it belongs to other bars than the present ones. */
 export const shownOfBars = computed<Shown | null>(() => {
   const now = shown.value;
   return now && now.solution.nodes === beams.value?.nodes ? now : null;

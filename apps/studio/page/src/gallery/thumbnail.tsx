@@ -4,7 +4,7 @@ import { documentNow, patternTable } from '../document/store';
 import type { Vector } from '../protocol/messages';
 import { hexagonPath, thumbnailPath } from '../pattern/fan';
 
-/** A pattern in a hexagon, with bars in ink. `of`: the places of the nodes of a layout not the document's. */
+/** A pattern in a hexagon, with bars in ink. `of`: node places of another layout than the document's. */
 export function Thumbnail({ id, size, bar = 0.075, of }: { id: string; size: number; bar?: number; of?: readonly Vector[] }) {
   const nodes = of ?? patternTable.value?.nodes ?? documentNow.value?.layout_nodes;
   return (

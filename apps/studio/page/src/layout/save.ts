@@ -11,7 +11,7 @@ import { changesMade, draft, type Draft, inTurn, isUnsaved, openLayout, savedAs 
 const kind = W.layouts.kind;
 const folderOf = (path: string | null): { folder?: string } => (path ? { folder: path.replace(/[\\/][^\\/]*$/, '') || '/' } : {});
 
-/** The own file, to be replaced only as it was read or written last. */
+/** The layout's own file, which is replaced only if it is as it was read or written last. */
 function ownFile({ path, hash }: Draft): { path: string; replaces?: string } {
   if (path === null) throw new Error(W.layouts.noFile);
   return { path, ...(hash === null ? {} : { replaces: hash }) };

@@ -5,7 +5,7 @@ import { W } from '../words';
 
 const LARGEST = 512;
 
-/** A picture file as the program reads it: a PNG stays as it is, other pictures become a PNG. */
+/** A picture file as the program reads it: a PNG stays; what else the browser reads becomes one. */
 export async function pngInBase64(file: File): Promise<string> {
   return base64(file.type === 'image/png' ? file : await redrawn(file));
 }

@@ -18,7 +18,7 @@ const SIDES: { title: string; side: Side }[] = [
   { title: W.chosenNodes.bottom, side: 'bottom' },
 ];
 
-/** The nodes within a tenth of the box around the middle of the surface. */
+/** The nodes nearer to the middle than 7 % of the box's diagonal, or 1.2 tile sides; else the nearest. */
 function middleNodes(): number[] {
   const now = surface.peek();
   if (!now) return [];

@@ -41,7 +41,7 @@ function moveChosen(): void {
   selectedNodes.value = new Set();
 }
 
-/** Loads what is chosen, or all. */
+/** Puts a load per area on what is chosen, or on all. */
 function coverChosen(): void {
   const box = boxOfAll();
   if (!box) return;

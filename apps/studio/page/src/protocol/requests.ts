@@ -88,7 +88,7 @@ export interface FolderListing {
   home: string | null;
   folders: FolderEntry[];
   files: FolderEntry[];
-  /** The number of entries that are too many to list. */
+  /** How many further entries there are, beyond the most that are listed. */
   left_out: number;
 }
 
@@ -140,7 +140,7 @@ export interface LayoutNode {
   /** Barycentric, for v0, v1 and v2. */
   place: Vector;
   exact: [string, string, string];
-  /** The nodes that move with it; faces, with `mirror`. */
+  /** The nodes that move with it; those of a face node do so only with `mirror`. */
   twins: number[];
 }
 /** A layout with its nodes and candidate edges. */

@@ -29,7 +29,7 @@ export interface SizeAdvice {
   isPossible: boolean;
 }
 
-/** The side for this many tiles, with two digits. */
+/** The side for this many tiles, rounded by `round` to two digits. */
 function sideFor(tiles: number, round = Math.round): number {
   const now = measured.peek();
   if (!now) return 0;

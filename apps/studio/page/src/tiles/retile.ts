@@ -52,7 +52,7 @@ export const request = computed<RetileRequest>(() => ({
   patterns: patterns.value === 'brush' ? (brushOrFirst.value ?? 'keep') : patterns.value,
 }));
 const isSame = (a: RetileRequest, b: RetileRequest): boolean => JSON.stringify(a) === JSON.stringify(b);
-/** The new tiles if they were applied now. */
+/** The tiles that would be made if the request were applied now; null: not known yet. */
 export const comes = computed(() => (preview.value && isSame(preview.value.of, request.value) ? preview.value.tiles : null));
 
 const previews = new Latest<RetileRequest>(async (of) => {

@@ -27,7 +27,10 @@ interface NumberProps {
 
 const isBeyond = (read: number | undefined, least = -Infinity, most = Infinity): boolean => read !== undefined && (read < least || read > most);
 
-/** A number with its unit. Enter or leaving the field takes it; an invalid entry stays, with a message. Escape puts the old one back, arrow keys change it by a tenth. */
+/**
+ * A number with its unit. Enter or leaving the field takes it; an invalid entry stays, with a message. Escape
+ * puts the old one back, arrow keys change its second significant digit by one.
+ */
 export function NumberField({ label, value, quantity, onChange, onClear, empty = W.number.none, narrow, least, most, onReadable, id }: NumberProps) {
   const [draft, setDraft] = useState<string | null>(null);
   const unit = unitOf(quantity);

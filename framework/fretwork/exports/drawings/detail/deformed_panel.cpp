@@ -103,7 +103,7 @@ void draw_colour_bar(SvgCanvas& canvas, const Point2& start, double width) {
     const double step = width / kBands;
     for (int band = 0; band < kBands; ++band) {
         const double x = start.x + band * step;
-        // Each swatch reaches under the next, because renderers that smooth edges show seams.
+        // Each swatch reaches under the next: otherwise, renderers that smooth edges would show seams.
         const double end = band + 1 < kBands ? x + 1.5 * step : x + step;
         const std::array<Point2, 4> swatch = {Point2{x, start.y}, Point2{end, start.y},
                                               Point2{end, start.y + text}, Point2{x, start.y + text}};
@@ -112,7 +112,7 @@ void draw_colour_bar(SvgCanvas& canvas, const Point2& start, double width) {
 }
 
 /// The white edges below lines. Where lines meet, a white edge begins only where it is clear of the lines
-/// that are drawn already, because it would cut wedges out of them.
+/// that are drawn already: otherwise, it would cut wedges out of them.
 class WhiteEdges {
   public:
     WhiteEdges(const LineSet& lines, const Segments& segments, double width)
@@ -151,7 +151,7 @@ class WhiteEdges {
     /// most the reach of the other line.
     [[nodiscard]] double parting(const Point2& line, const Point2& other) const {
         const double clear =
-            0.5 * (kEdge + 1.0) * width_;  // between the axes of white and line, whose ends are round
+            0.5 * (kEdge + 1.0) * width_;  // between the axes of a white edge and a line that just touch
         const double angle = std::abs(geometry::turn(line, other));
         if (angle >= 0.5 * std::numbers::pi) return clear;
         const double reach = geometry::length(other) + clear;

@@ -11,7 +11,7 @@
 namespace fretwork::exports::detail {
 namespace {
 
-constexpr double kHalfHeight = 0.22;  // tangent of half of the field of view: that of a lens of 80 mm
+constexpr double kHalfHeight = 0.22;  // tangent of half of the field of view's height: a lens of 55 mm
 constexpr double kFilled = 0.92;      // share of the picture
 
 Eigen::Matrix3d axes_of(const ViewOptions& view) {
@@ -60,7 +60,8 @@ Eigen::Vector3d Camera::ray(double x, double y) const {
     return axes_ * Eigen::Vector3d(x * kHalfHeight * aspect_, y * kHalfHeight, -1.0);
 }
 
-/// Place the eye. In perspective, its place depends on its distance, so the method is iterative.
+/// Place the eye so that the points fill their share of the picture. In perspective, where points are seen
+/// depends on the distance of the eye, so the place is found by iteration.
 void Camera::fit(std::span<const Eigen::Vector3d> points) {
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& point : points) box.extend(Eigen::Vector3d(axes_.transpose() * point));

@@ -15,8 +15,9 @@ class ActiveSetMethod {
 
     Eigen::VectorXd run() {
         for (Eigen::Index i = 0; i < g_.size(); ++i) held_[i] = pull(i, g_) >= 0.0 && at_bound(i);
-        // Each pass fixes one more variable at its bound, or releases one at the minimum over the free
-        // variables. Each such minimum is lower than the last. The limit is for round-off.
+        // Each pass goes to a bound and fixes its variable, or goes to the minimum over the free variables
+        // and releases a variable. Each such minimum is lower than the one before, so the passes come to an
+        // end. The limit ends them if round-off makes them repeat.
         for (Eigen::Index pass = 0; pass < 8 * g_.size(); ++pass) {
             if (step_to_face_minimum()) continue;
             if (!release_one()) break;

@@ -30,7 +30,8 @@ class RememberingCost final : public ceres::CostFunction {
         return true;
     }
 
-    /// Evaluate the point if it is new. False if its residuals are not finite.
+    /// Evaluate the point if it is new. False if there are no residuals, as after a spent budget, or if they
+    /// are not finite.
     [[nodiscard]] bool can_evaluate(const Eigen::VectorXd& point) const {
         if (last_point_.size() == 0 || last_point_ != point) {
             last_ = linearize_(point);

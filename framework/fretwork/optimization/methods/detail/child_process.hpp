@@ -16,7 +16,7 @@ class ChildProcess {
   public:
     /// Start the command. The control stops all waiting for it within 50 ms. Throws IoError.
     ChildProcess(const std::string& command, const base::Control& control);
-    /// Kills the running processes.
+    /// Kills the command and its process group, unless finish() has ended them.
     ~ChildProcess();
     ChildProcess(const ChildProcess&) = delete;
     ChildProcess& operator=(const ChildProcess&) = delete;

@@ -13,7 +13,7 @@ void require_at_least(double least, std::string_view option, double value);
 void require_more_than(double bound, std::string_view option, double value);
 
 /// Throws InputError with the first wrong value unless the smoothing lengths of a continuation fall from one
-/// descent to the next (or stay equal), none is negative, and there is at least one.
+/// stage to the next (or stay equal), none is negative, and there is at least one.
 void require_smoothing(std::span<const double> smoothing);
 
 }  // namespace fretwork::optimization::detail

@@ -15,7 +15,7 @@ class StagedDescent {
     /// Minimize the objective with its kinks rounded by `smoothing`, to the tolerance of the stage.
     virtual Ending run_stage(double smoothing) = 0;
     [[nodiscard]] virtual const Eigen::VectorXd& point() const = 0;
-    /// The objective at point(), smoothed as in the last stage.
+    /// The objective at point(), smoothed as in the latest call of run_stage().
     [[nodiscard]] virtual double value() const = 0;
 };
 

@@ -87,7 +87,7 @@ function drawMarks(context: Context, place: (node: number) => Point, radius: num
   for (const mark of prescribedMarks.value) for (const node of mark.nodes) diamond(context, place(node), 0.95 * radius, themeColour('--move'));
 }
 
-/** The colour of a load; with a moment, too, that of the force. */
+/** The colour of a load: that of its force, or of its moment if it has no force. */
 const loadColour = (mark: LoadMark): string => themeColour(`--${loadKinds(mark)[0] ?? 'force'}`);
 
 function drawRings(context: Context, surface: Surface, place: (node: number) => Point, radius: number): void {

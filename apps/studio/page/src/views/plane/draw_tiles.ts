@@ -60,7 +60,7 @@ interface Drawn {
 const drawn = new WeakMap<HTMLCanvasElement, Drawn>();
 const MOST_SINGLY = 40;
 
-/** The tiles that have another pattern than the ones on the canvas; null if all must be drawn. */
+/** The tiles with another pattern or colour than on the canvas; null if all must be drawn. */
 function changedTiles(canvas: HTMLCanvasElement, now: Drawn): number[] | null {
   const before = drawn.get(canvas);
   const isFilled = (picture: TilePicture): boolean => picture.fills !== null;
@@ -83,7 +83,7 @@ export function drawTiles(context: CanvasRenderingContext2D, view: Viewport, rat
   for (const tile of changed) drawAgain(context, view, picture, tile);
 }
 
-/** Draws a tile and its neighbours, into which its bars reach by half their width, as bars around do. */
+/** Draws a tile and its neighbours, because bars reach into the next tile by half their width. */
 function drawAgain(context: CanvasRenderingContext2D, view: Viewport, picture: TilePicture, tile: number): void {
   context.save();
   context.clip(outline(picture.surface, ringsAround(tile, 1, neighbours.peek())));

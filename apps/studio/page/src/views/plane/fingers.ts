@@ -28,7 +28,10 @@ export class Fingers {
     return true;
   }
 
-  /** 'view': the view was moved, or nothing happens by this finger. The first event of a gesture that begins; null: it goes on. */
+  /**
+   * Returns 'view' if the view was moved or if this finger does nothing, the first event if a gesture begins,
+   * or null if it goes on.
+   */
   move(event: PointerEvent): 'view' | PointerEvent | null {
     const finger = this.down.get(event.pointerId);
     if (!finger) return null;
@@ -44,7 +47,7 @@ export class Fingers {
     return finger.first;
   }
 
-  /** The event of a tap; 'view': another finger works, and goes on; null: what this one did ends. */
+  /** Returns the event of a tap, 'view' if another finger goes on, or null if this one's work ends. */
   release(event: PointerEvent): 'view' | PointerEvent | null {
     const finger = this.down.get(event.pointerId);
     this.down.delete(event.pointerId);

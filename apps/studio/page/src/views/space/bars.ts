@@ -56,7 +56,10 @@ export class Bars {
   get factor(): number {
     return this.uniforms.factor.value;
   }
-  /** A quick picture without a graphics card has straight bars and no joints. Transparent bars have none. */
+  /**
+   * A quick picture without a graphics card has straight bars and no joints. Transparent bars never have
+   * joints; without a graphics card, a surface of many bars has none, either.
+   */
   set quality(quality: Quality) {
     const fine = quality === 'fine' || !drawsInSoftware;
     const isLight = !drawsInSoftware || (this.beams?.beams ?? 0) < MANY_BARS;
