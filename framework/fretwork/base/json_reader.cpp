@@ -94,7 +94,7 @@ void JsonReader::expect_format(std::string_view kind, int newest, int oldest) co
 
 void JsonReader::require_format(std::string_view needed, std::string_view lacking) const {
     const std::string given = at("format").string();
-    if (given >= needed) return;  // as texts: numbers have one digit
+    if (given >= needed) return;  // compared as texts, because numbers have one digit
     fail("is of " + given + ", which has " + std::string(lacking) + "; " + std::string(needed) + " has");
 }
 

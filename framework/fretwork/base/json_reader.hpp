@@ -36,7 +36,7 @@ class JsonReader {
     void expect_format(std::string_view kind, int newest = 1, int oldest = 1) const;
     /// Check that the number in the document's `"format"` is at least the number in `needed`. Throws
     /// InputError. Pre: expect_format() has checked the kind.
-    /// @param lacking  the part of the document that older formats do not have, such as "no circle"
+    /// @param lacking  the end of "which has ..", for the part that older formats lack, such as "no circle"
     void require_format(std::string_view needed, std::string_view lacking) const;
     /// Throw InputError unless the value is an object with no other keys than `keys`.
     void allow_only(std::initializer_list<std::string_view> keys) const;

@@ -94,7 +94,7 @@ class TreeWork {
     std::span<const int> parent_;
     const std::function<void(std::size_t)>& body_;
     std::vector<int> waits_for_;
-    std::vector<bool> is_spoiled_;  ///< a call for it or one below has thrown
+    std::vector<bool> is_spoiled_;  ///< true: the call for the node, or for one below it, has thrown
     std::vector<std::size_t> ready_;
     std::size_t unfinished_;
     std::mutex mutex_;

@@ -40,7 +40,7 @@ double RandomStream::uniform() {
     const auto words = philox({low_word(draws_), high_word(draws_), low_word(stream_), high_word(stream_)},
                               {low_word(seed_), high_word(seed_)});
     ++draws_;
-    // The sum of a number of 52 bits and 0.5 is exact. It keeps the result above 0 and below 1.
+    // A number of 52 bits plus 0.5 is exact, so the result stays above 0 and below 1.
     const std::uint64_t bits = (std::uint64_t{words[0]} << 20U) ^ (words[1] >> 12U);
     return (static_cast<double>(bits) + 0.5) * 0x1p-52;
 }

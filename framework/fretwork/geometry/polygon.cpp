@@ -67,7 +67,8 @@ Point2 centroid(const Polygon& polygon) {
 bool is_convex(const Polygon& polygon) {
     if (polygon.size() < 3) return false;
     bool turns = false;
-    int reversals = 0;  // changes of direction in x (or y): two if convex, four in a star with two turns
+    // Changes of the direction in x (in y where x is equal): two if convex, four in a star with two turns.
+    int reversals = 0;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const auto a = kernel_point(polygon[i]);
         const auto b = kernel_point(polygon[(i + 1) % polygon.size()]);

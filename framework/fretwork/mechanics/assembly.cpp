@@ -107,7 +107,8 @@ class Assembler {
         return hinges;
     }
 
-    /// Add a beam's weight: half of it at each end, with the moments that a beam clamped at both ends exerts.
+    /// Add the weight of one element of a beam: half of it at each end and, unless gravity is lumped, the
+    /// moments that the element would exert if it were clamped at both ends.
     void add_weight(const BeamElement::Geometry& geometry, const Beam& beam, const Hinges& hinges) {
         const Eigen::Vector3d line_load = beam.material.density * beam.section.area * frame_.gravity;
         const double l = geometry.length;

@@ -29,8 +29,9 @@ double extent(const Frame& frame) {
 }
 
 /// The error estimated from two solutions.
-/// @param length  a displacement over this length counts as a rotation. Otherwise, rounding would be taken
-/// for an error in structures such as trusses, whose nodes hardly turn
+/// @param length  the rotation to which errors are compared is at least the largest displacement divided by
+/// this length. Otherwise, rounding would be taken for an error in structures such as trusses, whose nodes
+/// hardly turn
 DiscretizationError error_between(const Solution& solution, const Solution& other, double error_of_difference,
                                   double length) {
     DiscretizationError error;

@@ -71,7 +71,7 @@ void add_modes(const Assembly& assembly, const SolveOptions& options, Result& re
 }
 
 /// The result of a path of solutions.
-/// @param watch  started before any assembly and the path
+/// @param watch  started before the path and, if a frame is solved, before its assembly
 Result result_of(const Assembly& assembly, Solver solver, std::vector<Solution> path,
                  const base::Stopwatch& watch) {
     Result result;

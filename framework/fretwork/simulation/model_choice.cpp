@@ -19,7 +19,7 @@ reduction::Displacements displacements(const Surface& surface, const ModelChoice
     for (std::size_t t = 0; t < surface.tessellation.tiles.size(); ++t) {
         const auto& model = tile_model(surface, choice, tiling::TileIndex(t));
         if (model.displacements == reduction::Displacements::Large) return reduction::Displacements::Large;
-        if (surface.tile_models.empty()) break;  // all tiles have the same
+        if (surface.tile_models.empty()) break;  // all tiles have the same model
     }
     return reduction::Displacements::Small;
 }

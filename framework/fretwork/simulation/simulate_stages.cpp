@@ -128,8 +128,8 @@ class StagedSimulation {
         for (const TileIndex tile : tiles) surface.tile_models[tile] = reference_choice(options_).name;
     }
 
-    /// Follow the load stages again until the tiles around the most stressed beam are in full, at the end of
-    /// each load stage.
+    /// The relative error of the largest stress. Follows the load stages again until, for each of their ends,
+    /// the tiles around the most stressed beam are in full.
     [[nodiscard]] std::optional<double> stress_error(Surface better, FollowedStages reference,
                                                      const SurfaceResult& result) {
         const std::vector<BeamTable> tables = step_beam_tables(surface_, result, options_.models);

@@ -34,7 +34,8 @@ bool is_device(const std::filesystem::path& path) {
     return std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored);
 }
 
-/// Opens a pipe without waiting for a reader: the wait could take forever, and signals would not end it.
+/// Opens a device or a pipe, without waiting for a reader of the pipe: the wait could take forever, and
+/// signals would not end it.
 int open_device(const std::filesystem::path& path) {
     const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor < 0 && errno == ENXIO)
@@ -47,8 +48,9 @@ int open_device(const std::filesystem::path& path) {
 
 }  // namespace
 
-/// The scratch file of a file until its content is whole. Devices and pipes (/dev/stdout) cannot be replaced,
-/// and are written directly. A link stays a link: the file that it leads to is replaced.
+/// Writes the content of one file to a scratch file, until the content is whole. Devices and pipes
+/// (/dev/stdout) cannot be replaced, and are written directly. A link stays a link: the file that it leads
+/// to is replaced.
 struct AtomicFile::Impl {
     explicit Impl(std::filesystem::path path) : named(std::move(path)), target(link_target(named)) {
         if (is_device(target)) {

@@ -46,7 +46,8 @@ class Layout {
         text_ += Json(text).dump(-1, ' ', !is_harmless, Json::error_handler_t::replace);
     }
 
-    /// Writes as Json::dump() does, but Json::dump() makes a new serializer for each value.
+    /// Writes the characters of Json::dump(), without its new serializer for each value. A number that is
+    /// not finite is refused.
     void append_double(double number) {
         if (!std::isfinite(number)) {
             throw NumericalError("a result holds a number that is not finite" +

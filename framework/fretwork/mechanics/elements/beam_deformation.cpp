@@ -118,7 +118,7 @@ MotionMatrix BeamDeformation::curvature(const BeamVector& stress) const {
     return m;
 }
 
-/// The derivative (I - e e^T) / l of the chord's direction with respect to the chord.
+/// The derivative (I - e e^T) / l of the chord's direction e with respect to the chord.
 Matrix3d BeamDeformation::chord_projection() const {
     return (Matrix3d::Identity() - direction_ * direction_.transpose()) / length_;
 }
@@ -178,8 +178,8 @@ void BeamDeformation::add_dot_curvature(const Vector3d& b, int spin, MotionMatri
     m.block<3, 3>(spin, spin) += spin_curvature(direction_, b);
 }
 
-/// The derivative of the sine of the twist with respect to the first end's spin. The derivative with respect
-/// to the second end's spin is opposite. The same holds for the cosine.
+/// The derivative of sine_ with respect to the first end's spin. The derivative with respect to the second
+/// end's spin is opposite. The same holds for cosine_.
 Vector3d BeamDeformation::sine_slope() const {
     return 0.5 * (axes1_.col(2).cross(axes2_.col(1)) - axes1_.col(1).cross(axes2_.col(2)));
 }

@@ -72,7 +72,8 @@ class BeamDeformation {
     double length_ = 0.0;            ///< length of the chord, m
     double elongation_ = 0.0;
     EndView end1_{}, end2_{};
-    double sine_ = 0.0, cosine_ = 1.0;  ///< sine and cosine of the twist
+    /// Sine and cosine of the twist, both multiplied by the same factor of at most one.
+    double sine_ = 0.0, cosine_ = 1.0;
 };
 
 }  // namespace fretwork::mechanics::elements

@@ -98,7 +98,8 @@ BeamEnergy::State BeamEnergy::evaluate(const BeamVector& d) const {
     return state;
 }
 
-/// Add the second derivatives of twist^2 bow / 12 and twist / (1 + bow^2).
+/// Add the second derivatives of the terms twist^2 bow / 12 and twist / (1 + bow^2) of the strains, times the
+/// stresses.
 void BeamEnergy::add_helix_terms(const BeamVector& d, const BeamVector& stress, BeamMatrix& h) {
     const double share = twist_share(d);
     const double loss = -2.0 * stress[kTwist] * share * share;

@@ -124,7 +124,8 @@ void HingedElement::add_hinge_curvature(const Eigen::VectorXd& force, const std:
         const Vector3d& arm = hinged[end].arm;
         const Eigen::Index spin = 6 * hinge.end + 3;
         const Eigen::Index slide = 6 * hinge.slot;
-        // The second-order terms of exp(w) (arm + s), and the term w x h / 2 of exp(w) exp(h).
+        // For a spin w of the frame's node, a slide s and a turn h of the hinge: the second-order terms of
+        // exp(w) (arm + s), and the term w x h / 2 of exp(w) exp(h).
         Matrix3d lever = 0.5 * (pull * arm.transpose() + arm * pull.transpose());
         lever.diagonal().array() -= pull.dot(arm);
         tangent.block<3, 3>(spin, spin) += lever;

@@ -70,8 +70,8 @@ Section read_numbers(const JsonReader& json) {
             .J = json.at("J").positive_number()};
 }
 
-/// True if a section has a shape other than a rectangle, and the numbers of this shape. The numbers may have
-/// been changed.
+/// True if a section has a shape other than a rectangle, and if its area and moments are still those of this
+/// shape. Shear areas do not matter.
 bool is_written_by_type(const Section& section) {
     if (!section.shape || std::holds_alternative<RectangleShape>(*section.shape)) return false;
     Section made = section_of(*section.shape);

@@ -14,7 +14,8 @@ Section read_section(const base::JsonReader& json);
 /// The inverse of read_section(). A section is written by its type and lengths, or by its numbers if it is a
 /// rectangle or its numbers are not those of its shape.
 base::Json section_json(const Section& section);
-/// True for an I shape, which files of the first formats cannot contain.
+/// True for a section that section_json() writes as an I shape, which files of the first formats cannot
+/// contain.
 bool is_of_newer_format(const Section& section);
 
 }  // namespace fretwork::mechanics

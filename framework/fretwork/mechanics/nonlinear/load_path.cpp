@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kPush = 0.02;  // size of the push from an unstable equilibrium, rad or element lengths
 
-/// The share of the lost eigenvalue below which the lowest eigenvalue of a branch counts as zero. On branches
-/// that are not neutral, it is about twice the lost eigenvalue.
+/// The lowest eigenvalue of a branch counts as zero below this share of the absolute eigenvalue of the
+/// unstable equilibrium that was left. On other branches, the lowest eigenvalue is about twice that value.
 constexpr double kNeutral = 0.5;
 
 /// The rotation of a node, rad, above which a path goes to its next load in strides or along its arc.
@@ -302,8 +302,8 @@ class LoadPath::Impl {
         mixed_is_here_ = is_at_rest_ = false;
     }
 
-    /// Begin a path on a branch after a push. If the lowest eigenvalue is below kNeutral times the lost one,
-    /// its direction is neutral: a symmetry turns the buckled shape about an axis.
+    /// Begin a path on a branch after a push. If the lowest eigenvalue of the branch counts as zero (see
+    /// kNeutral), its direction is neutral: a symmetry turns the buckled shape about an axis.
     void begin_branch(double unstable_eigenvalue) {
         newton_.set_neutral({}, 0.0);
         const LowestMode mode = lowest_mode_here();

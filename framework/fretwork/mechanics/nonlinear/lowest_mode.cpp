@@ -14,7 +14,7 @@ constexpr double kTolerance = 1e-10;
 /// The shift relative to the mean stiffness, a few hundred times the rounding of the stiffness.
 constexpr double kRoundingShift = 1e-13;
 
-/// The largest rotation of a node, rad, in a downhill step from an unstable equilibrium.
+/// The largest rotation (rad) or displacement (element lengths) of a node in a step of a descent.
 constexpr double kDownhillStep = 0.1;
 constexpr int kMostDownhillSteps = 2000;
 

@@ -18,7 +18,8 @@ constexpr int kMostSkewIterations = 60;
 /// The size of a step (rotations in rad, displacements in element lengths) that changes nothing but rounding.
 constexpr double kNegligibleStep = 1e-13;
 /// Such a step ends the iteration if the residual, which is the error of the reactions, is below this limit.
-/// In short beams beside long beams, the rounding of cancelling forces keeps the residual from falling lower.
+/// In short beams beside long beams, the rounding of cancelling forces can keep the residual above
+/// EquilibriumOptions::relative_residual.
 constexpr double kResidualFloor = 1e-4;
 /// The size of displacements (rad, and element lengths) below which they are linear in the load. The first
 /// prediction is then exact, and its residual comes from the rounding of positions in the elements' geometry.
@@ -33,7 +34,7 @@ constexpr double kNegligibleShare = 1e-3;
 /// Refinement ends if a step is below this share of the solution.
 constexpr double kRefinedStep = 1e-13;
 /// It also ends if steps no longer shrink by this factor. The cause is rounding if the step is below the
-/// share kLeastRefined; otherwise, there is no solution.
+/// share kLeastRefined; otherwise, the factors are too far from the tangent, and no solution is returned.
 constexpr double kSlowRefinement = 0.3;
 constexpr double kLeastRefined = 1e-9;
 

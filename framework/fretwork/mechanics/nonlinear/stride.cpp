@@ -101,7 +101,7 @@ class Strider {
     Newton& newton_;
     MixedNewton& mixed_;
     double target_;
-    double prescribed_turn_ = 0.0;        ///< largest prescribed rotation of a node at the full load, rad
+    double prescribed_turn_ = 0.0;        ///< largest prescribed rotation of a node on the whole path, rad
     double longest_ = 0.0;                ///< largest increment of the load factor
     double longest_turn_ = kLongestTurn;  ///< largest rotation in an increment's first step, rad
     Eigen::VectorXd correction_;          ///< correction left by the last approach

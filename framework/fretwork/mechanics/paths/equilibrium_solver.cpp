@@ -136,7 +136,8 @@ class EquilibriumSolver::Impl {
         return settled();
     }
 
-    /// The solution at the equilibrium to which the system's evaluation and the factors belong.
+    /// The solution at the equilibrium of the system's last evaluation. Pre: the factors belong to a tangent
+    /// near that at the equilibrium.
     Solution settled() {
         is_settled_ = has_factors_ = has_converged_ = true;
         Solution solution = equations_->system.describe(point_.configuration, 1.0);
@@ -244,14 +245,14 @@ class EquilibriumSolver::Impl {
     }
 
     EquilibriumOptions options_;
-    /// classify_stability in the caller's options; `options_` has its value for one solution
+    /// classify_stability in the caller's options; in `options_`, it also depends on the StabilityCheck.
     bool is_classifying_;
     std::unique_ptr<Equations> equations_;
     PathPoint point_;                   ///< last equilibrium, if is_settled_ or has_converged_
     bool is_settled_ = false;           ///< true if there is a last equilibrium to continue from
     std::optional<Assembly> followed_;  ///< last assembly, if it has no equations
     bool has_converged_ = false;        ///< true if the point is an equilibrium of the last assembly
-    bool has_factors_ = false;          ///< true if factors and stresses belong to the last equilibrium
+    bool has_factors_ = false;          ///< true if the factors belong to a tangent near the last equilibrium
     /// True if an attempt from the last equilibrium was given up, so that the factors may be outdated.
     bool is_given_up_ = false;
     bool is_checked_ = false;  ///< true if the factors belong to the last equilibrium, which is stable

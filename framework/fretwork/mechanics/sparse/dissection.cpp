@@ -111,7 +111,8 @@ class Dissection {
         }
     }
 
-    /// Sort cliques along a direction. False if all of them are at one place.
+    /// Sort cliques along a direction. False, and nothing is sorted, if all of them have the same place along
+    /// this direction.
     bool sort_along(const Eigen::Vector3d& direction, std::span<int> cliques) {
         double low = std::numeric_limits<double>::infinity();
         double high = -low;

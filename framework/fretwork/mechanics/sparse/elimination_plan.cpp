@@ -8,7 +8,7 @@
 namespace fretwork::mechanics::sparse {
 namespace {
 
-/// The number of multiplications that a thread does in the time of starting some threads.
+/// The least number of multiplications for each thread. With fewer, another thread would not pay off.
 constexpr double kLittleWork = 5e6;
 
 /// The largest subtree, as a share of one thread's multiplications, so that threads end at about the same

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Substitution goes through the supernodes as the factorization does: each supernode takes the updates of its
-// children, in order, and passes its own update to its parent. So it uses the same tasks, and no sum depends
-// on the number of threads.
+// Forward substitution goes through the supernodes as the factorization does: each supernode takes the
+// updates of its children, in order, and passes its own update to its parent. Back substitution goes the
+// other way, from the roots to the leaves. Both use the tasks of the factorization, and no sum depends on the
+// number of threads.
 #include <fretwork/base/index.hpp>
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/mechanics/sparse/ldlt.hpp>

@@ -13,8 +13,8 @@ namespace fretwork::mechanics::structure {
 /// that names a node.
 ///
 /// A mechanism has a pivot that is zero or, if beams are oblique, as small as rounding. A merely soft
-/// structure may have a small pivot, too. Therefore, if all pivots are positive, a solution under an
-/// arbitrary load decides: a mechanism cannot balance the load.
+/// structure may have a small pivot, too. Therefore, if all pivots are positive and one of them is small, a
+/// solution under an arbitrary load decides: a mechanism cannot balance the load.
 ///
 /// @param values   the stiffness at rest
 /// @param factors  the factors of the stiffness

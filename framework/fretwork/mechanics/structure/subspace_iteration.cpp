@@ -59,7 +59,8 @@ class Settling {
   private:
     static constexpr double kTolerance = 1e-11;
     static constexpr double kWandering = 1e-5;
-    static constexpr int kIdle = 60;  ///< after so many iterations with no halved change, rounding is left
+    /// After so many iterations in which the smallest change was not halved, only rounding changes values.
+    static constexpr int kIdle = 60;
     VectorXd last_;
     double least_ = std::numeric_limits<double>::max();
     int idle_ = 0;
@@ -113,8 +114,9 @@ SubspaceIteration::Pairs SubspaceIteration::largest_positive(int count) {
         double upper = 2.0 * lower;
         const int below_upper = count_below(upper);
         if (below_upper > below) {
-            // Factors farther from the middle of the slice than its width decay by half or more in each
-            // iteration. The subspace has room for all nearer factors.
+            // In each iteration, modes with factors farther from the middle of the slice than its width lose
+            // half or more of their share against the modes in the slice. The subspace has room for all
+            // modes with nearer factors.
             double near = 0.5 * lower;
             double far = upper + 0.5 * lower;
             const int size = count_below(far) - count_below(near) + kSpareVectors;

@@ -32,7 +32,8 @@ void add_at(std::span<const mechanics::NodeIndex> nodes, const Eigen::VectorXd& 
     }
 }
 
-/// Turn displacements and rotation vectors into a tile's own axes; `turn` leads from these to the surface's.
+/// Turn displacements and rotation vectors from the surface's axes into a tile's own axes. `turn` leads from
+/// the own axes to the surface's.
 Eigen::VectorXd turned_back(Eigen::VectorXd rows, const Eigen::Matrix3d& turn) {
     for (Eigen::Index i = 0; i < rows.size(); i += 3)
         rows.segment<3>(i) = (turn.transpose() * rows.segment<3>(i)).eval();

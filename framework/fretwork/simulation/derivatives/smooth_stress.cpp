@@ -143,7 +143,8 @@ SmoothStress smooth_stress(const Session& session, const mechanics::Solution& so
     SmoothStress stress{.value = norm.value(options.exponent), .largest = norm.largest, .gradient = {}};
     const TileGradients tiles(session, solution, beams, sections, norm);
     stress.gradient = gradient_of_sum(session, tiles, solution.displacements.rows(), options.threads);
-    // The sum is relative to the largest stress, which cancels in `value`, so it is constant here.
+    // The stresses in the sum are relative to the largest one. It cancels in `value`, so the gradient takes
+    // it as a constant.
     if (norm.sum > 0.0) stress.gradient *= stress.value / (options.exponent * norm.sum);
     return stress;
 }

@@ -83,8 +83,8 @@ std::vector<tiling::WeightedPattern> weighted_palette(const PaintAtRandom& choic
 std::vector<tiling::GradedPattern> graded_palette(const PaintByField& choice, const PaintingGround& ground) {
     const std::vector<NamedPattern> patterns = palette_of(choice.palette, ground);
     std::vector<tiling::GradedPattern> graded;
-    // Without dithering, a pattern's value is the middle of its equal part of 0 to 1. Dithering needs both 0
-    // and 1 as values.
+    // Without a property, a pattern's value is the middle of its equal part of 0 to 1. With dithering, which
+    // needs both 0 and 1, the values reach from 0 to 1.
     const auto count = static_cast<double>(patterns.size());
     const bool reaches_ends = choice.dithering != tiling::Dithering::None && patterns.size() > 1;
     for (std::size_t i = 0; i < patterns.size(); ++i) {

@@ -8,7 +8,7 @@ namespace fretwork::simulation {
 
 using tiling::TileIndex;
 
-/// A tile with a corotational body is one element, and has strains.
+/// A tile with a corotational body is one element. Only such a tile has strains.
 TileLinearization Session::Impl::linearized_tile(TileIndex tile,
                                                  const mechanics::EquilibriumTangent& tangent) const {
     const std::size_t t = tile;

@@ -38,7 +38,7 @@ class AreaBearers {
     AreaBearers(const LoadCase& load_case, std::size_t entry, const tiling::Tessellation& tessellation)
         : tiles_(tessellation.tiles.size(), true), nodes_(tessellation.interface_nodes.size(), true) {
         const LoadCase::AreaLoad& load = load_case.area_loads[entry];
-        const std::size_t place = load_case.loads.size() + entry;  // in files, area loads come last
+        const std::size_t place = load_case.loads.size() + entry;  // load_case_text() puts them last
         if (const auto* where = std::get_if<Selection>(&load.where)) {
             nodes_.assign(nodes_.size(), false);
             for (const auto node : EntryPicker(load_case, tessellation)(*where, "loads", place))
@@ -70,7 +70,7 @@ std::vector<detail::LineBearer> bearers_of(const LoadCase& load_case, std::size_
                          [&] { return detail::line_bearers(load_case.loads[entry].where, tessellation); });
 }
 
-/// Nodes with the areas of tiles that they bear, m2: one entry for each tile of a node.
+/// The nodes with the parts of tiles' areas that they bear, m2: one entry for each loaded tile of a node.
 std::vector<std::pair<tiling::InterfaceIndex, double>> area_shares(const LoadCase& load_case,
                                                                    std::size_t entry,
                                                                    const tiling::Tessellation& tessellation) {

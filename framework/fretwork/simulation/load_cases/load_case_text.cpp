@@ -158,7 +158,7 @@ class Doubts {
                               " rad is more than a turn: rotations are in radians");
     }
 
-    /// Compare loads with the surface's weight, gravity with the earth's.
+    /// Compare gravity with the earth's and, if the weight of the surface is known, loads with this weight.
     void look_at_loads() {
         constexpr double kMostGravity = 10.0 * mechanics::kStandardGravity;
         constexpr double kMostWeights = 300.0;

@@ -145,8 +145,8 @@ std::vector<TileIndex> paint(Tessellation& tessellation, const PaintingChoice& c
     const auto tiles = all_tiles(tessellation);
     Painter painter(tessellation, tiles, ground);
     const Painting painting = std::visit(painter, choice);
-    // If every tile is painted again, the given palette replaces the old one, in its order, with unused
-    // patterns.
+    // If every tile is painted again, but not by a field, the given palette replaces the old one,
+    // in the given order and with its unused patterns.
     if (painter.tiles().size() == tiles.size() && !std::holds_alternative<PaintByField>(choice))
         tiling::paint(tessellation, painting);
     else

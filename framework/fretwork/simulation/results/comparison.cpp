@@ -18,7 +18,7 @@
 namespace fretwork::simulation {
 namespace {
 
-/// The row of an interface node in the result.
+/// The rows of the interface nodes in the result, by their ids.
 std::map<int, Eigen::Index> interface_rows(const SurfaceResult& result) {
     std::map<int, Eigen::Index> rows;
     for (std::size_t i = 0; i < result.nodes.size(); ++i) {

@@ -77,7 +77,7 @@ class StateWriter {
     StateWriter(const Surface& surface, const SurfaceBeams& beams,
                 std::span<const mechanics::BeamSection> sections, BeamState& state)
         : tessellation_(surface.tessellation),
-          bar_(surface.setting.section),  // own section, which stiff joints do not change
+          bar_(surface.setting.section),  // the bars' own section: stiff joints do not change it
           beams_(beams),
           sections_(sections),
           state_(state) {}

@@ -4,7 +4,7 @@
 namespace fretwork::mechanics::decks {
 namespace {
 
-/// The largest number of labels in one line; more would be a slip, and take hours.
+/// The largest number of labels that one line generates; more would be a slip, and take hours.
 constexpr long kMostGenerated = 10'000'000;
 
 void generate(const InputDeck& deck, const Card::Line& line, std::set<int>& members) {

@@ -66,7 +66,8 @@ Eigen::Matrix<double, 6, 6> held_motion_form(const Frame& frame, const std::vect
 std::optional<FreeMotion> free_motion(const Frame& frame, const std::vector<std::size_t>& part,
                                       const std::vector<DofSet>& held) {
     const geometry::SymmetricEigen eigen = geometry::symmetric_eigen(held_motion_form(frame, part, held));
-    // The square of a ratio of lengths: supports within a millionth of the size hold no rotation.
+    // The square of a ratio of lengths: displacements held at places closer together than a millionth of the
+    // size hold no rotation.
     constexpr double kZero = 1e-12;
     if (eigen.values[0] > kZero) return std::nullopt;
     return FreeMotion{NodeIndex(part.front()), part.size() > 1, motion_text(eigen.vectors.col(0))};
