@@ -185,6 +185,25 @@ TEST(EquilibriumSolver, TellsALimitLoadLikeThePathFromRest) {
     }
 }
 
+/// A path along which buckling is looked for begins at rest, also after derivatives were taken; the next
+/// derivatives belong to the next assembly.
+TEST(EquilibriumSolver, TakesDerivativesOfTheLastAssemblyAlongEveryBranch) {
+    for (const Branch branch : {Branch::Stable, Branch::Snapping}) {
+        EquilibriumSolver solver({.branch = branch});
+        EquilibriumSolver primary;
+        sample::Random random(3);
+        Assembly assembly = bent_honeycomb();
+        const Eigen::MatrixXd force = Eigen::MatrixXd::Ones(6 * std::ssize(assembly.nodes), 1);
+        for (int i = 0; i < 5; ++i) {
+            const std::string what = edit(assembly, random);
+            expect_equal(solver.solve(assembly), primary.solve(assembly), what);
+            EXPECT_EQ(solver.starting_point(), StartingPoint::Rest) << what;
+            const Eigen::MatrixXd expected = primary.tangent().motions(force);
+            EXPECT_LT((solver.tangent().motions(force) - expected).norm(), 1e-6 * expected.norm()) << what;
+        }
+    }
+}
+
 TEST(EquilibriumSolver, RefusesAMechanismAndGoesOnWhenItIsHeldAgain) {
     Assembly assembly = bent_honeycomb();
     EquilibriumSolver solver;

@@ -104,9 +104,15 @@ class EquilibriumSolver::Impl {
     }
 
   private:
+    [[nodiscard]] bool needs_the_whole_path() const {
+        return options_.branch != Branch::Primary || options_.locate_critical_loads;
+    }
+
     Solution from_rest(const Assembly& assembly) {
-        if (options_.branch == Branch::Primary && !options_.locate_critical_loads) {
-            if (auto solution = stride_from_rest(assembly)) return std::move(*solution);
+        if (needs_the_whole_path()) {
+            equations_.reset();  // those of an earlier tangent() belong to another assembly
+        } else if (auto solution = stride_from_rest(assembly)) {
+            return std::move(*solution);
         }
         constexpr double kFullLoad[] = {1.0};
         Solution solution = follow_load_path(assembly, kFullLoad, options_).back();
