@@ -56,7 +56,7 @@ def _build():
 
 
 def _content(path):
-    """The bytes of a file of the package: of a library without its lines for debuggers."""
+    """The bytes of a file of the package: of a library without its debug information."""
     if path.suffix != ".so":
         return path.read_bytes()
     with tempfile.TemporaryDirectory() as folder:

@@ -174,7 +174,7 @@ class Reader {
     [[nodiscard]] int dof(std::size_t line, const std::string& word) const {
         const int dof = deck_.integer(line, word);
         if (dof < 1 || dof > kDofsPerNode)
-            deck_.fail(line, "has degree of freedom " + word + ", where 1 to 6 are");
+            deck_.fail(line, "has degree of freedom " + word + ", where 1 to 6 are possible");
         return dof - 1;
     }
 
