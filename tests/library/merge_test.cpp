@@ -108,9 +108,9 @@ TEST_F(Merge, RowsThatDifferAreRefusedByName) {
 
 TEST_F(Merge, AnEstimateThatOnlyOneInputHasIsADifference) {
     auto with = sample_data("0-1+1-6", 1.0);
-    with.responses->front().samples.front().discretization_error = 1e-3;
+    with.responses.front().samples.front().discretization_error = 1e-3;
     auto without = sample_data("0-1+1-6", 1.0);
-    without.responses->front().samples.front().discretization_error.reset();
+    without.responses.front().samples.front().discretization_error.reset();
     const auto a = shard("a.db", {with});
     const auto b = shard("b.db", {without});
     for (const Paths& inputs : {Paths{a, b}, Paths{b, a}})
