@@ -8,7 +8,7 @@ namespace {
 constexpr long kMostGenerated = 10'000'000;
 
 void generate(const InputDeck& deck, const Card::Line& line, std::set<int>& members) {
-    const auto& [number, words] = line;
+    const auto& [number, words, ends_with_comma] = line;
     if (words.size() < 2) deck.fail(number, "needs a first and a last label");
     const long step = words.size() > 2 && !words[2].empty() ? deck.integer(number, words[2]) : 1;
     if (step < 1) deck.fail(number, "steps by " + std::to_string(step) + ", and must step forward");
