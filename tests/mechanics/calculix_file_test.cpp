@@ -310,6 +310,8 @@ TEST_F(CalculixFile, RefusesBadDecksWithLineNumber) {
     EXPECT_THAT(complaint("2, 30, 40", "2, 30, 41"), HasSubstr("node 41, which does not exist"));
     EXPECT_THAT(complaint("10, 30, 20", "10, 2000000000"), HasSubstr("line 17 generates 1999999991 labels"));
     EXPECT_THAT(complaint("10, 30, 20", "10, 30, 0"), HasSubstr("line 17 steps by 0"));
+    EXPECT_THAT(complaint("10, 30, 20", "30, 10, 20"), HasSubstr("line 17 generates labels up to 10, which"));
+    EXPECT_EQ(complaint("10, 30, 20", "10, 10"), "");
     EXPECT_THAT(complaint("10, 1, 6", "10, 6, 1"), HasSubstr("degree of freedom 1, before its first"));
     EXPECT_THAT(complaint("1, 10, 20,\n30", "1, 10, 30,\n20"), HasSubstr("does not lie between"));
     EXPECT_THAT(complaint("TYPE=B31,", "TYPE=C3D8,"), HasSubstr("type C3D8"));
