@@ -87,6 +87,9 @@ TEST(Solve, StructureIsReadByTheEndingOfItsFile) {
     EXPECT_EQ(read_structure(json).labels, (std::vector{0, 1, 2, 3}));
     EXPECT_EQ(read_structure(json).source, json.string());
     EXPECT_EQ(read_structure(deck).labels, (std::vector{1, 2, 3, 4}));
+    const auto capitals = folder.path() / "OTHER.INP";
+    write_calculix(sample::star(), capitals);
+    EXPECT_EQ(read_structure(capitals).labels, (std::vector{1, 2, 3, 4}));
 }
 
 /// A cantilever with a second beam that hangs on its tip by a hinge.

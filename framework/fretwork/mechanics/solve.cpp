@@ -7,6 +7,8 @@
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/solve.hpp>
 
+#include <algorithm>
+#include <cctype>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -149,7 +151,9 @@ void SolveOptions::validate() const {
 }
 
 LabelledFrame read_structure(const std::filesystem::path& path) {
-    if (path.extension() == ".inp") return read_calculix(path);
+    std::string ending = path.extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (ending == ".inp") return read_calculix(path);
     LabelledFrame input{read_frame(path), {}, path.string()};
     input.labels.resize(input.frame.nodes.size());
     std::iota(input.labels.begin(), input.labels.end(), 0);
