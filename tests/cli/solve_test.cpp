@@ -106,6 +106,10 @@ TEST_F(Solve, NamesTheFileOfAMechanism) {
     const auto outcome = run_command("fretwork solve loose.json --out r.json", folder_.path());
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_THAT(outcome.err, HasSubstr("loose.json: the structure, as held, can move without strain at "));
+    // What no deck can hold is refused before the solution.
+    const auto before = run_command("fretwork solve loose.json --deck d.inp --out r.json", folder_.path());
+    EXPECT_EQ(before.exit_code, 2);
+    EXPECT_THAT(before.err, HasSubstr("loose.json: /beams/1 has releases, which an input deck"));
 }
 
 TEST_F(Solve, WritesModesForParaView) {

@@ -255,6 +255,31 @@ TEST_F(CalculixFile, RefusesUnknownParametersByName) {
     EXPECT_EQ(complaint("*BOUNDARY\n", "*BOUNDARY, TYPE=DISPLACEMENT\n"), "");
 }
 
+TEST_F(CalculixFile, CommaAfterTheLastNodeDoesNotJoinTwoElements) {
+    for (const std::string comma : {"", ",", ",,"}) {
+        const Frame frame = changed("30\n*ELEMENT, TYPE=B31, ELSET=EBEAM\n2, 30, 40",
+                                    "30" + comma + "\n*ELEMENT, TYPE=B31, ELSET=EBEAM\n2, 30, 40" + comma +
+                                        "\n3, 40, 20" + comma)
+                                .frame;
+        ASSERT_EQ(frame.beams.size(), 4u) << comma;
+        EXPECT_EQ(frame.beams[2].nodes[1], NodeIndex(3));
+        EXPECT_EQ(frame.beams[3].nodes[0], NodeIndex(3));
+        EXPECT_EQ(frame.beams[3].nodes[1], NodeIndex(1));
+    }
+    EXPECT_EQ(changed("2, 30, 40", "2,\n30,\n40").frame.beams.size(), 3u);
+}
+
+TEST_F(CalculixFile, RefusesDataThatOrientBeams) {
+    using testing::HasSubstr;
+    EXPECT_THAT(complaint("2, 30, 40", "2, 30, 40, 10"),
+                HasSubstr("line 13 gives an element of type B31 more than a label and 2 nodes"));
+    EXPECT_THAT(complaint("1, 10, 20,\n30", "1, 10, 20,\n30, 40"),
+                HasSubstr("line 10 gives an element of type B32R more than a label and 3 nodes"));
+    EXPECT_THAT(complaint("20, 0.5, 0, 0", "20, 0.5, 0, 0, 0, 1, 0"),
+                HasSubstr("line 6 has more than a label and three coordinates"));
+    EXPECT_EQ(complaint("20, 0.5, 0, 0", "20, 0.5, 0, 0,"), "");
+}
+
 TEST_F(CalculixFile, InvalidFrameIsReportedWithLabelsOfDeck) {
     using testing::HasSubstr;
     using testing::StartsWith;
@@ -285,6 +310,8 @@ TEST_F(CalculixFile, RefusesBadDecksWithLineNumber) {
     EXPECT_THAT(complaint("2, 30, 40", "2, 30, 41"), HasSubstr("node 41, which does not exist"));
     EXPECT_THAT(complaint("10, 30, 20", "10, 2000000000"), HasSubstr("line 17 generates 1999999991 labels"));
     EXPECT_THAT(complaint("10, 30, 20", "10, 30, 0"), HasSubstr("line 17 steps by 0"));
+    EXPECT_THAT(complaint("10, 30, 20", "30, 10, 20"), HasSubstr("line 17 generates labels up to 10, which"));
+    EXPECT_EQ(complaint("10, 30, 20", "10, 10"), "");
     EXPECT_THAT(complaint("10, 1, 6", "10, 6, 1"), HasSubstr("degree of freedom 1, before its first"));
     EXPECT_THAT(complaint("1, 10, 20,\n30", "1, 10, 30,\n20"), HasSubstr("does not lie between"));
     EXPECT_THAT(complaint("TYPE=B31,", "TYPE=C3D8,"), HasSubstr("type C3D8"));

@@ -12,6 +12,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace fretwork::mechanics {
 namespace THIS_TEST {
 
@@ -229,6 +231,20 @@ TEST(Condensation, DenseAndSparseEliminationRefuseTheSameMechanism) {
             EXPECT_THAT(error.what(),
                         testing::AnyOf(testing::HasSubstr("node 12"), testing::HasSubstr("node 6")));
         }
+    }
+}
+
+TEST(Condensation, NothingFollowsInAMechanism) {
+    for (int i = 0; i < 40; ++i) {  // rounding gives the last pivot either sign
+        Frame frame = sample::flat_wheel();
+        const double angle = 0.1 + 0.15 * i;
+        frame.nodes.push_back(frame.nodes[6] +
+                              0.002 * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0));
+        frame.beams.push_back(sample::beam_between(6, 12));
+        frame.beams.back().releases = {{0, {{false, false, false, false, false, true}}}};
+        const Assembly assembly = assemble(frame);
+        EXPECT_THROW((void)condense(assembly, tips()), base::NumericalError) << angle;
+        EXPECT_THROW((void)following(assembly, tips()), base::NumericalError) << angle;
     }
 }
 

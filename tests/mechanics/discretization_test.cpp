@@ -59,6 +59,10 @@ TEST(Discretization, UnconvergedSolutionHasNoEstimate) {
 TEST(Discretization, BadNumbersAreRefused) {
     const double factors[] = {1.0};
     EXPECT_THROW(refined(sample::star(), 0), base::InputError);
+    const Frame divided = refined(sample::star(), 4);
+    EXPECT_EQ(refined(divided, kMostDivisions / 4).beams[0].divisions, kMostDivisions);
+    EXPECT_THROW(refined(divided, kMostDivisions / 4 + 1), base::InputError);
+    EXPECT_THROW(refined(divided, (1 << 30) + 1), base::InputError);  // four times as much is no int
     EXPECT_THROW(estimate_discretization_error(sample::star(), factors, {}), base::InputError);
 }
 

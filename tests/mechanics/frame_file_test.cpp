@@ -113,6 +113,22 @@ TEST_F(FrameFile, EqualSectionsAreWrittenOnce) {
     EXPECT_EQ(base::read_text_file(path_).find("section1"), std::string::npos);
 }
 
+TEST_F(FrameFile, ShapeThatNoSectionHasIsNotWritten) {
+    Frame frame = sample::star();
+    Section& section = frame.beams[0].section;
+    section = circle_section(0.002);
+    for (const SectionShape& shape : {SectionShape(TubeShape{0.002, 0.0}), SectionShape(CircleShape{})}) {
+        section.shape = shape;
+        validate(frame);
+        const Section found = parse_frame(frame_text(frame), "text").beams[0].section;
+        EXPECT_FALSE(found.shape.has_value());
+        EXPECT_EQ(found.area, section.area);
+        EXPECT_EQ(found.I2, section.I2);
+        EXPECT_EQ(found.I3, section.I3);
+        EXPECT_EQ(found.J, section.J);
+    }
+}
+
 TEST_F(FrameFile, MissingFileIsNamed) {
     try {
         read_frame("/nowhere/frame.json");

@@ -87,19 +87,38 @@ TEST(Solve, StructureIsReadByTheEndingOfItsFile) {
     EXPECT_EQ(read_structure(json).labels, (std::vector{0, 1, 2, 3}));
     EXPECT_EQ(read_structure(json).source, json.string());
     EXPECT_EQ(read_structure(deck).labels, (std::vector{1, 2, 3, 4}));
+    const auto capitals = folder.path() / "OTHER.INP";
+    write_calculix(sample::star(), capitals);
+    EXPECT_EQ(read_structure(capitals).labels, (std::vector{1, 2, 3, 4}));
 }
 
-TEST(Solve, MechanismIsRefusedWithTheNameOfItsFile) {
+/// A cantilever with a second beam that hangs on its tip by a hinge.
+LabelledFrame mechanism() {
     LabelledFrame loose{sample::cantilever(), {0, 1, 2}, "loose.json"};
     loose.frame.nodes.emplace_back(2.0, 0.0, 0.0);
     loose.frame.beams.push_back(loose.frame.beams[0]);
     loose.frame.beams[1].nodes = {NodeIndex(1), NodeIndex(2)};
     loose.frame.beams[1].releases = {{0, {{false, false, false, false, true, false}}}};
+    return loose;
+}
+
+TEST(Solve, MechanismIsRefusedWithTheNameOfItsFile) {
     try {
-        solve(loose, {.solver = Solver::Linear});
+        solve(mechanism(), {.solver = Solver::Linear});
         FAIL();
     } catch (const base::NumericalError& error) {
         EXPECT_THAT(error.what(), testing::StartsWith("loose.json: the structure"));
+    }
+}
+
+TEST(Solve, ModesThatCannotBeFoundCostNoPath) {
+    LabelledFrame light = mechanism();  // the error of its path must not come first
+    for (Beam& beam : light.frame.beams) beam.material.density = 0.0;
+    try {
+        solve(light, {.vibration_modes = 1});
+        FAIL();
+    } catch (const base::Error& error) {
+        EXPECT_THAT(error.what(), HasSubstr("no mass to vibrate"));
     }
 }
 

@@ -16,6 +16,7 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace fretwork::app {
 namespace {
@@ -73,10 +74,12 @@ ExitCode run(const SolveOptions& options) {
     solve.control = work.control();
     solve.validate();
     const mechanics::LabelledFrame input = mechanics::read_structure(options.frame);
+    // The deck comes before the solution, which would be lost if no deck can hold the frame.
+    const std::string deck = options.deck.empty() ? "" : deck_text(input.frame, options);
     const mechanics::Result result = mechanics::solve(input, solve);
     base::FileBatch files;
     files.add(options.out, mechanics::result_text(result));
-    if (!options.deck.empty()) files.add(options.deck, deck_text(input.frame, options));
+    if (!options.deck.empty()) files.add(options.deck, deck);
     if (!options.vtu.empty())
         files.add(options.vtu,
                   exports::vtu_text(exports::solution_lines(mechanics::assemble(input.frame), result)));

@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 
 namespace fretwork::mechanics {
@@ -68,7 +70,16 @@ Frame refined(Frame frame, int times) {
     if (times < 1)
         throw base::InputError("beams cannot be divided " + std::to_string(times) +
                                " times as finely; a number above zero is needed");
-    for (Beam& beam : frame.beams) beam.divisions *= times;
+    for (std::size_t i = 0; i < frame.beams.size(); ++i) {
+        int& divisions = frame.beams[i].divisions;
+        const std::int64_t finer = std::int64_t{divisions} * times;
+        if (finer > kMostDivisions)
+            throw base::InputError("/beams/" + std::to_string(i) +
+                                   "/divisions: " + std::to_string(divisions) + " cannot be multiplied by " +
+                                   std::to_string(times) + "; " + std::to_string(kMostDivisions) +
+                                   " at most are possible");
+        divisions = static_cast<int>(finer);
+    }
     return frame;
 }
 

@@ -10,7 +10,7 @@
 namespace fretwork::mechanics {
 
 /// The frame with the number of elements of each beam multiplied by `times`. Throws InputError if `times` is
-/// below one.
+/// below one, or if a beam would get more than kMostDivisions elements.
 Frame refined(Frame frame, int times);
 
 /// An estimate of the difference between a solution and the limit of ever finer divisions. Each value is the

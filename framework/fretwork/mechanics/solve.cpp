@@ -7,6 +7,8 @@
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/solve.hpp>
 
+#include <algorithm>
+#include <cctype>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -70,22 +72,18 @@ void add_modes(const Assembly& assembly, const SolveOptions& options, Result& re
         result.buckling_modes = buckling_modes(assembly, options.buckling_modes, modes);
 }
 
-/// The result of a path of solutions.
-/// @param watch  started before the path and, if a frame is solved, before its assembly
-Result result_of(const Assembly& assembly, Solver solver, std::vector<Solution> path,
-                 const base::Stopwatch& watch) {
+/// The modes and all solutions of an assembly. The modes come first, because they do not need the solutions:
+/// modes that cannot be found shall not cost a path that took minutes.
+Result result_of(const Assembly& assembly, const SolveOptions& options) {
     Result result;
-    result.solver = solver_name(solver);
+    add_modes(assembly, options, result);
+    const base::Stopwatch watch;
+    result.solver = solver_name(options.solver);
     result.nodes = reported_nodes(assembly);
-    result.load_steps = std::move(path);
+    result.load_steps = equilibria(assembly, options);
     result.solution = end_of_path(result.load_steps);
     result.seconds = watch.seconds();
     return result;
-}
-
-void finish(const Assembly& assembly, const SolveOptions& options, Result& result) {
-    if (!options.steps) result.load_steps.clear();
-    add_modes(assembly, options, result);
 }
 
 Assembly assembled(const LabelledFrame& input, const SolveOptions& options) {
@@ -95,12 +93,14 @@ Assembly assembled(const LabelledFrame& input, const SolveOptions& options) {
 Result solve_frame(const LabelledFrame& input, const SolveOptions& options) {
     const base::Stopwatch watch;
     const Assembly assembly = assembled(input, options);
-    Result result = result_of(assembly, options.solver, equilibria(assembly, options), watch);
+    const double assembling = watch.seconds();
+    Result result = result_of(assembly, options);
+    result.seconds += assembling;
     if (options.estimate_error)
         result.discretization_error = estimate_discretization_error(input.frame, load_factors(options),
                                                                     result.load_steps, path_options(options))
                                           .back();
-    finish(assembly, options, result);
+    if (!options.steps) result.load_steps.clear();
     return result;
 }
 
@@ -151,7 +151,9 @@ void SolveOptions::validate() const {
 }
 
 LabelledFrame read_structure(const std::filesystem::path& path) {
-    if (path.extension() == ".inp") return read_calculix(path);
+    std::string ending = path.extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (ending == ".inp") return read_calculix(path);
     LabelledFrame input{read_frame(path), {}, path.string()};
     input.labels.resize(input.frame.nodes.size());
     std::iota(input.labels.begin(), input.labels.end(), 0);
@@ -162,9 +164,8 @@ Result solve(const Assembly& assembly, const SolveOptions& options) {
     options.validate();
     require(!options.estimate_error, "a discretization error is estimated for a frame only");
     require(!options.lumped_gravity, "lumped-gravity is for a frame: an assembly has its loads");
-    const base::Stopwatch watch;
-    Result result = result_of(assembly, options.solver, equilibria(assembly, options), watch);
-    finish(assembly, options, result);
+    Result result = result_of(assembly, options);
+    if (!options.steps) result.load_steps.clear();
     return result;
 }
 

@@ -54,8 +54,8 @@ struct SolveOptions {
     void validate() const;
 };
 
-/// Read a structure from a deck (a file with the ending .inp) or from a frame file. The labels of a frame
-/// file's nodes are their indices, from 0.
+/// Read a structure from a deck (a file with the ending .inp, in small or capital letters) or from a frame
+/// file. The labels of a frame file's nodes are their indices, from 0.
 LabelledFrame read_structure(const std::filesystem::path& path);
 
 /// Solve an assembly. Result::seconds is the time of the solution, without modes. Throws the errors of the

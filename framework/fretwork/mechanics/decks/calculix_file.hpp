@@ -14,7 +14,8 @@ namespace fretwork::mechanics {
 /// *MATERIAL with *ELASTIC and *DENSITY; *BEAM SECTION with RECT, CIRC or PIPE, *BEAM GENERAL SECTION with
 /// GENERAL; *BOUNDARY; *CLOAD; *DLOAD with GRAV on all elements. Keywords that only control a solver or its
 /// output are skipped, and so are *PART, *ASSEMBLY, their ends and *SOLID SECTION. Any other keyword is an
-/// error. An unknown parameter of a keyword that is read is an error, too.
+/// error. An unknown parameter of a keyword that is read is an error, too, and so are data that orient beams
+/// in Abaqus: a normal at a node, and a node after an element's own nodes.
 ///
 /// The frame has the supports and loads at the end of the last step. The rules are from the CalculiX CrunchiX
 /// User's Manual (Dhondt; *CLOAD, *BOUNDARY, *DLOAD). By default (OP=MOD), values of earlier steps stay until

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/mechanics/sparse/dense_ldlt.hpp>
 #include <fretwork/mechanics/structure/condensing.hpp>
 #include <fretwork/mechanics/structure/plane_split.hpp>
 
@@ -34,7 +35,7 @@ class Blocks {
     void follow(MatrixXd& result) const {
         if (inner_.rows() == 0) return;
         const Eigen::LLT<MatrixXd> factors(inner_);
-        if (factors.info() != Eigen::Success) refuse();
+        if (factors.info() != Eigen::Success || has_zero_pivot(factors)) refuse();
         const MatrixXd moved = -factors.solve(coupling_);
         Index row = 0;  // row of the result
         for (std::size_t node = 0; node < task_.slot.size(); ++node) {
@@ -75,6 +76,13 @@ class Blocks {
                 if (at[j].kept >= 0) coupling_(at[i].inner, at[j].kept) += value;
             }
         }
+    }
+
+    /// True if a pivot counts as zero, as in condense_dense(): that of a mechanism is rounding of either
+    /// sign.
+    [[nodiscard]] bool has_zero_pivot(const Eigen::LLT<MatrixXd>& factors) const {
+        const auto pivots = factors.matrixLLT().diagonal().array().square();
+        return (pivots <= sparse::kZeroPivot * inner_.diagonal().array()).any();
     }
 
     [[noreturn]] void refuse() const {

@@ -66,11 +66,15 @@ class Reader {
 
     void read_nodes(const Card& card) {
         deck_.allow_only(card, {"NSET"});
-        for (const auto& [line, words] : card.lines) {
+        for (const auto& [line, words, ends_with_comma] : card.lines) {
             if (words.size() < 2) deck_.fail(line, "is not a node: a label and coordinates are needed");
+            if (words.size() > 4)
+                deck_.fail(line,
+                           "has more than a label and three coordinates: no normal of beams at a node "
+                           "is understood; give n1 with their section");
             const int label = deck_.integer(line, words[0]);
             Eigen::Vector3d position = Eigen::Vector3d::Zero();
-            for (std::size_t i = 1; i < std::min<std::size_t>(words.size(), 4); ++i)
+            for (std::size_t i = 1; i < words.size(); ++i)
                 position[static_cast<Eigen::Index>(i) - 1] =
                     words[i].empty() ? 0.0 : deck_.number(line, words[i]);
             if (!nodes_.emplace(label, NodeIndex(result_.frame.nodes.size())).second)
@@ -88,6 +92,20 @@ class Reader {
         return found->second;
     }
 
+    using LineIterator = std::vector<Card::Line>::const_iterator;
+
+    /// The label and the nodes of the element that begins at a line; `at` moves to the element's last line.
+    /// After a comma, the nodes go on in the next line, but only until the element has all of them: many
+    /// programs end every line with a comma.
+    static Words element_words(const Card& card, std::size_t nodes, LineIterator& at) {
+        Words words = at->words;
+        while (words.size() < nodes + 1 && at->ends_with_comma && at + 1 != card.lines.end()) {
+            ++at;
+            words.insert(words.end(), at->words.begin(), at->words.end());
+        }
+        return words;
+    }
+
     void read_elements(const Card& card) {
         deck_.allow_only(card, {"TYPE", "ELSET"});
         const std::string& type = deck_.parameter(card, "TYPE");
@@ -96,10 +114,16 @@ class Reader {
             deck_.fail(card.line,
                        "has elements of type " + type + "; B31, B31R, B32, B32R and B33 are understood");
         const std::size_t count = two ? 2 : 3;
-        for (const auto& [line, words] : card.lines) {
+        for (auto at = card.lines.begin(); at != card.lines.end(); ++at) {
+            const std::size_t line = at->number;
+            const Words words = element_words(card, count, at);
+            const std::string label_and_nodes = "a label and " + std::to_string(count) + " nodes";
             if (words.size() < count + 1)
-                deck_.fail(line, "is not an element of type " + type + ": a label and " +
-                                     std::to_string(count) + " nodes are needed");
+                deck_.fail(line,
+                           "is not an element of type " + type + ": " + label_and_nodes + " are needed");
+            if (words.size() > count + 1)
+                deck_.fail(line, "gives an element of type " + type + " more than " + label_and_nodes +
+                                     ": no node for its orientation is understood; give n1 with its section");
             ElementData element;
             element.line = line;
             for (std::size_t i = 1; i <= count; ++i) element.nodes.push_back(node(line, words[i]));
@@ -204,7 +228,7 @@ class Reader {
         deck_.allow_only(card, {"OP", "TYPE"});
         deck_.require_choice(card, "TYPE", {"DISPLACEMENT"});
         history_.begin_boundary(operation_of(card));
-        for (const auto& [line, words] : card.lines) {
+        for (const auto& [line, words, ends_with_comma] : card.lines) {
             if (words.size() < 2) deck_.fail(line, "needs a node or set and a degree of freedom");
             const auto [first, last] = held_range(line, words);
             const double value = words.size() > 3 && !words[3].empty() ? deck_.number(line, words[3]) : 0.0;
@@ -217,7 +241,7 @@ class Reader {
     void read_loads(const Card& card) {
         deck_.allow_only(card, {"OP"});
         history_.begin_loads(operation_of(card));
-        for (const auto& [line, words] : card.lines) {
+        for (const auto& [line, words, ends_with_comma] : card.lines) {
             if (words.size() < 3) deck_.fail(line, "needs a node or set, a degree of freedom and a value");
             const auto d = static_cast<Dof>(dof(line, words[1]));
             for (const NodeIndex index : nodes_named(line, words[0]))
@@ -228,7 +252,7 @@ class Reader {
     void read_gravity(const Card& card) {
         deck_.allow_only(card, {"OP"});
         history_.begin_gravity(operation_of(card));
-        for (const auto& [line, words] : card.lines) {
+        for (const auto& [line, words, ends_with_comma] : card.lines) {
             if (words.size() < 6 || words[1] != "GRAV")
                 deck_.fail(
                     line,

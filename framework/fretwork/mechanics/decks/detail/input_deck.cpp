@@ -40,27 +40,18 @@ std::string list_of(std::initializer_list<const char*> words) {
 
 InputDeck::InputDeck(std::string_view text, std::string source) : source_(std::move(source)) {
     const auto lines = base::split(text, '\n');
-    bool continues = false;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const std::string line = trimmed_upper(lines[i]);
         if (line.empty() || line.starts_with("**")) continue;
         Words words = base::split(line, ',');
         if (line.starts_with("*")) {
             cards_.push_back(card_of(words, i + 1));
-            continues = false;
             continue;
         }
         if (cards_.empty()) fail(i + 1, "stands before the first keyword");
-        const bool goes_on = words.back().empty() && words.size() > 1;
-        if (goes_on) words.pop_back();
-        if (continues) {
-            Words& last = cards_.back().lines.back().words;
-            last.insert(last.end(), words.begin(), words.end());
-        } else {
-            cards_.back().lines.push_back({i + 1, words});
-        }
-        // Only lists of nodes continue on the next line; elsewhere, a comma at the end means an empty value.
-        continues = goes_on && cards_.back().keyword == "*ELEMENT";
+        const bool ends_with_comma = line.ends_with(',');
+        while (words.size() > 1 && words.back().empty()) words.pop_back();
+        cards_.back().lines.push_back({i + 1, std::move(words), ends_with_comma});
     }
 }
 

@@ -17,7 +17,8 @@ using Words = std::vector<std::string>;
 struct Card {
     struct Line {
         std::size_t number = 0;  ///< number of the line in the file
-        Words words;
+        Words words;             ///< without the empty words after the last value
+        bool ends_with_comma = false;
     };
     std::string keyword;
     /// Values of parameters; empty for a parameter without a value.

@@ -8,12 +8,15 @@ namespace {
 constexpr long kMostGenerated = 10'000'000;
 
 void generate(const InputDeck& deck, const Card::Line& line, std::set<int>& members) {
-    const auto& [number, words] = line;
+    const auto& [number, words, ends_with_comma] = line;
     if (words.size() < 2) deck.fail(number, "needs a first and a last label");
     const long step = words.size() > 2 && !words[2].empty() ? deck.integer(number, words[2]) : 1;
     if (step < 1) deck.fail(number, "steps by " + std::to_string(step) + ", and must step forward");
     const long first = deck.integer(number, words[0]);
     const long last = deck.integer(number, words[1]);
+    if (last < first)
+        deck.fail(number, "generates labels up to " + words[1] +
+                              ", which must not be below the first label, " + words[0]);
     if ((last - first) / step >= kMostGenerated)
         deck.fail(number, "generates " + std::to_string((last - first) / step + 1) + " labels, where " +
                               std::to_string(kMostGenerated) + " at most are understood");
