@@ -12,9 +12,11 @@ namespace THIS_TEST {
 using test::complaint_of;
 using test::TemporaryFolder;
 using testing::AllOf;
+using testing::Each;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 constexpr double kPi = std::numbers::pi;
 
@@ -55,6 +57,17 @@ std::string rectangle(double x, double y, double width, double height, const std
     return "0 LWPOLYLINE 8 " + layer + " 90 4 70 1 10 " + number(x) + " 20 " + number(y) + " 10 " +
            number(x + width) + " 20 " + number(y) + " 10 " + number(x + width) + " 20 " + number(y + height) +
            " 10 " + number(x) + " 20 " + number(y + height) + " ";
+}
+std::string polyline(const std::vector<std::array<double, 2>>& points, const std::string& flags) {
+    std::string text = "0 LWPOLYLINE 8 0 90 " + std::to_string(points.size()) + " 70 " + flags;
+    for (const auto& [x, y] : points) text += " 10 " + number(x) + " 20 " + number(y);
+    return text + " ";
+}
+std::string closed(const std::vector<std::array<double, 2>>& points) {
+    return polyline(points, "1");
+}
+std::string open(const std::vector<std::array<double, 2>>& points) {
+    return polyline(points, "0");
 }
 std::string square_of_lines(double side) {
     return line(0, 0, side, 0) + line(side, 0, side, side) + line(side, side, 0, side) + line(0, side, 0, 0);
@@ -177,6 +190,31 @@ TEST(DxfDrawing, DoubledLinesAreOne) {
                                   rectangle(10, 10, 5, 5) + line(0, 0, 50, 0));
     EXPECT_NEAR(area(file), 2500 - 25, 1e-6);
     EXPECT_THAT(file.remarks, ElementsAre("3 doubled lines taken once"));
+}
+
+TEST(DxfDrawing, CurvesWithTheSameBoxAndAreaMayDiffer) {
+    const OutlineFile halves =
+        read(closed({{0, 0}, {10, 0}, {10, 10}}) + closed({{0, 0}, {10, 10}, {0, 10}}));
+    EXPECT_NEAR(area(halves), 100, 1e-6);
+    EXPECT_THAT(halves.remarks, IsEmpty());
+    // Bars of 100 mm by 10 mm around the origin.
+    const auto bar = [](double angle) {
+        const auto corner = [&](double along, double across) {
+            return std::array{along * std::cos(angle) - across * std::sin(angle),
+                              along * std::sin(angle) + across * std::cos(angle)};
+        };
+        return closed({corner(-50, -5), corner(50, -5), corner(50, 5), corner(-50, 5)});
+    };
+    const double shared = 10 * 10 / std::sin(kPi / 3);  // the rhombus where they cross
+    EXPECT_NEAR(area(read(bar(kPi / 6) + bar(-kPi / 6))), 2 * 1000 - shared, 0.01);
+}
+
+TEST(DxfDrawing, ALineAndItsMirrorImageDiffer) {
+    // Two squares that stand on their corners.
+    const OutlineFile file =
+        read(open({{0, 0}, {10, 10}, {30, -10}, {40, 0}}) + open({{0, 0}, {10, -10}, {30, 10}, {40, 0}}));
+    EXPECT_NEAR(area(file), 2 * 200, 0.1);
+    EXPECT_THAT(file.remarks, Each(Not(HasSubstr("doubled"))));
 }
 
 TEST(DxfDrawing, LooseLinesAreLeftOutAndRoomsAreOneShape) {
