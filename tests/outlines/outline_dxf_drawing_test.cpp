@@ -99,6 +99,13 @@ TEST(DxfDrawing, ASplineIsTheCurveOfItsKnotsAndWeights) {
                 HasSubstr("2 control points and 2 knots"));
 }
 
+TEST(DxfDrawing, ASplineOfEqualKnotsIsLeftOut) {
+    const OutlineFile file =
+        read(rectangle(0, 0, 10, 10) + "0 SPLINE 8 0 70 8 71 1 40 0 40 0 40 0 40 0 10 2 20 2 10 4 20 4");
+    EXPECT_NEAR(area(file), 100, 1e-6);
+    EXPECT_THAT(file.remarks, ElementsAre("1 SPLINE of equal knots left out"));
+}
+
 TEST(DxfDrawing, ABlockIsDrawnWhereItIsInserted) {
     const std::string block = "0 BLOCK 8 0 2 Plate 10 5 20 5 " + rectangle(5, 5, 10, 20) + " 0 ENDBLK ";
     EXPECT_NEAR(area(read(Sections{"0 INSERT 2 PLATE 10 100 20 0", "", block})), 200, 1e-6);
