@@ -273,6 +273,7 @@ TEST_F(LibraryTest, ObjectivesFarAboveTheirLikeAreTold) {
     objectives.back() = 4170.0;
     EXPECT_EQ(far_above_limit(objectives), 40.0) << "a failed search does not move it";
     for (std::size_t i = 0; i < objectives.size(); ++i) objectives[i] = i < 10 ? 1.0 : 9.0;
+    EXPECT_TRUE(std::isinf(far_above_limit(std::vector<double>(20, 0.0)))) << "no ratio to zero exists";
     // The median is 5; of |log(E / 5)| it is (log 5 + log 1.8) / 2 = log 3.
     EXPECT_NEAR(far_above_limit(objectives), 5.0 * std::exp(4.0 * 1.4826 * std::log(3.0)), 1e-9);
 }

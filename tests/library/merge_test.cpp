@@ -5,6 +5,8 @@
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/library/detail/draft.hpp>
 #include <fretwork/library/merge.hpp>
+#include <fretwork/mechanics/frame/section.hpp>
+#include <fretwork/reduction/scenarios/setting_file.hpp>
 
 #include <sqlite3.h>
 
@@ -142,6 +144,18 @@ TEST_F(Merge, AStrengthThatOneInputTellsIsTakenAndTwoMustAgree) {
                     merge(path("abc.db"), Paths{a, b, c});
                 }),
                 HasSubstr("has a strength of 60 MPa, where an earlier input has 40 MPa"));
+}
+
+TEST_F(Merge, AShapeThatOneInputTellsIsTaken) {
+    reduction::Setting circle = reduction::paper_setting();
+    circle.section = mechanics::circle_section(2e-3);
+    const reduction::Setting numbers = reduction::without_stresses(circle);
+    Library::create(path("a.db"), paper_layout(), numbers).add_patterns(parse({"0-1+1-6"}));
+    Library::create(path("b.db"), paper_layout(), circle).add_patterns(parse({"1-6+3-6"}));
+    merge(path("ab.db"), Paths{path("a.db"), path("b.db")});
+    merge(path("ba.db"), Paths{path("b.db"), path("a.db")});
+    EXPECT_EQ(Library::open(path("ab.db")).setting(), circle);
+    EXPECT_EQ(Library::open(path("ba.db")).setting(), circle);
 }
 
 TEST_F(Merge, AnOutputCreatedMeanwhileIsNotOverwritten) {

@@ -12,9 +12,11 @@ namespace THIS_TEST {
 using test::complaint_of;
 using test::TemporaryFolder;
 using testing::AllOf;
+using testing::Each;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 constexpr double kPi = std::numbers::pi;
 
@@ -56,6 +58,17 @@ std::string rectangle(double x, double y, double width, double height, const std
            number(x + width) + " 20 " + number(y) + " 10 " + number(x + width) + " 20 " + number(y + height) +
            " 10 " + number(x) + " 20 " + number(y + height) + " ";
 }
+std::string polyline(const std::vector<std::array<double, 2>>& points, const std::string& flags) {
+    std::string text = "0 LWPOLYLINE 8 0 90 " + std::to_string(points.size()) + " 70 " + flags;
+    for (const auto& [x, y] : points) text += " 10 " + number(x) + " 20 " + number(y);
+    return text + " ";
+}
+std::string closed(const std::vector<std::array<double, 2>>& points) {
+    return polyline(points, "1");
+}
+std::string open(const std::vector<std::array<double, 2>>& points) {
+    return polyline(points, "0");
+}
 std::string square_of_lines(double side) {
     return line(0, 0, side, 0) + line(side, 0, side, side) + line(side, side, 0, side) + line(0, side, 0, 0);
 }
@@ -84,6 +97,13 @@ TEST(DxfDrawing, ASplineIsTheCurveOfItsKnotsAndWeights) {
     EXPECT_NEAR(area(read(circle)), 100 * kPi, 1);
     EXPECT_THAT(complaint_of([] { read("0 SPLINE 70 0 71 3 40 0 40 1 10 0 20 0 10 1 20 1"); }),
                 HasSubstr("2 control points and 2 knots"));
+}
+
+TEST(DxfDrawing, ASplineOfEqualKnotsIsLeftOut) {
+    const OutlineFile file =
+        read(rectangle(0, 0, 10, 10) + "0 SPLINE 8 0 70 8 71 1 40 0 40 0 40 0 40 0 10 2 20 2 10 4 20 4");
+    EXPECT_NEAR(area(file), 100, 1e-6);
+    EXPECT_THAT(file.remarks, ElementsAre("1 SPLINE of equal knots left out"));
 }
 
 TEST(DxfDrawing, ABlockIsDrawnWhereItIsInserted) {
@@ -177,6 +197,31 @@ TEST(DxfDrawing, DoubledLinesAreOne) {
                                   rectangle(10, 10, 5, 5) + line(0, 0, 50, 0));
     EXPECT_NEAR(area(file), 2500 - 25, 1e-6);
     EXPECT_THAT(file.remarks, ElementsAre("3 doubled lines taken once"));
+}
+
+TEST(DxfDrawing, CurvesWithTheSameBoxAndAreaMayDiffer) {
+    const OutlineFile halves =
+        read(closed({{0, 0}, {10, 0}, {10, 10}}) + closed({{0, 0}, {10, 10}, {0, 10}}));
+    EXPECT_NEAR(area(halves), 100, 1e-6);
+    EXPECT_THAT(halves.remarks, IsEmpty());
+    // Bars of 100 mm by 10 mm around the origin.
+    const auto bar = [](double angle) {
+        const auto corner = [&](double along, double across) {
+            return std::array{along * std::cos(angle) - across * std::sin(angle),
+                              along * std::sin(angle) + across * std::cos(angle)};
+        };
+        return closed({corner(-50, -5), corner(50, -5), corner(50, 5), corner(-50, 5)});
+    };
+    const double shared = 10 * 10 / std::sin(kPi / 3);  // the rhombus where they cross
+    EXPECT_NEAR(area(read(bar(kPi / 6) + bar(-kPi / 6))), 2 * 1000 - shared, 0.01);
+}
+
+TEST(DxfDrawing, ALineAndItsMirrorImageDiffer) {
+    // Two squares that stand on their corners.
+    const OutlineFile file =
+        read(open({{0, 0}, {10, 10}, {30, -10}, {40, 0}}) + open({{0, 0}, {10, -10}, {30, 10}, {40, 0}}));
+    EXPECT_NEAR(area(file), 2 * 200, 0.1);
+    EXPECT_THAT(file.remarks, Each(Not(HasSubstr("doubled"))));
 }
 
 TEST(DxfDrawing, LooseLinesAreLeftOutAndRoomsAreOneShape) {

@@ -116,6 +116,17 @@ TEST(SvgStyle, StyleSheetsMayBeWrittenInManyWays) {
     EXPECT_FALSE(is_filled("class='a'", "<defs><style>.a { FILL: none }</style></defs>"));
 }
 
+TEST(SvgStyle, SpaceInAnAttributeSelectorDoesNotCountOutsideOfQuotes) {
+    const auto is_hidden_by = [](const std::string& selector) {
+        return !is_filled("class='a b'", "<style>rect" + selector + " { fill: none }</style>");
+    };
+    for (const char* selector :
+         {"[id=\"r\"]", "[id = \"r\"]", "[ id=\"r\" ]", "[id= r ]", "[class = 'a b' ]"})
+        EXPECT_TRUE(is_hidden_by(selector)) << selector;
+    for (const char* selector : {"[id=' r']", "[id = 'r ' ]"})
+        EXPECT_FALSE(is_hidden_by(selector)) << selector;
+}
+
 TEST(SvgStyle, SheetsThatWouldTakeForeverAreRefused) {
     std::string deep;
     for (int i = 0; i < 200; ++i) deep += "<g>";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pattern/small_layouts.hpp"
 
+#include <fretwork/base/control.hpp>
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/pattern/census.hpp>
 #include <fretwork/pattern/search/rule_counts.hpp>
@@ -89,6 +90,18 @@ TEST(CensusOfALargeLayout, LeavesGraphColumnsEmpty) {
         for (std::size_t i = 0; i < row.rejected.size(); ++i)
             EXPECT_EQ(row.rejected[i].has_value(), i != 2 && i != 3) << census.filters[i];
     }
+}
+
+TEST(CensusOfALargeLayout, CanBeStoppedInAColumn) {
+    std::stop_source source;
+    source.request_stop();
+    const base::Control control{.stop = source.get_token()};
+    const CoverRule cover{{{"edge", Pattern::Bits().set(0)}}, "the pattern lacks"};
+    EXPECT_THROW(detail::count_graphs_that_keep(cover, 64, control), base::Stopped);
+    const CapacityRule capacity{{{"node", std::vector<int>(64, 1)}}, 6, ""};
+    EXPECT_THROW(detail::count_graphs_that_keep(capacity, 64, control), base::Stopped);
+    const ConflictRule conflicts{std::vector<Pattern::Bits>(64), "", ""};
+    EXPECT_THROW(detail::count_graphs_that_keep(conflicts, 64, control), base::Stopped);
 }
 
 TEST(CountText, WritesNumbersBeyond64Bits) {

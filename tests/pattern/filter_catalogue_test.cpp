@@ -259,5 +259,14 @@ TEST(FilterCatalogue, FiltersOfTheCallersOwnTakePart) {
     EXPECT_THROW(enumerate_patterns(paper7(), options), base::InputError);
 }
 
+TEST(FilterCatalogue, SixtyFourFiltersAreTheMost) {
+    const PredicateRule any{[](const Pattern&) { return true; }, ""};
+    FilterSettings settings;
+    while (make_filters(paper7(), settings).size() < 64)
+        settings.own.push_back({"own" + std::to_string(settings.own.size()), 0.0, any});
+    settings.own.push_back({"one more", 0.0, any});
+    EXPECT_THROW(make_filters(paper7(), settings), base::InputError);
+}
+
 }  // namespace THIS_TEST
 }  // namespace fretwork::pattern

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pattern/small_layouts.hpp"
 
+#include <fretwork/base/control.hpp>
+#include <fretwork/base/progress.hpp>
 #include <fretwork/pattern/detail/canonical_form.hpp>
 #include <fretwork/pattern/enumerate.hpp>
 #include <fretwork/pattern/fan.hpp>
@@ -102,6 +104,25 @@ TEST(Sameness, ClassesDoNotDependOnThreadsAndAreNumberedByTheirFirstPattern) {
         next = std::max(next, alone.of_pattern[i].isomorphism_class + 1);
     }
     EXPECT_EQ(next, alone.up_to_isomorphism);
+}
+
+/// Counts the tasks that begin.
+class TaskCount final : public base::Progress {
+  public:
+    void start(std::string_view, std::size_t) override { ++begun; }
+    void update(std::size_t) override {}
+    void finish() override {}
+    int begun = 0;
+};
+
+TEST(Sameness, StopsBeforeTheCanonicalForms) {
+    std::stop_source source;
+    source.request_stop();
+    TaskCount tasks;
+    const base::Control control{.stop = source.get_token(), .progress = &tasks};
+    const std::vector<Pattern> patterns{pattern_of("0-6")};
+    EXPECT_THROW(find_sameness(paper7(), patterns, {.control = control}), base::Stopped);
+    EXPECT_EQ(tasks.begun, 0);
 }
 
 /// The same fan with its nodes numbered in another order, interface nodes still first.

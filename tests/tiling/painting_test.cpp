@@ -123,6 +123,17 @@ TEST(PaintingFile, APaintingIsForAsManyTiles) {
                 HasSubstr("no pattern 1"));
 }
 
+TEST(PaintTiles, RefusesAnIndexWithoutAPattern) {
+    Tessellation tessellation = blank(2);
+    paint_uniformly(tessellation, {"0-1+1-6"});
+    for (const int index : {-1, 1})
+        EXPECT_THAT(complaint_of([&] {
+                        paint_tiles(tessellation, std::vector{TileIndex(0)}, {{{"0-6+1-6"}}, {index}});
+                    }),
+                    HasSubstr("no pattern " + std::to_string(index)));
+    EXPECT_THAT(colours(tessellation), Each(0));
+}
+
 TEST(PaintingFile, ComplaintsNameFileAndPlace) {
     const TemporaryFolder folder;
     const auto refuse = [&](const std::string& members) {

@@ -8,6 +8,7 @@
 #include <fretwork/library/detail/schema3.hpp>
 #include <fretwork/library/library.hpp>
 #include <fretwork/library/merge.hpp>
+#include <fretwork/mechanics/frame/section.hpp>
 
 #include <system_error>
 
@@ -133,8 +134,22 @@ void adopt_strength(reduction::Setting& setting, const Library& other) {
     setting.strength = strength;
 }
 
-/// The setting of all libraries. Layouts and settings must be equal, but some libraries may lack the
-/// strength.
+/// Take over another library's shape of the section. Throws InputError if two shapes differ.
+void adopt_shape(reduction::Setting& setting, const Library& other) {
+    const auto& shape = other.setting().section.shape;
+    if (!shape) return;
+    auto& known = setting.section.shape;
+    if (known && *known != *shape)
+        throw base::InputError(other.path().string(), "",
+                               std::string("has a section of the shape ") + mechanics::shape_name(*shape) +
+                                   ", where an earlier input has another shape (" +
+                                   mechanics::shape_name(*known) +
+                                   "); calibrate one of them with the other's setting");
+    known = shape;
+}
+
+/// The setting of all libraries. Layouts and settings must be equal, but some libraries may lack the strength
+/// or the shape of the section.
 reduction::Setting common_setting(const Library& first, std::span<const std::filesystem::path> others) {
     reduction::Setting setting = first.setting();
     (void)first.patterns();
@@ -144,6 +159,7 @@ reduction::Setting common_setting(const Library& first, std::span<const std::fil
         other.check_layout(first.layout());
         other.check_setting(first.setting());
         adopt_strength(setting, other);
+        adopt_shape(setting, other);
     }
     return setting;
 }

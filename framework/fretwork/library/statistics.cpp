@@ -35,6 +35,7 @@ double far_above_limit(std::vector<double> objectives) {
     constexpr double kDeviationOfNormal = 1.4826;
     if (objectives.size() < kFewest) return std::numeric_limits<double>::infinity();
     const double median = median_of(objectives);
+    if (!(median > 0.0)) return std::numeric_limits<double>::infinity();
     for (double& value : objectives)
         value = std::abs(std::log(std::max(value, std::numeric_limits<double>::min()) / median));
     const double deviation = kDeviationOfNormal * median_of(std::move(objectives));

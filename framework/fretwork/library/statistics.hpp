@@ -17,7 +17,7 @@ struct FarAbove {
 };
 
 /// The limit above which an objective E is an outlier. Infinity for fewer than 20 calibrations, which are too
-/// few for an estimate.
+/// few for an estimate, and if the median of E is 0, to which no ratio exists.
 ///
 /// Over the calibrations of one key, log E is about normally distributed. The limit lies four standard
 /// deviations above the median of log E, so about one sound calibration in 30,000 has an E above the limit.

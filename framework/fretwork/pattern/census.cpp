@@ -66,7 +66,7 @@ void fill_without_walking(Census& census, const std::vector<Filter>& filters, in
                           const base::Control& control) {
     for (const Filter& filter : filters) {
         control.check();
-        const auto kept = detail::count_graphs_that_keep(filter.rule, edge_count);
+        const auto kept = detail::count_graphs_that_keep(filter.rule, edge_count, control);
         for (CensusRow& row : census.rows) {
             row.rejected.push_back(std::nullopt);
             if (kept) row.rejected.back() = row.patterns - (*kept)[row.edges];

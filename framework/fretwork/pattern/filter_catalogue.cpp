@@ -13,6 +13,8 @@ namespace fretwork::pattern {
 namespace {
 
 constexpr double kFifteenDegrees = std::numbers::pi / 12;
+/// The largest number of filters; the census has one bit for each.
+constexpr std::size_t kMostFilters = 64;
 
 // The paper's six come first, in the order of its Table 1.
 constexpr FilterKind kCatalogue[] = {
@@ -147,6 +149,9 @@ std::vector<Filter> make_filters(const NodeLayout& layout, const FilterSettings&
     if (!settings.forbidden.empty())
         filters.push_back({"has_forbidden", 0.0, forbid(layout, settings.forbidden)});
     for (const Filter& own : settings.own) add_own(filters, own);
+    if (filters.size() > kMostFilters)
+        throw base::InputError("there are " + std::to_string(filters.size()) + " filters, where at most " +
+                               std::to_string(kMostFilters) + " are possible");
     return filters;
 }
 

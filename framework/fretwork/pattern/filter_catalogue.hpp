@@ -78,7 +78,8 @@ struct FilterSettings {
 /// The filters for one layout. The list begins with the paper's six filters and the chosen further filters,
 /// in the order of the catalogue. A filter without a chosen number takes the catalogue's default. The filters
 /// "lacks_required" and "has_forbidden" follow, if edges are required or forbidden. The caller's own filters
-/// are last. Throws InputError if a name is unknown or appears twice, or a value is invalid.
+/// are last. Throws InputError if a name is unknown or appears twice, a value is invalid, or there are more
+/// than 64 filters.
 std::vector<Filter> make_filters(const NodeLayout& layout, const FilterSettings& settings = {});
 
 /// The verdict of one filter on a pattern.

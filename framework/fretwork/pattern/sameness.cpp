@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/control.hpp>
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/base/task.hpp>
 #include <fretwork/pattern/detail/canonical_form.hpp>
@@ -36,12 +37,16 @@ void find_classes(const NodeLayout& layout, std::span<const Pattern> patterns, c
 }
 
 void find_mirror_partners(const NodeLayout& layout, std::span<const Pattern> patterns,
-                          SamenessReport& report) {
+                          const base::Control& control, SamenessReport& report) {
     const Mirror mirror(layout);
     std::unordered_map<Pattern::Bits, std::size_t> positions;
-    for (std::size_t i = 0; i < patterns.size(); ++i) positions.emplace(patterns[i].bits(), i);
+    for (std::size_t i = 0; i < patterns.size(); ++i) {
+        control.check();
+        positions.emplace(patterns[i].bits(), i);
+    }
     std::size_t paired = 0;
     for (std::size_t i = 0; i < patterns.size(); ++i) {
+        control.check();
         const std::optional<Pattern> image = mirror.image(patterns[i]);
         const auto found = image ? positions.find(image->bits()) : positions.end();
         if (found == positions.end()) continue;
@@ -61,7 +66,7 @@ SamenessReport find_sameness(const NodeLayout& layout, std::span<const Pattern> 
                              const SamenessOptions& options) {
     SamenessReport report;
     report.of_pattern.resize(patterns.size());
-    find_mirror_partners(layout, patterns, report);
+    find_mirror_partners(layout, patterns, options.control, report);
     find_classes(layout, patterns, options, report);
     return report;
 }

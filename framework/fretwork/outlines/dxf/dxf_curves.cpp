@@ -164,7 +164,9 @@ DxfDrawn draw_dxf_entity(const DxfFile& file, std::span<const DxfEntity> from, c
     if (name == "POLYLINE") return draw_heavy_polyline(file, from, how);
     if (name == "SPLINE") {
         if (!file.find(entity, 10)) return {std::nullopt, "SPLINE without control points"};
-        return {DxfCurve{draw_dxf_spline(file, entity, how), DxfCurve::Ends::Open}, ""};
+        Polygon points = draw_dxf_spline(file, entity, how);
+        if (points.empty()) return {std::nullopt, "SPLINE of equal knots"};
+        return {DxfCurve{std::move(points), DxfCurve::Ends::Open}, ""};
     }
     return {std::nullopt, std::string(name)};
 }

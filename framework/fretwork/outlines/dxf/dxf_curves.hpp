@@ -29,8 +29,8 @@ DxfDrawn draw_dxf_entity(const DxfFile& file, std::span<const DxfEntity> from, c
 /// mirrored. Nothing if the entity is not parallel to the drawing's plane.
 std::optional<Affine> dxf_orientation(const DxfFile& file, const DxfEntity& entity);
 
-/// A rational B-spline within the tolerance. Throws InputError with the line if its numbers contradict each
-/// other.
+/// A rational B-spline within the tolerance; empty if no span between its knots has a length. Throws
+/// InputError with the line if its numbers contradict each other.
 geometry::Polygon draw_dxf_spline(const DxfFile& file, const DxfEntity& entity, const Flattening& how);
 
 }  // namespace fretwork::outlines::detail

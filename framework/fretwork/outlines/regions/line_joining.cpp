@@ -57,7 +57,33 @@ Point2 middle_of(const Polygon& line) {
     return line.back();
 }
 
-/// True for each line with the same ends, middle and length as an earlier line.
+/// Whether a side leads from the last point of a line to its first point.
+enum class Form { Open, Closed };
+
+/// True if the points of a line, or evenly chosen points of a long line, lie on another line up to `reach`.
+bool lies_on(const Polygon& line, const Polygon& other, Form form, double reach) {
+    constexpr std::size_t kMostCompared = 64;
+    const std::size_t sides = form == Form::Closed ? other.size() : other.size() - 1;
+    const std::size_t step = std::max<std::size_t>(1, line.size() / kMostCompared);
+    for (std::size_t i = 0; i < line.size(); i += step) {
+        bool is_near = false;
+        for (std::size_t side = 0; side < sides && !is_near; ++side) {
+            const Point2 to = other[(side + 1) % other.size()];
+            is_near = distance(nearest_on_segment(other[side], to, line[i]), line[i]) <= reach;
+        }
+        if (!is_near) return false;
+    }
+    return true;
+}
+
+/// True if each of two lines lies on the other. The polygons of equal curves may have other points, and lie
+/// apart by the tolerance of flattening, which is twice `same`.
+bool lie_on_each_other(const Polygon& a, const Polygon& b, Form form, double same) {
+    constexpr double kApart = 4;
+    return lies_on(a, b, form, kApart * same) && lies_on(b, a, form, kApart * same);
+}
+
+/// True for each line with the same ends, middle, length and course as an earlier line.
 std::vector<bool> find_doubled(const std::vector<Polygon>& lines, const Ends& ends, double same) {
     std::map<std::array<std::size_t, 2>, std::vector<std::size_t>> by_ends;
     std::vector<bool> is_doubled(lines.size(), false);
@@ -67,7 +93,8 @@ std::vector<bool> find_doubled(const std::vector<Polygon>& lines, const Ends& en
         auto& others = by_ends[key];
         is_doubled[line] = std::ranges::any_of(others, [&](std::size_t other) {
             return distance(middle_of(lines[line]), middle_of(lines[other])) <= same &&
-                   std::abs(length_of(lines[line]) - length_of(lines[other])) <= 2 * same;
+                   std::abs(length_of(lines[line]) - length_of(lines[other])) <= 2 * same &&
+                   lie_on_each_other(lines[line], lines[other], Form::Open, same);
         });
         constexpr std::size_t kMostCompared = 64;
         if (!is_doubled[line] && others.size() < kMostCompared) others.push_back(line);
@@ -229,9 +256,10 @@ DistinctCurves distinct_curves(std::vector<Polygon> curves, double same) {
                             {box.xmax, box.ymax},
                             std::abs(geometry::signed_area(curve)),
                             perimeter(curve)};
-        bool is_doubled = false;
-        corners.visit_around(
-            here.low, [&](std::size_t other) { is_doubled = is_doubled || is_same(measured[other], here); });
+        const bool is_doubled = corners.any_around(here.low, [&](std::size_t other) {
+            return is_same(measured[other], here) &&
+                   lie_on_each_other(distinct.curves[other], curve, Form::Closed, same);
+        });
         if (is_doubled) {
             ++distinct.doubled;
             continue;

@@ -22,7 +22,7 @@ struct JoinedLines {
 /// The distances, in metres, at which lines are joined.
 struct JoiningTolerance {
     double same;  ///< ends nearer than this are one point; an end nearer than this to a line lies on it;
-                  ///< lines with the same ends, and about the same middle and length, are one
+                  ///< lines with the same ends, and about the same middle, length and course, are one
     double gap;   ///< loose ends up to this distance apart are joined, the nearest pair first; a line is
                   ///< joined to itself only if it is more than four times as long
 };
@@ -30,8 +30,8 @@ struct JoiningTolerance {
 /// Join the ends of open polylines of two points or more.
 JoinedLines join_lines(const std::vector<geometry::Polygon>& lines, const JoiningTolerance& tolerance);
 
-/// Closed curves without repeated curves. Curves are the same if their boxes and areas agree up to `same`
-/// (m).
+/// Closed curves without repeated curves. Curves are the same if their boxes and areas agree up to `same` (m)
+/// and each lies on the other, up to flattening.
 struct DistinctCurves {
     std::vector<geometry::Polygon> curves;
     int doubled = 0;

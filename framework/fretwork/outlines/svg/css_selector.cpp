@@ -99,7 +99,11 @@ class SelectorParser {
         skip_space();
         while (next_ < end && std::string_view("~|^$*=").find(here()) != std::string_view::npos)
             attribute.sign += text_[next_++];
-        for (; next_ < end; ++next_)
+        skip_space();
+        std::size_t value_end = end;
+        while (value_end > next_ && std::isspace(static_cast<unsigned char>(text_[value_end - 1])))
+            --value_end;
+        for (; next_ < value_end; ++next_)
             if (here() != '"' && here() != '\'') attribute.value += here();
         next_ = end + 1;
         compound.attributes.push_back(std::move(attribute));

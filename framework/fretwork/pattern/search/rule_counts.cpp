@@ -14,33 +14,40 @@ namespace {
 constexpr std::size_t kMostParts = 300'000;
 constexpr std::size_t kMostStates = 200'000;
 constexpr std::size_t kMostGroups = 16;
+constexpr unsigned kTermsBetweenChecks = 4096;
 
-std::optional<CountsBySize> count(const ConflictRule& rule, int edge_count) {
+std::optional<CountsBySize> count(const ConflictRule& rule, int edge_count, const base::Control& control) {
     std::vector<Word128> conflicts;
     Word128 edges = 0;
     for (int e = 0; e < edge_count; ++e) {
         conflicts.push_back(to_word<Word128>(rule.conflicts[e]));
         edges |= single<Word128>(e);
     }
-    const IndependentSets<Word128> sets(std::move(conflicts), edges, kMostParts);
+    const IndependentSets<Word128> sets(std::move(conflicts), edges, kMostParts, control);
     if (!sets.is_counted()) return std::nullopt;
     return sets.counts();
 }
 
 /// The number of sets that meet every group, by inclusion and exclusion: all sets, less the sets that miss
 /// one group, plus the sets that miss two, ..
-std::optional<CountsBySize> count(const CoverRule& rule, int edge_count) {
+std::optional<CountsBySize> count(const CoverRule& rule, int edge_count, const base::Control& control) {
     if (rule.groups.size() > kMostGroups) return std::nullopt;
-    CountsBySize counts(edge_count + 1);
+    Pattern::Bits all;
+    for (int e = 0; e < edge_count; ++e) all.set(e);
+    // By the number of edges outside of the missed groups: the number of terms to add, less the number of
+    // terms to subtract, modulo 2^128.
+    CountsBySize terms(edge_count + 1);
     for (unsigned missed = 0; missed < 1u << rule.groups.size(); ++missed) {
-        Pattern::Bits shunned;
-        for_each_bit(Word64{missed}, [&](int group) { shunned |= rule.groups[group].edges; });
-        const int left = edge_count - static_cast<int>(shunned.count());
-        const bool is_added = std::popcount(missed) % 2 == 0;
-        for (int k = 0; k <= left; ++k) {
-            GraphCount& entry = counts[k];
-            entry = is_added ? entry + binomial(left, k) : entry - binomial(left, k);
-        }
+        if (missed % kTermsBetweenChecks == 0) control.check();
+        Pattern::Bits left = all;
+        for_each_bit(Word64{missed}, [&](int group) { left &= ~rule.groups[group].edges; });
+        GraphCount& term = terms[left.count()];
+        term = std::popcount(missed) % 2 == 0 ? term + 1 : term - 1;
+    }
+    CountsBySize counts(edge_count + 1);
+    for (int left = 0; left <= edge_count; ++left) {
+        if (terms[left] == 0) continue;
+        for (int k = 0; k <= left; ++k) counts[k] += terms[left] * binomial(left, k);
     }
     return counts;
 }
@@ -60,9 +67,11 @@ class LoadTable {
         table_[Loads(rule.resources.size(), '\0')] = {1};
     }
 
-    void offer(int edge) {
+    /// Throws Stopped.
+    void offer(int edge, const base::Control& control) {
         Table next;
         for (const auto& [loads, counts] : table_) {
+            control.check();
             add(next, settled(loads, edge), counts, 0);
             if (const std::optional<Loads> heavier = with_edge(loads, edge))
                 add(next, settled(*heavier, edge), counts, 1);
@@ -122,23 +131,23 @@ std::vector<int> elimination_order(const CapacityRule& rule, int edge_count) {
     return order;
 }
 
-std::optional<CountsBySize> count(const CapacityRule& rule, int edge_count) {
+std::optional<CountsBySize> count(const CapacityRule& rule, int edge_count, const base::Control& control) {
     constexpr int kMostInAByte = 100;
     if (rule.limit > kMostInAByte) return std::nullopt;
     const std::vector<int> order = elimination_order(rule, edge_count);
     LoadTable table(rule, order);
     for (const int edge : order) {
-        table.offer(edge);
+        table.offer(edge, control);
         if (table.size() > kMostStates) return std::nullopt;
     }
     return table.total();
 }
 
-std::optional<CountsBySize> count(const GraphRule&, int) {
+std::optional<CountsBySize> count(const GraphRule&, int, const base::Control&) {
     return std::nullopt;
 }
 
-std::optional<CountsBySize> count(const PredicateRule&, int) {
+std::optional<CountsBySize> count(const PredicateRule&, int, const base::Control&) {
     return std::nullopt;
 }
 
@@ -154,8 +163,9 @@ GraphCount binomial(int n, int k) {
     return row[k];
 }
 
-std::optional<CountsBySize> count_graphs_that_keep(const Rule& rule, int edge_count) {
-    auto counts = std::visit([&](const auto& form) { return count(form, edge_count); }, rule);
+std::optional<CountsBySize> count_graphs_that_keep(const Rule& rule, int edge_count,
+                                                   const base::Control& control) {
+    auto counts = std::visit([&](const auto& form) { return count(form, edge_count, control); }, rule);
     if (counts) counts->resize(edge_count + 1);
     return counts;
 }

@@ -65,6 +65,13 @@ std::vector<NamedPattern> read_patterns(const base::JsonReader& list, const patt
     return palette.patterns();
 }
 
+void check_indices(const Painting& painting) {
+    for (const int pattern : painting.tiles) {
+        if (pattern < 0 || pattern >= static_cast<int>(painting.patterns.size()))
+            throw base::InputError("the painting has no pattern " + std::to_string(pattern));
+    }
+}
+
 }  // namespace
 
 std::vector<NamedPattern> make_palette(const pattern::NodeLayout& layout, std::span<const std::string> ids) {
@@ -125,10 +132,7 @@ void paint(Tessellation& tessellation, const Painting& painting) {
         throw base::InputError("the painting is for " + std::to_string(painting.tiles.size()) +
                                " tiles, and the tessellation has " +
                                std::to_string(tessellation.tiles.size()));
-    for (const int pattern : painting.tiles) {
-        if (pattern < 0 || pattern >= static_cast<int>(painting.patterns.size()))
-            throw base::InputError("the painting has no pattern " + std::to_string(pattern));
-    }
+    check_indices(painting);
     tessellation.patterns = painting.patterns;
     for (std::size_t t = 0; t < painting.tiles.size(); ++t) tessellation.tiles[t].pattern = painting.tiles[t];
 }
@@ -162,6 +166,7 @@ void paint_tiles(Tessellation& tessellation, std::span<const TileIndex> tiles, c
     if (painting.tiles.size() != tiles.size())
         throw base::InputError("the painting is for " + std::to_string(painting.tiles.size()) +
                                " tiles, and " + std::to_string(tiles.size()) + " are to be painted");
+    check_indices(painting);
     const std::size_t before = tessellation.patterns.size();
     std::vector<NamedPattern> all = tessellation.patterns;
     std::ranges::copy(painting.patterns, std::back_inserter(all));

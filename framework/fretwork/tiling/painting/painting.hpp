@@ -69,7 +69,8 @@ Painting random_painting(std::size_t tiles, std::span<const WeightedPattern> pat
 
 /// Paint the listed tiles with the patterns of the painting: tile k of the list as entry k of its tiles. All
 /// other tiles keep their patterns. Patterns that no tile has any more are removed from
-/// Tessellation::patterns. Throws InputError if the numbers of tiles differ.
+/// Tessellation::patterns. Throws InputError if the numbers of tiles differ, or if the painting has no
+/// pattern with an index that it uses.
 void paint_tiles(Tessellation& tessellation, std::span<const TileIndex> tiles, const Painting& painting);
 
 }  // namespace fretwork::tiling
