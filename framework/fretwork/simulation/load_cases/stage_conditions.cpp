@@ -113,7 +113,7 @@ void StageConditions::keep(const LoadCase::Support& entry, const mechanics::Node
 }
 
 void StageConditions::prescribe(const LoadCase::PrescribedDisplacement& entry) {
-    for (const auto node : select_nodes(entry.where, surface_.tessellation)) {
+    for (const auto node : select_some_nodes(entry.where, surface_.tessellation)) {
         const Place place{node.value, static_cast<int>(entry.dof)};
         const bool is_second = claims_.contains(place);
         claim(place, "prescribed");
@@ -136,7 +136,7 @@ void StageConditions::claim(const Place& place, std::string_view list) {
 
 std::vector<StageConditions::Place> StageConditions::places_of(const LoadCase::Support& entry) const {
     std::vector<Place> places;
-    for (const auto node : select_nodes(entry.where, surface_.tessellation)) {
+    for (const auto node : select_some_nodes(entry.where, surface_.tessellation)) {
         for (int d = 0; d < mechanics::kDofsPerNode; ++d)
             if (entry.fixed.contains[d]) places.emplace_back(node.value, d);
     }
