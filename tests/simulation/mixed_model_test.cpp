@@ -116,6 +116,20 @@ TEST(MixedModel, ASessionAnswersEditsAsTheEditedSurfaceIsAnswered) {
     EXPECT_EQ(session.options().model, "mixed:0.5");
 }
 
+TEST(MixedModel, HasNoDerivativesBeforeItIsSolved) {
+    Session session(surface(), heavy(), {.model = "corotational"});
+    const auto corotational = session.solve();
+    ASSERT_TRUE(corotational.solution.converged());
+    EXPECT_NO_THROW((void)session.linearize());
+    session.set_model("mixed:0.25");
+    EXPECT_THROW((void)session.linearize(), base::InputError) << "the solution was of another model";
+    EXPECT_THROW((void)session.energy_gradient(corotational.solution), base::InputError);
+    ASSERT_TRUE(session.solve().solution.converged());
+    EXPECT_NO_THROW((void)session.linearize());
+    session.set_model("mixed:0.5");
+    EXPECT_THROW((void)session.linearize(), base::InputError) << "nor is it that of corotational tiles";
+}
+
 TEST(MixedModel, IsForLargeDisplacements) {
     EXPECT_THAT(complaint_of([&] {
                     simulate(surface(), heavy(), {.model = "mixed:0.1", .analysis = Analysis::Linear});

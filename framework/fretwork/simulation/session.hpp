@@ -73,7 +73,8 @@ class Session {
     /// Give tiles their own tile model; "" removes their own tile model. Invalid after the edit: these tiles.
     void set_tile_model(std::span<const tiling::TileIndex> tiles, const std::string& model);
     /// Replace the model of the tiles without their own tile model. Invalid after the edit: all tiles. If a
-    /// mixed model replaces `corotational`, the corotational tiles and their equilibrium stay valid.
+    /// mixed model replaces `corotational`, the next solve() uses the corotational tiles and their
+    /// equilibrium.
     void set_model(const std::string& model);
     /// Replace the setting (material, section, scenarios). Invalid after the edit: all tiles and, with
     /// gravity, the loads. The calibrations do not change; the caller has to replace them. Throws InputError

@@ -42,6 +42,8 @@ class Session::Impl {
     void set_setting(const reduction::Setting& setting);
     void set_calibrations(std::vector<std::vector<reduction::Calibration>> calibrations);
     void set_load_case(const LoadCase& load_case);
+    /// Refuse questions about the last solution. Tiles, and where the next solution starts, stay as they are.
+    void forget_solution() { are_tiles_solved_ = is_at_equilibrium_ = false; }
 
     SurfaceResult solve(const base::Control& control, mechanics::StabilityCheck check,
                         const mechanics::FirstIterate& first_iterate = {});
