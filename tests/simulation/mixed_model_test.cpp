@@ -7,6 +7,7 @@
 #include <fretwork/simulation/results/comparison.hpp>
 #include <fretwork/simulation/results/model_doubt.hpp>
 #include <fretwork/simulation/results/model_error.hpp>
+#include <fretwork/simulation/results/result_subject.hpp>
 #include <fretwork/simulation/results/stress_refinement.hpp>
 #include <fretwork/simulation/results/tile_stability.hpp>
 #include <fretwork/simulation/session.hpp>
@@ -233,6 +234,18 @@ TEST(ModelDoubt, OfAMixedModelIsAlsoTheChangeByItsTilesInFull) {
     const Comparison change = compare(solved("mixed:0.1"), solved("corotational"));
     ASSERT_TRUE(result.model_doubt);
     EXPECT_DOUBLE_EQ(result.model_doubt->change, change.max_translation_error / change.max_displacement);
+}
+
+TEST(ModelDoubt, HasNoChangeWhereAMixedSolutionWasNotFound) {
+    Session session(surface(), heavy(), {.model = "mixed:0.1"});
+    SurfaceResult result = session.solve();
+    EXPECT_GT(model_doubt(session, result).change, 0.0);
+    result.solution.termination = mechanics::Termination::LimitLoad;
+    const ModelDoubt doubt = model_doubt(session, result);
+    EXPECT_EQ(doubt.change, 0.0);
+    result.subject = result_subject(surface(), heavy(), session.options());
+    EXPECT_FALSE(estimate_model_error(session, result, doubt, surface(), result));
+    EXPECT_EQ(session.options().model, "mixed:0.1") << "no better solution was looked for";
 }
 
 TEST(ModelDoubt, HasTheErrorEstimatedWhereItIsLarge) {

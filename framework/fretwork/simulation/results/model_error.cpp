@@ -74,6 +74,7 @@ SimulationOptions estimating_options(const Surface& surface, SimulationOptions o
 std::optional<ModelError> estimate_model_error(Session& session, const SurfaceResult& turned,
                                                const ModelDoubt& doubt, const Surface& surface,
                                                const SurfaceResult& result, const base::Control& control) {
+    if (!result.solution.converged()) return std::nullopt;
     BetterSolution better = better_solution(session, turned, doubt, control);
     auto error = model_error(result, better.result);
     if (!error) return std::nullopt;
