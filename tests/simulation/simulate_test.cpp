@@ -132,6 +132,17 @@ TEST(Simulate, ASurfaceThatNothingHoldsIsRefused) {
     }
 }
 
+TEST(Simulate, ResultsOfALoadCaseWithoutANameAreCompared) {
+    const Surface surface = make_surface(honeycomb(2, 1, kPatterns), nullptr);
+    LoadCase load_case = cantilever({0, 0, 0.01});
+    load_case.name.clear();
+    const auto full = simulate(surface, load_case, {.model = "full", .analysis = Analysis::Linear});
+    const auto condensed = simulate(surface, load_case, {.model = "condensed"});
+    EXPECT_LT(compare(full, condensed).relative_l2_error, 1e-7);
+    load_case.loads[0].force *= 2.0;
+    EXPECT_THROW((void)compare(full, simulate(surface, load_case, {.model = "condensed"})), base::InputError);
+}
+
 /// The ring of paper6 and the pattern 1-6+3-6 have six inner nodes in each hexagon, at other places.
 TEST(Simulate, ModesAreKnownAtTheInterfaceNodesOfAReducedModelOnly) {
     const Surface surface = with_parameters(make_surface(honeycomb(2, 2, {"1-6+3-6"}), nullptr));

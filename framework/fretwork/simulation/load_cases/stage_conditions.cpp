@@ -24,6 +24,13 @@ void for_entries(const LoadStage& stage, const std::string& list, const std::vec
                       [&] { take(entries[i]); });
 }
 
+/// As parse_stages() does: what it would refuse in the file of a result is refused before the work.
+void check_entries(const LoadStage& stage) {
+    if (stage.loads.empty() && stage.keep.empty() && stage.prescribed.empty() && stage.free.empty())
+        throw base::InputError("load stage '" + stage.name + "'", "",
+                               "changes nothing: it needs one of loads, prescribed, keep, free");
+}
+
 void check_names(std::span<const LoadStage> stages) {
     for (std::size_t i = 0; i < stages.size(); ++i) {
         const auto same = std::ranges::find(stages.first(i), stages[i].name, &LoadStage::name);
@@ -166,7 +173,10 @@ void check_stages(const Surface& surface, const StagePlan& plan) {
     const mechanics::NodeValues at_rest =
         mechanics::NodeValues::Zero(static_cast<Eigen::Index>(nodes), mechanics::kDofsPerNode);
     StageConditions conditions(surface, plan);
-    for (const LoadStage& stage : plan.stages) (void)conditions.advance(stage, at_rest, nodes);
+    for (const LoadStage& stage : plan.stages) {
+        check_entries(stage);
+        (void)conditions.advance(stage, at_rest, nodes);
+    }
 }
 
 }  // namespace fretwork::simulation
