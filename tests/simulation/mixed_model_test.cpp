@@ -131,6 +131,20 @@ TEST(MixedModel, HasNoDerivativesBeforeItIsSolved) {
     EXPECT_THROW((void)session.linearize(), base::InputError) << "nor is it that of corotational tiles";
 }
 
+TEST(MixedModel, AsksOnceForTheCalibrationsOfAPattern) {
+    int calls = 0;
+    Session session(surface(), cantilever({0, 0, -0.1}), {.model = "mixed:0.25"}, [&](const std::string&) {
+        if (++calls > 1) throw base::InputError("the library has gone");
+        return std::vector<reduction::Calibration>{};
+    });
+    EXPECT_NO_THROW(session.paint(std::vector{TileIndex(5)}, "0-6"));
+    EXPECT_EQ(calls, 1);
+    const auto found = session.solve();
+    ASSERT_FALSE(session.full_tiles().empty());
+    const auto expected = simulate(session.surface(), session.load_case(), session.options());
+    EXPECT_LT(compare(expected, found).relative_l2_error, 1e-6);
+}
+
 TEST(MixedModel, IsForLargeDisplacements) {
     EXPECT_THAT(complaint_of([&] {
                     simulate(surface(), heavy(), {.model = "mixed:0.1", .analysis = Analysis::Linear});

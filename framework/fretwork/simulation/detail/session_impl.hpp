@@ -32,7 +32,6 @@ class Session::Impl {
     [[nodiscard]] const Surface& surface() const { return surface_; }
     [[nodiscard]] const LoadCase& load_case() const { return load_case_; }
     [[nodiscard]] const SimulationOptions& options() const { return options_; }
-    [[nodiscard]] const CalibrationSource& calibration_source() const { return calibration_source_; }
     [[nodiscard]] const Report& last_report() const { return report_; }
 
     void paint(std::span<const tiling::TileIndex> tiles, const std::string& id);
