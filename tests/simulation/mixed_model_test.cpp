@@ -211,6 +211,19 @@ TEST(ModelError, IsRefusedWhereThereIsNoBetterModel) {
     EXPECT_THAT(complaint("full"), HasSubstr("is the reference"));
 }
 
+/// Corotational tiles are not made of beams, as those of the result may be.
+TEST(ModelError, IsEstimatedWithoutTheErrorOfBeams) {
+    Surface painted = surface();
+    painted.tile_models.assign(12, "");
+    painted.tile_models[0] = "full";
+    const SimulationOptions wanted{.model = "paper6", .estimate_error = true, .estimate_model_error = true};
+    EXPECT_NO_THROW(wanted.validate(painted));
+    const SimulationOptions options = estimating_options(painted, wanted);
+    EXPECT_EQ(options.model, "corotational");
+    EXPECT_FALSE(options.estimate_error);
+    EXPECT_FALSE(options.estimate_model_error);
+}
+
 TEST(ModelError, OfAMixedModelIsThatFromMoreTilesInFull) {
     EXPECT_EQ(better_share("corotational"), 0.3);
     EXPECT_EQ(better_share("corotational", {.tile_rotation = 0.4}), 1.0);

@@ -66,6 +66,7 @@ bool begins_with_own_solution(const Surface& surface, const SimulationOptions& o
 SimulationOptions estimating_options(const Surface& surface, SimulationOptions options) {
     options.estimate_model_error = false;
     if (begins_with_own_solution(surface, options)) return options;
+    options.estimate_error = false;  // that of the beams of the result
     options.analysis = Analysis::OfTheModel;
     options.model = kMixedTiles;
     return options;
