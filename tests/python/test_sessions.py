@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Surfaces that are solved, edited, compared; what lives how long; threads."""
 
+import copy
 import gc
 import tempfile
 import threading
@@ -126,6 +127,25 @@ class Sessions(unittest.TestCase):
         session.solve()
         with self.assertRaises(fw.InputError):
             session.tile_deformations(other)
+
+    def test_results_of_before_an_edit_of_tiles_are_refused(self):
+        other = copy.copy(support.surface().setting)
+        other.material.young_modulus *= 2.0
+        edits = (lambda of: of.paint([3], support.OTHER), lambda of: of.turn([3], 1),
+                 lambda of: of.set_tile_model([3], "full"), lambda of: of.set_model("condensed"),
+                 lambda of: of.set_setting(other), lambda of: of.set_calibrations([[] for _ in of.surface.calibrations]))
+        uses = (fw.smooth_stress, lambda of, result: fw.smooth_stress_along(of, result, lambda t: other, 1e-3),
+                fw.Session.energy_gradient, fw.Session.tile_deformations)
+        for edit in edits:
+            session = fw.Session(support.surface(), support.tip(), model="corotational")
+            result = session.solve()
+            edit(session)
+            for use in uses:
+                with self.assertRaises(fw.InputError):
+                    use(session, result)
+            result = session.solve()
+            session.set_load_case(support.tip(-0.002))  # which leaves the tiles as they are
+            self.assertEqual(len(session.tile_deformations(result)), len(session.surface.tessellation))
 
 
 class Comparisons(unittest.TestCase):

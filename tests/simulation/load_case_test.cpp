@@ -14,6 +14,7 @@ using test::complaint_of;
 using test::honeycomb;
 using test::TemporaryFolder;
 using testing::AllOf;
+using testing::Each;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -85,6 +86,33 @@ TEST(Conditions, ATotalForceIsSharedAndAForceOnEachIsRepeated) {
     const auto count = select_nodes(NodesAtSide{Side::Right}, surface.tessellation).size();
     EXPECT_NEAR(sum().z(), -2.0 * static_cast<double>(count), 1e-12);
     EXPECT_EQ(resolve(load_case, surface).weights, 0U);
+}
+
+TEST(Conditions, AnEntryThatSelectsNothingIsNamed) {
+    const Surface surface = make_surface(honeycomb(2, 1, kStar), nullptr);
+    const auto complaints = [&](const LoadCase& load_case) {
+        return std::vector{complaint_of([&] { (void)resolve(load_case, surface); }),
+                           complaint_of([&] { check_selections(load_case, surface.tessellation); }),
+                           complaint_of([&] { (void)entry_texts(load_case, surface.tessellation); })};
+    };
+    const LoadCase whole = test::cantilever({0, 0, 1});
+    for (const Selection& nothing : {Selection(NodesById{}), Selection(NodesNearest{})}) {
+        LoadCase load_case = whole;
+        load_case.supports.push_back({nothing, mechanics::DofSet::all()});
+        EXPECT_THAT(complaints(load_case), Each(HasSubstr("/supports/1: selects no interface node")));
+        load_case = whole;
+        load_case.loads.push_back({nothing, {0, 0, 1}});
+        EXPECT_THAT(complaints(load_case), Each(HasSubstr("/loads/1: selects no interface node")));
+        load_case = whole;
+        load_case.prescribed = {{nothing, mechanics::Dof::uz, 0.001}};
+        EXPECT_THAT(complaints(load_case), Each(HasSubstr("/prescribed/0: selects no interface node")));
+        load_case = whole;
+        load_case.area_loads = {{nothing, {0, 0, -1}}};
+        EXPECT_THAT(complaints(load_case), Each(HasSubstr("/loads/1: selects no interface node")));
+    }
+    LoadCase load_case = whole;
+    load_case.area_loads = {{LoadCase::AreaLoad::Tiles{}, {0, 0, -1}}};
+    EXPECT_THAT(complaints(load_case), Each(HasSubstr("/loads/1/tiles: is empty")));
 }
 
 TEST(Conditions, GravityIsTheWeightOfAllBeams) {

@@ -7,6 +7,7 @@
 #include <fretwork/simulation/results/comparison.hpp>
 #include <fretwork/simulation/results/model_doubt.hpp>
 #include <fretwork/simulation/results/model_error.hpp>
+#include <fretwork/simulation/results/result_subject.hpp>
 #include <fretwork/simulation/results/stress_refinement.hpp>
 #include <fretwork/simulation/results/tile_stability.hpp>
 #include <fretwork/simulation/session.hpp>
@@ -116,6 +117,34 @@ TEST(MixedModel, ASessionAnswersEditsAsTheEditedSurfaceIsAnswered) {
     EXPECT_EQ(session.options().model, "mixed:0.5");
 }
 
+TEST(MixedModel, HasNoDerivativesBeforeItIsSolved) {
+    Session session(surface(), heavy(), {.model = "corotational"});
+    const auto corotational = session.solve();
+    ASSERT_TRUE(corotational.solution.converged());
+    EXPECT_NO_THROW((void)session.linearize());
+    session.set_model("mixed:0.25");
+    EXPECT_THROW((void)session.linearize(), base::InputError) << "the solution was of another model";
+    EXPECT_THROW((void)session.energy_gradient(corotational.solution), base::InputError);
+    ASSERT_TRUE(session.solve().solution.converged());
+    EXPECT_NO_THROW((void)session.linearize());
+    session.set_model("mixed:0.5");
+    EXPECT_THROW((void)session.linearize(), base::InputError) << "nor is it that of corotational tiles";
+}
+
+TEST(MixedModel, AsksOnceForTheCalibrationsOfAPattern) {
+    int calls = 0;
+    Session session(surface(), cantilever({0, 0, -0.1}), {.model = "mixed:0.25"}, [&](const std::string&) {
+        if (++calls > 1) throw base::InputError("the library has gone");
+        return std::vector<reduction::Calibration>{};
+    });
+    EXPECT_NO_THROW(session.paint(std::vector{TileIndex(5)}, "0-6"));
+    EXPECT_EQ(calls, 1);
+    const auto found = session.solve();
+    ASSERT_FALSE(session.full_tiles().empty());
+    const auto expected = simulate(session.surface(), session.load_case(), session.options());
+    EXPECT_LT(compare(expected, found).relative_l2_error, 1e-6);
+}
+
 TEST(MixedModel, IsForLargeDisplacements) {
     EXPECT_THAT(complaint_of([&] {
                     simulate(surface(), heavy(), {.model = "mixed:0.1", .analysis = Analysis::Linear});
@@ -182,6 +211,19 @@ TEST(ModelError, IsRefusedWhereThereIsNoBetterModel) {
     EXPECT_THAT(complaint("full"), HasSubstr("is the reference"));
 }
 
+/// Corotational tiles are not made of beams, as those of the result may be.
+TEST(ModelError, IsEstimatedWithoutTheErrorOfBeams) {
+    Surface painted = surface();
+    painted.tile_models.assign(12, "");
+    painted.tile_models[0] = "full";
+    const SimulationOptions wanted{.model = "paper6", .estimate_error = true, .estimate_model_error = true};
+    EXPECT_NO_THROW(wanted.validate(painted));
+    const SimulationOptions options = estimating_options(painted, wanted);
+    EXPECT_EQ(options.model, "corotational");
+    EXPECT_FALSE(options.estimate_error);
+    EXPECT_FALSE(options.estimate_model_error);
+}
+
 TEST(ModelError, OfAMixedModelIsThatFromMoreTilesInFull) {
     EXPECT_EQ(better_share("corotational"), 0.3);
     EXPECT_EQ(better_share("corotational", {.tile_rotation = 0.4}), 1.0);
@@ -219,6 +261,18 @@ TEST(ModelDoubt, OfAMixedModelIsAlsoTheChangeByItsTilesInFull) {
     const Comparison change = compare(solved("mixed:0.1"), solved("corotational"));
     ASSERT_TRUE(result.model_doubt);
     EXPECT_DOUBLE_EQ(result.model_doubt->change, change.max_translation_error / change.max_displacement);
+}
+
+TEST(ModelDoubt, HasNoChangeWhereAMixedSolutionWasNotFound) {
+    Session session(surface(), heavy(), {.model = "mixed:0.1"});
+    SurfaceResult result = session.solve();
+    EXPECT_GT(model_doubt(session, result).change, 0.0);
+    result.solution.termination = mechanics::Termination::LimitLoad;
+    const ModelDoubt doubt = model_doubt(session, result);
+    EXPECT_EQ(doubt.change, 0.0);
+    result.subject = result_subject(surface(), heavy(), session.options());
+    EXPECT_FALSE(estimate_model_error(session, result, doubt, surface(), result));
+    EXPECT_EQ(session.options().model, "mixed:0.1") << "no better solution was looked for";
 }
 
 TEST(ModelDoubt, HasTheErrorEstimatedWhereItIsLarge) {

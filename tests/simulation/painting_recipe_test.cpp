@@ -184,6 +184,17 @@ TEST(PaintingRecipe, EqualChoicesAreOne) {
     EXPECT_EQ(project.recipes[0].tiles, (std::vector{TileIndex(2), TileIndex(3), TileIndex(4)}));
 }
 
+TEST(PaintingRecipe, HasATileOnceThatIsNamedTwice) {
+    for (const PaintingChoice& choice :
+         {PaintingChoice(kAlongX), PaintingChoice(PaintAtRandom{.seed = 5, .palette = kPalette})}) {
+        Project project = plate(PaintOnePattern{"0-6"});
+        (void)paint(project, std::vector{TileIndex(3), TileIndex(1), TileIndex(3)}, choice, nullptr);
+        ASSERT_THAT(project.recipes, SizeIs(1));
+        EXPECT_EQ(project.recipes[0].tiles, (std::vector{TileIndex(1), TileIndex(3)}));
+        EXPECT_EQ(parse_project(project_text(project), "p.json").recipes, project.recipes);
+    }
+}
+
 TEST(PaintingRecipe, OfAPaletteFileHasItsIds) {
     const TemporaryFolder folder;
     const auto file = folder.file("palette.json", R"({"format": "fretwork/painting/1", "layout": "paper7",

@@ -262,6 +262,45 @@ TEST(Session, KeepsItsEditsWhenASolveIsStopped) {
               0.0);
 }
 
+TEST(Session, RefusesMotionsInASolutionThatIsOlderThanAnEditOfTiles) {
+    Session session(sample_surface(3, 2), cantilever({0.0, 0.0, -0.02}),
+                    {.model = "corotational", .threads = 1});
+    const auto before = session.solve();
+    const auto expect_refused = [&](const char* edit) {
+        EXPECT_THROW((void)session.beam_motion(TileIndex(3), before.solution), base::InputError) << edit;
+        EXPECT_THROW((void)session.motion_gradient(TileIndex(3), before.solution, NodeValues()), base::InputError)
+            << edit;
+        EXPECT_THROW((void)session.energy_gradient(before.solution), base::InputError) << edit;
+    };
+    session.set_load_case(cantilever({0.0, 0.0, -0.01}));
+    EXPECT_TRUE(session.beam_motion(TileIndex(3), before.solution)) << "no tile is another";
+    session.paint(tiles({3}), "1-6+3-6");
+    expect_refused("another pattern");
+    (void)session.solve_adjoint(Eigen::MatrixXd::Zero(before.solution.displacements.size(), 1));
+    expect_refused("another pattern, which is built");
+    (void)session.solve();
+    reduction::Setting setting = session.surface().setting;
+    setting.material.young_modulus *= 2.0;
+    session.set_setting(setting);
+    expect_refused("another setting");
+    const auto after = session.solve();
+    EXPECT_TRUE(session.beam_motion(TileIndex(3), after.solution));
+    EXPECT_EQ(session.energy_gradient(after.solution).rows(), after.solution.displacements.rows());
+}
+
+TEST(Session, RefusesDeformationsInASolutionWithOtherNodes) {
+    Session session(sample_surface(3, 2), cantilever({0.0, 0.0, -0.02}), condensed());
+    const auto few = session.solve();
+    EXPECT_THROW((void)Session(sample_surface(3, 2), cantilever({0, 0, 1}), condensed())
+                     .tile_deformations(few.solution),
+                 base::InputError)
+        << "never solved";
+    EXPECT_EQ(session.tile_deformations(few.solution).size(), 6U);
+    session.set_model("full");
+    (void)session.solve();
+    EXPECT_THROW((void)session.tile_deformations(few.solution), base::InputError);
+}
+
 /// K^-1 g by reciprocity: what a unit load at a does at b, a unit load at b does at a.
 TEST(Session, SolvesAdjointSystems) {
     Session session(sample_surface(), cantilever({0.1, 0.05, -0.2}), condensed());

@@ -132,6 +132,35 @@ TEST(Simulate, ASurfaceThatNothingHoldsIsRefused) {
     }
 }
 
+TEST(Simulate, ResultsOfALoadCaseWithoutANameAreCompared) {
+    const Surface surface = make_surface(honeycomb(2, 1, kPatterns), nullptr);
+    LoadCase load_case = cantilever({0, 0, 0.01});
+    load_case.name.clear();
+    const auto full = simulate(surface, load_case, {.model = "full", .analysis = Analysis::Linear});
+    const auto condensed = simulate(surface, load_case, {.model = "condensed"});
+    EXPECT_LT(compare(full, condensed).relative_l2_error, 1e-7);
+    load_case.loads[0].force *= 2.0;
+    EXPECT_THROW((void)compare(full, simulate(surface, load_case, {.model = "condensed"})), base::InputError);
+}
+
+/// The ring of paper6 and the pattern 1-6+3-6 have six inner nodes in each hexagon, at other places.
+TEST(Simulate, ModesAreKnownAtTheInterfaceNodesOfAReducedModelOnly) {
+    const Surface surface = with_parameters(make_surface(honeycomb(2, 2, {"1-6+3-6"}), nullptr));
+    const auto modes_of = [&](const char* model) {
+        return simulate(surface, cantilever({0, 0, -0.001}),
+                        {.model = model, .analysis = Analysis::Linear, .vibration_modes = 1});
+    };
+    const auto full = modes_of("full");
+    const auto ring = modes_of("paper6");
+    ASSERT_EQ(ring.nodes.size(), full.nodes.size()) << "else this says nothing";
+    const NodeValues& own = full.vibration_modes.at(0).shape;
+    const NodeValues& shape = ring.vibration_modes.at(0).shape;
+    const auto interface_nodes = std::ssize(surface.tessellation.interface_nodes);
+    EXPECT_TRUE(shape.topRows(interface_nodes) == own.topRows(interface_nodes));
+    EXPECT_FALSE(own.bottomRows(own.rows() - interface_nodes).isZero(0.0));
+    EXPECT_TRUE(shape.bottomRows(shape.rows() - interface_nodes).isZero(0.0));
+}
+
 TEST(Simulate, AnUnknownModelAndZeroStepsAreRefused) {
     const Surface surface = make_surface(honeycomb(2, 1, kPatterns), nullptr);
     EXPECT_THAT(complaint_of([&] {

@@ -300,6 +300,38 @@ TEST(Stages, RefuseEntriesThatContradictEachOther) {
                 testing::StartsWith("load stage 'a': /keep/0: "));
 }
 
+TEST(Stages, OneThatChangesNothingIsRefusedBeforeTheWork) {
+    const std::vector<LoadCase> cases = {named("tip", -0.01)};
+    std::vector<LoadStage> stages(2);
+    stages[0].name = "press";
+    stages[0].loads = {{"tip", 1.0}};
+    stages[1].name = "hold";
+    EXPECT_THAT(complaint_of([&] {
+                    (void)simulate_stages(strip(), {cases.front(), cases, stages}, {.model = "corotational"});
+                }),
+                testing::StartsWith("load stage 'hold': changes nothing"));
+}
+
+TEST(Stages, RefuseEntriesThatSelectNothing) {
+    const std::vector<LoadCase> cases = {named("tip", -0.01)};
+    const auto complaint = [&](const LoadStage& stage) {
+        const std::vector<LoadStage> stages = {stage};
+        return complaint_of([&] {
+            (void)simulate_stages(strip(), {cases.front(), cases, stages}, {.model = "corotational"});
+        });
+    };
+    LoadStage keeping;
+    keeping.name = "a";
+    keeping.keep = {{NodesById{}, mechanics::DofSet::all()}};
+    EXPECT_THAT(complaint(keeping),
+                testing::StartsWith("load stage 'a': /keep/0: selects no interface node"));
+    LoadStage pushing;
+    pushing.name = "a";
+    pushing.prescribed = {{NodesNearest{}, mechanics::Dof::uz, 0.01}};
+    EXPECT_THAT(complaint(pushing),
+                testing::StartsWith("load stage 'a': /prescribed/0: selects no interface node"));
+}
+
 TEST(Stages, ASupportThatWasMovedIsNotReleased) {
     const std::vector<LoadCase> cases = {named("tip", -0.01)};
     EXPECT_THAT(complaint_of([&] {

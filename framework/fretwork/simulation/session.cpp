@@ -97,6 +97,7 @@ void Session::set_model(const std::string& model) {
     // Corotational tiles, and their last equilibrium, serve the mixed model as they are.
     if (impl_->options().model != kMixedTiles) impl_->set_model(kMixedTiles);
     mixture_ = std::make_unique<Mixture>(*impl_, edited);
+    impl_->forget_solution();
 }
 void Session::set_setting(const reduction::Setting& setting) {
     edit([&](Impl& impl) { impl.set_setting(setting); });

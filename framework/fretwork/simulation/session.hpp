@@ -73,7 +73,8 @@ class Session {
     /// Give tiles their own tile model; "" removes their own tile model. Invalid after the edit: these tiles.
     void set_tile_model(std::span<const tiling::TileIndex> tiles, const std::string& model);
     /// Replace the model of the tiles without their own tile model. Invalid after the edit: all tiles. If a
-    /// mixed model replaces `corotational`, the corotational tiles and their equilibrium stay valid.
+    /// mixed model replaces `corotational`, the next solve() uses the corotational tiles and their
+    /// equilibrium.
     void set_model(const std::string& model);
     /// Replace the setting (material, section, scenarios). Invalid after the edit: all tiles and, with
     /// gravity, the loads. The calibrations do not change; the caller has to replace them. Throws InputError
@@ -142,18 +143,21 @@ class Session {
     /// The gradient of the elastic energy with respect to displacements and rotation vectors (N, N m), one
     /// row for each node of a solution since the session's last edit. Its first three columns equal the
     /// internal forces; in a nonlinear solution, the other three differ from the internal moments, because
-    /// rotation vectors are not spins.
+    /// rotation vectors are not spins. Throws InputError if tiles were edited after the last solve().
     [[nodiscard]] mechanics::NodeValues energy_gradient(const mechanics::Solution& solution) const;
 
-    /// The deformation of each tile in a solution of this session; zero for tiles made of beams.
+    /// The deformation of each tile in a solution of this session; zero for tiles made of beams. Throws
+    /// InputError if the solution has other nodes than the session's last one.
     [[nodiscard]] std::vector<TileDeformation> tile_deformations(const mechanics::Solution& solution) const;
 
     /// The motions of a tile's beams in a solution since the session's last edit; nothing if the tile's model
-    /// does not give them. Several threads may call this function and motion_gradient() at once.
+    /// does not give them. Throws InputError if tiles were edited after the last solve(). Several threads may
+    /// call this function and motion_gradient() at once.
     [[nodiscard]] std::optional<reduction::BeamMotion> beam_motion(tiling::TileIndex tile,
                                                                    const mechanics::Solution& solution) const;
     /// The gradient of a function of beam_motion() with respect to the rows of the tile's interface nodes;
-    /// see reduction::TileStructure::motion_gradient(). Nothing if the tile's model does not give it.
+    /// see reduction::TileStructure::motion_gradient(). Nothing if the tile's model does not give it. Throws
+    /// as beam_motion().
     [[nodiscard]] std::optional<mechanics::NodeValues> motion_gradient(
         tiling::TileIndex tile, const mechanics::Solution& solution,
         const mechanics::NodeValues& by_beams) const;

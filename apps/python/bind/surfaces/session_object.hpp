@@ -14,13 +14,14 @@ namespace fretwork::python {
 struct OwnedSession {
     std::vector<reduction::TileModel> models;
     simulation::Session session;
-    Eigen::Index rows = -1;  ///< rows of the last solution; -1: none
+    Eigen::Index rows = -1;  ///< rows of the last solution; -1: none since the last edit of tiles
 };
 
 using SessionObject = SharedObject<OwnedSession>;
 using SessionPointer = std::shared_ptr<SessionObject>;
 
-/// The solution of a result. Throws InputError unless it has as many rows as the session's last solution.
+/// The solution of a result. Throws InputError if it has not as many rows as the session's last solution, or
+/// if tiles were edited after that.
 inline const mechanics::Solution& checked(const OwnedSession& session,
                                           const simulation::SurfaceResult& result) {
     if (result.solution.displacements.rows() != session.rows)

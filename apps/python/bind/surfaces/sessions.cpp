@@ -128,39 +128,48 @@ SessionClass bind_session(py::module_& m) {
     return type;
 }
 
+/// After an edit of tiles, results that the session gave before are refused.
+void edit_tiles(SessionObject& self, const auto& edit) {
+    const auto use = self.use();
+    edit(use->session);
+    use->rows = -1;
+}
+
 void bind_edits(SessionClass& type) {
     type.def(
             "paint",
             [](SessionObject& self, const Tiles& tiles, const std::string& pattern) {
-                self.use()->session.paint(tiles, pattern);
+                edit_tiles(self, [&](Session& session) { session.paint(tiles, pattern); });
             },
             "tiles"_a, "pattern"_a, "Paint tiles with a pattern, given by its id.")
         .def(
             "turn",
             [](SessionObject& self, const Tiles& tiles, int vertices) {
-                self.use()->session.turn(tiles, vertices);
+                edit_tiles(self, [&](Session& session) { session.turn(tiles, vertices); });
             },
             "tiles"_a, "vertices"_a, "Turn the patterns of tiles.")
         .def(
             "set_tile_model",
             [](SessionObject& self, const Tiles& tiles, const std::string& model) {
-                self.use()->session.set_tile_model(tiles, model);
+                edit_tiles(self, [&](Session& session) { session.set_tile_model(tiles, model); });
             },
             "tiles"_a, "model"_a, "Give tiles a tile model of their own; '' removes it.")
         .def(
             "set_model",
-            [](SessionObject& self, const std::string& model) { self.use()->session.set_model(model); },
+            [](SessionObject& self, const std::string& model) {
+                edit_tiles(self, [&](Session& session) { session.set_model(model); });
+            },
             "model"_a)
         .def(
             "set_setting",
             [](SessionObject& self, const reduction::Setting& setting) {
-                self.use()->session.set_setting(setting);
+                edit_tiles(self, [&](Session& session) { session.set_setting(setting); });
             },
             "setting"_a, "Change the material, the section or the scenarios.")
         .def(
             "set_calibrations",
             [](SessionObject& self, std::vector<std::vector<reduction::Calibration>> given) {
-                self.use()->session.set_calibrations(std::move(given));
+                edit_tiles(self, [&](Session& session) { session.set_calibrations(std::move(given)); });
             },
             "calibrations"_a, "Change the calibrations, for each pattern of the surface in turn.")
         .def(

@@ -60,6 +60,7 @@ NodeValues Session::Impl::rest_forces(const NodeValues& motions) const {
 }
 
 NodeValues Session::Impl::energy_gradient(const mechanics::Solution& solution) const {
+    require_since_edit(solution);
     const NodeValues rows = all_rows(solution);
     if (solved_in_ == reduction::Displacements::Small)
         return rest_forces(rows).topRows(assembly_.reported_nodes);

@@ -49,6 +49,10 @@ std::vector<LineBearer> along_side(Side side, const Tessellation& tessellation) 
             if (is_along) add(own, own.length(), bearers);
         }
     }
+    if (bearers.empty())
+        throw base::InputError(
+            "no side of a tile lies along this side of the surface; a line load between two points of the "
+            "rim is possible");
     return bearers;
 }
 

@@ -14,8 +14,8 @@ struct LineBearer {
 };
 
 /// The nodes that bear a line load (Amount::PerLength), with their lengths of the rim. Throws InputError if
-/// the selection is neither a side nor two points, or if both points are nearest to the same place of the rim
-/// or to different closed lines of it.
+/// the selection is neither a side nor two points, if no side of a tile lies along the side, or if both
+/// points are nearest to the same place of the rim or to different closed lines of it.
 std::vector<LineBearer> line_bearers(const Selection& where, const tiling::Tessellation& tessellation);
 
 }  // namespace fretwork::simulation::detail

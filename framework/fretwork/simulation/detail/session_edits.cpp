@@ -130,13 +130,13 @@ void Session::Impl::set_load_case(const LoadCase& load_case) {
 
 void Session::Impl::invalidate_tiles(std::span<const TileIndex> tiles) {
     changed_tiles_.insert(tiles.begin(), tiles.end());
-    is_at_equilibrium_ = false;
+    forget_solution();
 }
 
 void Session::Impl::invalidate_all_tiles() {
     tiles_.clear();
     changed_tiles_.clear();
-    is_at_equilibrium_ = false;
+    forget_solution();
 }
 
 void Session::Impl::weigh_anew() {

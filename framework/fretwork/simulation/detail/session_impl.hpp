@@ -32,7 +32,6 @@ class Session::Impl {
     [[nodiscard]] const Surface& surface() const { return surface_; }
     [[nodiscard]] const LoadCase& load_case() const { return load_case_; }
     [[nodiscard]] const SimulationOptions& options() const { return options_; }
-    [[nodiscard]] const CalibrationSource& calibration_source() const { return calibration_source_; }
     [[nodiscard]] const Report& last_report() const { return report_; }
 
     void paint(std::span<const tiling::TileIndex> tiles, const std::string& id);
@@ -42,6 +41,8 @@ class Session::Impl {
     void set_setting(const reduction::Setting& setting);
     void set_calibrations(std::vector<std::vector<reduction::Calibration>> calibrations);
     void set_load_case(const LoadCase& load_case);
+    /// Refuse questions about the last solution. Tiles, and where the next solution starts, stay as they are.
+    void forget_solution() { are_tiles_solved_ = is_at_equilibrium_ = false; }
 
     SurfaceResult solve(const base::Control& control, mechanics::StabilityCheck check,
                         const mechanics::FirstIterate& first_iterate = {});
@@ -82,6 +83,10 @@ class Session::Impl {
     [[nodiscard]] static mechanics::NodeValues all_rows(const mechanics::Solution& solution);
     [[nodiscard]] reduction::TileMotion tile_motion(tiling::TileIndex tile,
                                                     const mechanics::Solution& solution) const;
+    /// Throws InputError if the solution has other nodes than the assembly.
+    void require_nodes(const mechanics::Solution& solution) const;
+    /// Throws InputError if tiles were edited after the last solve(), or as require_nodes().
+    void require_since_edit(const mechanics::Solution& solution) const;
     [[nodiscard]] mechanics::NodeValues rest_forces(const mechanics::NodeValues& motions) const;
     [[nodiscard]] mechanics::NodeValues at_held(const mechanics::NodeValues& rows) const;
     [[nodiscard]] Sensitivity linear_sensitivity(const mechanics::NodeValues& gradient,
@@ -110,6 +115,8 @@ class Session::Impl {
     std::optional<mechanics::LinearSolver> solver_;
     std::optional<mechanics::EquilibriumSolver> equilibrium_solver_;
     Report report_;
+    /// True if solve() has used the tiles, and no edit of tiles came after it.
+    bool are_tiles_solved_ = false;
     /// True if the last solution, in one load step, has converged, and no edit came after it.
     bool is_at_equilibrium_ = false;
     mechanics::NodeValues linear_displacements_;  ///< last linear solution, for all nodes of the assembly

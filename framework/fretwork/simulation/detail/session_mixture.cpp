@@ -12,7 +12,13 @@ using tiling::TileIndex;
 Session::Mixture::Mixture(const Impl& plain, const SimulationOptions& options)
     : options_(options),
       share_(mixed_share(options.model).value()),
-      impl_(plain.surface(), plain.load_case(), plain.options(), plain.calibration_source()) {}
+      impl_(plain.surface(), plain.load_case(), plain.options(), [&plain](const std::string& id) {
+          // The same surface was painted first. A source that is asked twice may fail the second time.
+          const Surface& painted = plain.surface();
+          const auto& palette = painted.tessellation.patterns;
+          const auto entry = std::ranges::find(palette, id, &pattern::NamedPattern::id);
+          return painted.calibrations.at(entry - palette.begin());
+      }) {}
 
 /// Tiles with their own model keep it.
 void Session::Mixture::choose(const Impl& plain) {

@@ -11,7 +11,8 @@ namespace fretwork::simulation {
 /// gets the same edits.
 class Session::Mixture {
   public:
-    /// @param plain  the same surface with corotational tiles; tiles with their own tile model have it
+    /// @param plain  the same surface with corotational tiles, which gets each edit first and outlives this
+    /// one; tiles with their own tile model have it
     Mixture(const Impl& plain, const SimulationOptions& options);
 
     [[nodiscard]] const SimulationOptions& options() const { return options_; }

@@ -137,6 +137,7 @@ SurfaceResult Session::Impl::solve(const base::Control& control, mechanics::Stab
     const base::Stopwatch watch;
     is_at_equilibrium_ = false;
     update(control);
+    are_tiles_solved_ = true;  // the receiver of the first iterate may ask for motions
     SurfaceResult result = make_result();
     const bool is_large = is_nonlinear();
     solved_in_ = is_large ? reduction::Displacements::Large : reduction::Displacements::Small;
@@ -161,7 +162,20 @@ SurfaceResult Session::Impl::solve(const base::Control& control, mechanics::Stab
 }
 
 std::vector<TileDeformation> Session::Impl::tile_deformations(const mechanics::Solution& solution) const {
+    require_nodes(solution);
     return detail::tile_deformations(assembly_, starts_, solution);
+}
+
+void Session::Impl::require_nodes(const mechanics::Solution& solution) const {
+    if (starts_.empty() || solution.displacements.rows() != Eigen::Index{assembly_.reported_nodes})
+        throw base::InputError("this is no solution that the session gave; solve() gives one");
+}
+
+void Session::Impl::require_since_edit(const mechanics::Solution& solution) const {
+    if (!are_tiles_solved_)
+        throw base::InputError(
+            "this is no solution that the session gave since its last edit; solve() gives one");
+    require_nodes(solution);
 }
 
 reduction::TileMotion Session::Impl::tile_motion(TileIndex tile, const mechanics::Solution& solution) const {
@@ -175,11 +189,13 @@ reduction::TileMotion Session::Impl::tile_motion(TileIndex tile, const mechanics
 
 std::optional<reduction::BeamMotion> Session::Impl::beam_motion(TileIndex tile,
                                                                 const mechanics::Solution& solution) const {
+    require_since_edit(solution);
     return tiles_[tile].structure->beam_motion(tile_motion(tile, solution));
 }
 
 std::optional<mechanics::NodeValues> Session::Impl::motion_gradient(
     TileIndex tile, const mechanics::Solution& solution, const mechanics::NodeValues& by_beams) const {
+    require_since_edit(solution);
     return tiles_[tile].structure->motion_gradient(tile_motion(tile, solution), by_beams);
 }
 

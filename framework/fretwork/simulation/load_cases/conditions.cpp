@@ -23,7 +23,7 @@ class EntryPicker {
                                                                  const std::string& list,
                                                                  std::size_t entry) const {
         return base::located("load case '" + load_case_.name + "'", "/" + list + "/" + std::to_string(entry),
-                             [&] { return select_nodes(where, tessellation_); });
+                             [&] { return select_some_nodes(where, tessellation_); });
     }
 
   private:
@@ -34,7 +34,7 @@ class EntryPicker {
 /// The tiles with an area load, and the interface nodes that bear it.
 class AreaBearers {
   public:
-    /// Throws InputError as select_nodes(), or if a tile's number is out of range.
+    /// Throws InputError as select_some_nodes(), if there is no tile, or if a tile's number is out of range.
     AreaBearers(const LoadCase& load_case, std::size_t entry, const tiling::Tessellation& tessellation)
         : tiles_(tessellation.tiles.size(), true), nodes_(tessellation.interface_nodes.size(), true) {
         const LoadCase::AreaLoad& load = load_case.area_loads[entry];
@@ -46,12 +46,16 @@ class AreaBearers {
             return;
         }
         tiles_.assign(tiles_.size(), false);
-        for (const int tile : std::get<LoadCase::AreaLoad::Tiles>(load.where).numbers) {
+        const auto complain = [&](const std::string& problem) {
+            throw base::InputError("load case '" + load_case.name + "'",
+                                   "/loads/" + std::to_string(place) + "/tiles", problem);
+        };
+        const std::vector<int>& numbers = std::get<LoadCase::AreaLoad::Tiles>(load.where).numbers;
+        if (numbers.empty()) complain("is empty, where the number of a tile is needed");
+        for (const int tile : numbers) {
             if (tile < 0 || static_cast<std::size_t>(tile) >= tiles_.size())
-                throw base::InputError("load case '" + load_case.name + "'",
-                                       "/loads/" + std::to_string(place) + "/tiles",
-                                       "there is no tile " + std::to_string(tile) + "; the last one is " +
-                                           std::to_string(tiles_.size() - 1));
+                complain("there is no tile " + std::to_string(tile) + "; the last one is " +
+                         std::to_string(tiles_.size() - 1));
             tiles_[tile] = true;
         }
     }

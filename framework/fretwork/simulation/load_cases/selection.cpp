@@ -135,4 +135,10 @@ std::vector<InterfaceIndex> select_nodes(const Selection& selection, const Tesse
     return picked;
 }
 
+std::vector<InterfaceIndex> select_some_nodes(const Selection& selection, const Tessellation& tessellation) {
+    std::vector<InterfaceIndex> picked = select_nodes(selection, tessellation);
+    if (picked.empty()) throw base::InputError("selects no interface node, where one or more are needed");
+    return picked;
+}
+
 }  // namespace fretwork::simulation

@@ -52,5 +52,8 @@ using Selection = std::variant<NodesById, NodesInBox, NodesInCircle, NodesNeares
 /// no node is selected.
 std::vector<tiling::InterfaceIndex> select_nodes(const Selection& selection,
                                                  const tiling::Tessellation& tessellation);
+/// The interface nodes of a selection, as select_nodes(). Throws InputError also if no node is selected.
+std::vector<tiling::InterfaceIndex> select_some_nodes(const Selection& selection,
+                                                      const tiling::Tessellation& tessellation);
 
 }  // namespace fretwork::simulation

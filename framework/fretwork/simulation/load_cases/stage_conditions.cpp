@@ -24,6 +24,13 @@ void for_entries(const LoadStage& stage, const std::string& list, const std::vec
                       [&] { take(entries[i]); });
 }
 
+/// As parse_stages() does: what it would refuse in the file of a result is refused before the work.
+void check_entries(const LoadStage& stage) {
+    if (stage.loads.empty() && stage.keep.empty() && stage.prescribed.empty() && stage.free.empty())
+        throw base::InputError("load stage '" + stage.name + "'", "",
+                               "changes nothing: it needs one of loads, prescribed, keep, free");
+}
+
 void check_names(std::span<const LoadStage> stages) {
     for (std::size_t i = 0; i < stages.size(); ++i) {
         const auto same = std::ranges::find(stages.first(i), stages[i].name, &LoadStage::name);
@@ -113,7 +120,7 @@ void StageConditions::keep(const LoadCase::Support& entry, const mechanics::Node
 }
 
 void StageConditions::prescribe(const LoadCase::PrescribedDisplacement& entry) {
-    for (const auto node : select_nodes(entry.where, surface_.tessellation)) {
+    for (const auto node : select_some_nodes(entry.where, surface_.tessellation)) {
         const Place place{node.value, static_cast<int>(entry.dof)};
         const bool is_second = claims_.contains(place);
         claim(place, "prescribed");
@@ -136,7 +143,7 @@ void StageConditions::claim(const Place& place, std::string_view list) {
 
 std::vector<StageConditions::Place> StageConditions::places_of(const LoadCase::Support& entry) const {
     std::vector<Place> places;
-    for (const auto node : select_nodes(entry.where, surface_.tessellation)) {
+    for (const auto node : select_some_nodes(entry.where, surface_.tessellation)) {
         for (int d = 0; d < mechanics::kDofsPerNode; ++d)
             if (entry.fixed.contains[d]) places.emplace_back(node.value, d);
     }
@@ -166,7 +173,10 @@ void check_stages(const Surface& surface, const StagePlan& plan) {
     const mechanics::NodeValues at_rest =
         mechanics::NodeValues::Zero(static_cast<Eigen::Index>(nodes), mechanics::kDofsPerNode);
     StageConditions conditions(surface, plan);
-    for (const LoadStage& stage : plan.stages) (void)conditions.advance(stage, at_rest, nodes);
+    for (const LoadStage& stage : plan.stages) {
+        check_entries(stage);
+        (void)conditions.advance(stage, at_rest, nodes);
+    }
 }
 
 }  // namespace fretwork::simulation

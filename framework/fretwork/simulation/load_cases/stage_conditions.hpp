@@ -56,10 +56,10 @@ class StageConditions {
 LoadCase stage_load_case(const StagePlan& plan, const std::string& name);
 
 /// Check load stages before they are simulated. Throws InputError, with both positions if two load stages
-/// have one name, and with the load stage and the entry in these cases: an entry selects no node; a load case
-/// does not exist or is named twice in one load stage; one load stage gives two values to a component, or
-/// names it in two of `free`, `keep` and `prescribed`; an entry of `free` releases nothing, or a support that
-/// was moved.
+/// have one name, with the load stage if it changes nothing, and with the load stage and the entry in these
+/// cases: an entry selects no node; a load case does not exist or is named twice in one load stage; one load
+/// stage gives two values to a component, or names it in two of `free`, `keep` and `prescribed`; an entry of
+/// `free` releases nothing, or a support that was moved.
 void check_stages(const Surface& surface, const StagePlan& plan);
 
 }  // namespace fretwork::simulation

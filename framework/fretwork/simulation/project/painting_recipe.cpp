@@ -82,13 +82,15 @@ struct RecipeMaker {
     }
 };
 
-/// Tiles of equal choices share a recipe.
+/// Tiles of equal choices share a recipe. A tile may be painted twice; the recipe has it once.
 void add_recipe(Project& project, PaintingChoice choice, const std::vector<TileIndex>& tiles) {
     auto known = std::ranges::find(project.recipes, choice, &PaintingRecipe::choice);
     if (known == project.recipes.end())
         known = project.recipes.insert(known, PaintingRecipe{std::move(choice), {}});
     known->tiles.insert(known->tiles.end(), tiles.begin(), tiles.end());
     std::ranges::sort(known->tiles);
+    const auto repeated = std::ranges::unique(known->tiles);
+    known->tiles.erase(repeated.begin(), repeated.end());
 }
 
 std::optional<PaintingChoice> recipe_of(const LoadedChoice& loaded, const PaintingGround& ground) {

@@ -27,7 +27,8 @@ ModelDoubt model_doubt(std::span<const TileDeformation> tiles) {
 ModelDoubt model_doubt(const Session& session, const SurfaceResult& result) {
     ModelDoubt doubt = model_doubt(session.tile_deformations(result.solution));
     const SurfaceResult* corotational = session.corotational_result();
-    if (corotational == nullptr || session.full_tiles().empty()) return doubt;
+    const bool is_changed = corotational != nullptr && !session.full_tiles().empty();
+    if (!is_changed || !result.solution.converged()) return doubt;
     const Comparison comparison = compare(result, *corotational);
     if (comparison.max_displacement > 0.0)
         doubt.change = comparison.max_translation_error / comparison.max_displacement;

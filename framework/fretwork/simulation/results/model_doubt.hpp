@@ -26,7 +26,8 @@ inline constexpr double kWarnedError = 0.05;
 /// estimates may be too small by a third.
 inline constexpr double kWarnedEstimate = 0.03;
 
-/// The indicators of the last solution of a session, which must be nonlinear.
+/// The indicators of the last solution of a session, which must be nonlinear. ModelDoubt::change is 0 if the
+/// solution has not converged.
 ModelDoubt model_doubt(const Session& session, const SurfaceResult& result);
 /// The indicators of a solution with these deformations of its tiles.
 ModelDoubt model_doubt(std::span<const TileDeformation> tiles);

@@ -66,6 +66,7 @@ bool begins_with_own_solution(const Surface& surface, const SimulationOptions& o
 SimulationOptions estimating_options(const Surface& surface, SimulationOptions options) {
     options.estimate_model_error = false;
     if (begins_with_own_solution(surface, options)) return options;
+    options.estimate_error = false;  // that of the beams of the result
     options.analysis = Analysis::OfTheModel;
     options.model = kMixedTiles;
     return options;
@@ -74,6 +75,7 @@ SimulationOptions estimating_options(const Surface& surface, SimulationOptions o
 std::optional<ModelError> estimate_model_error(Session& session, const SurfaceResult& turned,
                                                const ModelDoubt& doubt, const Surface& surface,
                                                const SurfaceResult& result, const base::Control& control) {
+    if (!result.solution.converged()) return std::nullopt;
     BetterSolution better = better_solution(session, turned, doubt, control);
     auto error = model_error(result, better.result);
     if (!error) return std::nullopt;
