@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace fretwork::design::detail {
 namespace THIS_TEST {
@@ -96,6 +97,26 @@ TEST(Search, NotesNoPointThatIsWorseThanItsStart) {
     search.note(better);
     EXPECT_EQ(search.best_point(), better.point);
     EXPECT_EQ(shown, std::vector<double>{0.5});
+}
+
+/// A load in the plane, far above the one at which the strip buckles: no painting has a stable equilibrium.
+TEST(Search, KeepsAPointThatItDoesNotFindAgain) {
+    Planted planted;
+    planted.project.load_cases = {test::cantilever({-1.0, 0.0, 0.0})};
+    DesignOptions options = test::design_options(planted.project);
+    options.most_solutions = 8;
+    Preparation preparation = prepare(planted.project, nullptr, planted.target, options);
+    Trials trials(std::move(preparation.parts));
+    const TimeLimit time(0.0);
+    DesignReport report;
+    Search search(trials, options, time, report);
+    search.set_columns({0, 1}, {0, 1});
+    Solved start{trials.uniform(0), {}};
+    start.trial.is_found = true;  // as if another path had led there
+    start.trial.objective = 0.25;
+    ASSERT_FALSE(trials.solve(start.point, {}).is_found);
+    EXPECT_EQ(search.improve(start, 0.0).trial.objective, 0.25);
+    EXPECT_EQ(search.improve_from_others(start, {}, 0.0, 0).trial.objective, 0.25);
 }
 
 }  // namespace THIS_TEST

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
 
 namespace fretwork::design::detail {
 namespace {
@@ -241,8 +242,13 @@ Solved Search::descend(Solved start, double reserve, const Demand& demand) {
             return current;
         }
         if (!trials_.is_at(current.point)) {
-            current.trial = solve(current.point);
-            if (!current.trial.is_found) break;
+            Trial again = solve(current.point);
+            // The path from another point may miss its equilibrium: it stays as it was found.
+            if (!again.is_found) {
+                end_ = DesignEnd::NoSwapImproves;
+                return current;
+            }
+            current.trial = std::move(again);
         }
         const double before = time_.seconds();
         const Step taken = step(current, radius, round, demand);

@@ -140,6 +140,7 @@ class Search {
     /// begin again at each better painting. The table ranks all paintings if can_rank_all(). Otherwise, it
     /// ranks those that differ from the best in one or two groups.
     Solved search_nearby(Solved best, double reserve, int last_solution);
+    /// The paintings that search_nearby() solves next; none if the best painting is not found again.
     std::vector<Point> promising(Solved& best);
     [[nodiscard]] double mass_for_groups(const Point& point, const SwapTable& table,
                                          const std::vector<std::size_t>& start) const;
