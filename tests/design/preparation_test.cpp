@@ -3,6 +3,7 @@
 
 #include <fretwork/design/search/preparation.hpp>
 #include <fretwork/design/search/search.hpp>
+#include <fretwork/pattern/mirror.hpp>
 
 #include <gtest/gtest.h>
 
@@ -51,6 +52,26 @@ TEST(Preparation, CondensesAllAtOnceIfThereAreFew) {
         prepare(planted.project, nullptr, planted.target, test::design_options(planted.project), 5);
     EXPECT_TRUE(all.whole.empty());
     EXPECT_EQ(all.palette.size(), test::kDesignPatterns.size());
+}
+
+/// Tiles 0 and 4 are images of each other, and keep a pattern that has none.
+TEST(Preparation, CondensesMoreBesideAKeptPatternWithoutAMirrorImage) {
+    simulation::Project project = test::cantilever_project(5, 4, 0.03);
+    simulation::Project hidden = project;
+    test::paint_graded(hidden, test::kDesignPatterns);
+    const auto patterns = pattern::parse_named_patterns(project.layout, test::kDesignPatterns);
+    ASSERT_FALSE(pattern::Mirror(project.layout).image(patterns.back().pattern));
+    project.tessellation.patterns.push_back(patterns.back());
+    DesignOptions options = test::design_options(project);
+    options.symmetry = {Symmetry::Kind::MirrorX};
+    options.keep = {tiling::TileIndex(0), tiling::TileIndex(4)};
+    for (const tiling::TileIndex tile : options.keep) project.tessellation.tiles[tile].pattern = 1;
+    Preparation first = prepare(project, nullptr, test::target_of(hidden), options, 2);
+    ASSERT_FALSE(first.whole.empty());
+    Trials trials(std::move(first.parts));
+    const ExtendedPalette choice = extend_palette(trials, first.whole, options);
+    EXPECT_EQ(choice.palette.size(), first.whole.size());
+    EXPECT_EQ(trials.parts().mirrored.size(), trials.parts().candidates.patterns().size());
 }
 
 /// Half of the distance of the best single pattern, with three of these and a few steps.

@@ -9,6 +9,7 @@
 #include <fretwork/simulation/results/bar_clearance.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace fretwork::design::detail {
@@ -131,14 +132,15 @@ std::vector<NamedPattern> with_mirror_image(const pattern::NodeLayout& layout,
     return kept;
 }
 
-/// The index of each candidate's mirror image; missing images become candidates.
+/// The index of each candidate's mirror image; missing images become candidates. A kept tile's pattern may
+/// have none: no group has this pattern, and its own index stands there.
 std::vector<std::size_t> mirror_images(const pattern::NodeLayout& layout,
                                        std::vector<NamedPattern>& candidates) {
     const pattern::Mirror mirror(layout);
     std::vector<std::size_t> images;
     for (std::size_t p = 0; p < candidates.size(); ++p) {
-        const pattern::Pattern image = mirror.image(candidates[p].pattern).value();
-        images.push_back(place_of(candidates, {pattern::pattern_id(layout, image), image}));
+        const std::optional<pattern::Pattern> image = mirror.image(candidates[p].pattern);
+        images.push_back(image ? place_of(candidates, {pattern::pattern_id(layout, *image), *image}) : p);
     }
     return images;
 }
