@@ -256,6 +256,8 @@ TEST(Design, RefusesWhatDoesNotFit) {
     using Project = simulation::Project;
     EXPECT_THAT(complaint([](DesignOptions& o, Project&, Target&) { o.palette.clear(); }),
                 HasSubstr("palette"));
+    EXPECT_THAT(complaint([](DesignOptions& o, Project&, Target&) { o.palette.push_back(o.palette[1]); }),
+                HasSubstr("the pattern 0-1+1-6 twice"));
     EXPECT_THAT(complaint([](DesignOptions& o, Project&, Target&) { o.load_case = "rain"; }),
                 HasSubstr("rain"));
     EXPECT_THAT(complaint([](DesignOptions& o, Project&, Target&) { o.keep = {TileIndex(99)}; }),

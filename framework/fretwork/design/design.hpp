@@ -32,7 +32,7 @@ struct DesignProgress {
 /// Options of design().
 struct DesignOptions {
     std::string load_case;                       ///< name of the load case for goals that name none
-    std::vector<pattern::NamedPattern> palette;  ///< patterns to choose from
+    std::vector<pattern::NamedPattern> palette;  ///< patterns to choose from, each once
     /// Largest number of different patterns of the surface, kept tiles included; 0: any number.
     std::size_t max_patterns = 0;
     std::vector<tiling::TileIndex> keep;  ///< tiles that keep their patterns
