@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hidden.hpp"
+#include "trials_of.hpp"
 
 #include <fretwork/design/search/preparation.hpp>
 #include <fretwork/design/search/search.hpp>
@@ -138,6 +139,32 @@ TEST(Search, KeepsAPointThatItDoesNotFindAgain) {
     ASSERT_FALSE(trials.solve(start.point, {}).is_found);
     EXPECT_EQ(search.improve(start, 0.0).trial.objective, 0.25);
     EXPECT_EQ(search.improve_from_others(start, {}, 0.0, 0).trial.objective, 0.25);
+}
+
+/// The uniform painting that is too heavy reaches the target.
+TEST(Search, ReplacesNoLightPaintingByAHeavyStart) {
+    const Planted planted;
+    simulation::Project hidden = planted.project;
+    test::paint_graded(hidden, {test::kDesignPatterns.back()});
+    Trials trials = test::trials_of(planted.project, test::target_of(hidden));
+    const auto solved = [&](std::size_t pattern) {
+        const Point point = trials.uniform(pattern);
+        return Solved{point, trials.solve(point, {})};
+    };
+    const Solved heavy = solved(test::kDesignPatterns.size() - 1);
+    const Solved light = solved(0);
+    ASSERT_TRUE(heavy.trial.is_found && light.trial.is_found);
+    ASSERT_LT(heavy.trial.objective, light.trial.objective);
+    DesignOptions options = test::design_options(planted.project);
+    options.max_mass = 0.5 * (trials.mass_of(light.point) + trials.mass_of(heavy.point));
+    options.most_solutions = trials.solutions() + 1;  // the heavy start is solved again
+    const TimeLimit time(0.0);
+    DesignReport report;
+    Search search(trials, options, time, report);
+    search.set_columns({0, 1, 2, 3, 4}, {0, 1, 2, 3, 4});
+    const Solved found = search.improve_from_others(light, {light, heavy}, 0.0, 0);
+    EXPECT_EQ(report.starts.size(), 1U);
+    EXPECT_LE(trials.mass_of(found.point), options.max_mass);
 }
 
 }  // namespace THIS_TEST

@@ -305,7 +305,11 @@ Solved Search::improve_from_others(Solved best, const std::vector<Solved>& start
         const double gain = is_small() ? kLeastGain : kWorthwhileGain;
         Solved found = descend(start, reserve, {gain, is_small() ? 0.0 : best.trial.objective});
         report_.starts.push_back(std::sqrt(found.trial.objective));
-        if (!found.trial.is_found || found.trial.objective >= best.trial.objective) return false;
+        // A painting above max_mass does not replace one that keeps it, however near to the target it is.
+        const bool is_light = keeps_mass(found.point);
+        const bool was_light = keeps_mass(best.point);
+        if (!found.trial.is_found || (was_light && !is_light)) return false;
+        if (is_light == was_light && found.trial.objective >= best.trial.objective) return false;
         best = std::move(found);
         return true;
     };
