@@ -4,6 +4,7 @@
 
 #include <fretwork/design/search/preparation.hpp>
 #include <fretwork/design/search/search.hpp>
+#include <fretwork/pattern/enumerate.hpp>
 #include <fretwork/pattern/mirror.hpp>
 
 #include <gtest/gtest.h>
@@ -73,6 +74,21 @@ TEST(Preparation, CondensesMoreBesideAKeptPatternWithoutAMirrorImage) {
     const ExtendedPalette choice = extend_palette(trials, first.whole, options);
     EXPECT_EQ(choice.palette.size(), first.whole.size());
     EXPECT_EQ(trials.parts().mirrored.size(), trials.parts().candidates.patterns().size());
+}
+
+TEST(Preparation, GivesCoordinatesToThePatternsOfAllUniformPaintings) {
+    const Planted planted;
+    DesignOptions options = test::design_options(planted.project);
+    options.palette.clear();
+    const pattern::NodeLayout& layout = planted.project.layout;
+    for (const pattern::Pattern& own : pattern::enumerate_patterns(layout)) {
+        if (options.palette.size() < 190) options.palette.push_back(pattern::named(layout, own));
+    }
+    ASSERT_EQ(options.palette.size(), 190U);
+    options.uniform_paintings = 180;
+    Preparation first = prepare(planted.project, nullptr, planted.target, options, 2);
+    Trials trials(std::move(first.parts));
+    EXPECT_GE(extend_palette(trials, first.whole, options).coordinates.cols(), 180);
 }
 
 /// Half of the distance of the best single pattern, with three of these and a few steps.

@@ -41,7 +41,8 @@ struct SpreadPalette {
     Eigen::MatrixXd coordinates;
 };
 
-/// The largest number of patterns that are chosen as the most different.
+/// The largest number of patterns that are chosen as the most different, unless there are more uniform
+/// paintings.
 constexpr std::size_t kSpread = 128;
 
 SpreadPalette spread_palette(const Surface& surface, const std::vector<NamedPattern>& palette,
@@ -51,7 +52,9 @@ SpreadPalette spread_palette(const Surface& surface, const std::vector<NamedPatt
     const TileStrains strains(tile, options.threads, control);
     const Eigen::MatrixXd logs =
         stiffness_logarithms(strains, 0, tiling::mean_tile_side(surface.tessellation), control);
-    auto chosen = spread_choice(logs, std::min(kSpread, palette.size()), control);
+    // Uniform paintings have patterns with coordinates only.
+    const std::size_t count = std::max(kSpread, options.uniform_paintings);
+    auto chosen = spread_choice(logs, std::min(count, palette.size()), control);
     std::vector<bool> is_taken(palette.size(), false);
     for (const std::size_t place : chosen) is_taken[place] = true;
     for (const NamedPattern& own : known) {
