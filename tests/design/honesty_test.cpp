@@ -3,6 +3,8 @@
 #include "hidden.hpp"
 #include "support.hpp"
 
+#include <fretwork/pattern/enumerate.hpp>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -91,6 +93,37 @@ TEST(DesignHonesty, ATargetFarBeyondTheLoadIsOutOfReach) {
     ASSERT_TRUE(report.reach_of_ten_loads);
     EXPECT_LT(*report.reach_of_ten_loads, 1.0);
     EXPECT_TRUE(report.error) << "the painting that is written is checked";
+}
+
+/// A honeycomb whose tiles all differ from each other; its columns and rows stay straight.
+simulation::Project squeezed_project(int columns, int rows) {
+    simulation::Project project = test::cantilever_project(columns, rows, 1e-7);
+    tiling::Tessellation& own = project.tessellation;
+    for (geometry::Point2& place : own.vertices)
+        place = {place.x - 0.3 * place.x * place.x, place.y - 0.4 * place.y * place.y};
+    for (const tiling::Tile& tile : own.tiles) {
+        for (std::size_t k = 0; k < tile.vertices.size(); ++k) {
+            const geometry::Point2& a = own.vertices[tile.vertices[k]];
+            const geometry::Point2& b = own.vertices[tile.vertices[(k + 1) % tile.vertices.size()]];
+            own.interface_nodes[tile.interface_nodes[k]] = {(a.x + b.x) / 2, (a.y + b.y) / 2};
+        }
+    }
+    return project;
+}
+
+/// 8,000 condensations are 163 patterns of 49 different tiles.
+TEST(DesignHonesty, GivesNoBoundOfAPaletteThatWasCut) {
+    const simulation::Project project = squeezed_project(7, 7);
+    const Target target{"", "", {{FormulaGoal{kAll, {std::nullopt, std::nullopt, "1e-3*x^2"}}}}};
+    DesignOptions options = test::design_options(project);
+    options.most_solutions = 6;
+    options.uniform_paintings = 3;
+    EXPECT_TRUE(design(project, nullptr, target, options).bound);
+    options.palette.clear();
+    for (const pattern::Pattern& own : pattern::enumerate_patterns(project.layout)) {
+        if (options.palette.size() < 200) options.palette.push_back(pattern::named(project.layout, own));
+    }
+    EXPECT_FALSE(design(project, nullptr, target, options).bound);
 }
 
 TEST(DesignHonesty, SaysThatNothingMoves) {

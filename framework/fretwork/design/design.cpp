@@ -58,7 +58,9 @@ class Designer {
         require_enough_solutions();
         Search::Beginning beginning = begin();
         require_possible_mass();
-        report_.bound = detail::reach_bound(trials_, palette(), options_.control.silent());
+        // Without patterns that were not condensed, it would be no bound of the whole palette.
+        if (palette().size() >= whole_.size())
+            report_.bound = detail::reach_bound(trials_, palette(), options_.control.silent());
         std::vector<Solved> starts = solve_uniform(std::move(beginning.uniform));
         const std::size_t listed = std::min(palette().size(), options_.shortlist);
         search_.set_columns({palette().begin(), palette().begin() + static_cast<std::ptrdiff_t>(listed)},

@@ -156,7 +156,8 @@ struct DesignReport {
     std::optional<double> thickness{};  ///< thickness of the bars, m; none if it is not free
     /// A lower bound of the misfit (see DesignProgress) of every painting with the palette, proven in linear
     /// theory (README.md). None if displacements are too large for this theory, weight acts, supports are
-    /// moved, unknowns besides the painting are free, or nodes may slide along a mesh.
+    /// moved, unknowns besides the painting are free, nodes may slide along a mesh, or the surface has so
+    /// many different tiles that not all patterns of the palette were condensed.
     std::optional<double> bound{};
     std::size_t close_bars = 0;  ///< number of pairs of bars with a gap below the clearance
     /// Warnings of the search, such as about goals that nodes cannot reach.
