@@ -191,6 +191,18 @@ TEST(Design, ServesTwoLoadCasesWithOnePainting) {
     EXPECT_LT(report.error->mean, 0.15 * report.best_uniform->mean);
 }
 
+TEST(Design, TakesTheOnlyLoadCaseOnceWhetherItIsNamedOrNot) {
+    Planted planted;
+    planted.target.goals.push_back(planted.target.goals.front());
+    planted.target.goals.back().load_case = "cantilever";
+    DesignOptions options = test::design_options(planted.project);
+    options.load_case.clear();
+    options.most_solutions = 6;
+    const DesignReport report = design(planted.project, nullptr, planted.target, options);
+    EXPECT_EQ(report.load_cases, std::vector<std::string>{"cantilever"});
+    EXPECT_EQ(report.shapes.size(), 1U);
+}
+
 /// Whenever it is stopped: nothing, or a whole painting that is no worse than what it began with.
 TEST(Design, KeepsTheBestPaintingWhenItIsStopped) {
     const Planted planted;

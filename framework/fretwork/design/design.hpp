@@ -31,7 +31,7 @@ struct DesignProgress {
 
 /// Options of design().
 struct DesignOptions {
-    std::string load_case;                       ///< name of the load case for goals that name none
+    std::string load_case;  ///< name of the load case for goals that name none; "": the only one
     std::vector<pattern::NamedPattern> palette;  ///< patterns to choose from, each once
     /// Largest number of different patterns of the surface, kept tiles included; 0: any number.
     std::size_t max_patterns = 0;

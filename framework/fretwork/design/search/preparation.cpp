@@ -89,6 +89,12 @@ std::vector<NamedPattern> sampled(const std::vector<NamedPattern>& palette, std:
     return sample;
 }
 
+/// The name of the load case of goals that name none.
+std::string default_case(const simulation::Project& project, const DesignOptions& options) {
+    const bool is_only = options.load_case.empty() && project.load_cases.size() == 1;
+    return is_only ? project.load_cases.front().name : options.load_case;
+}
+
 /// Names of the load cases that the goals speak of, in their order.
 std::vector<std::string> case_names(const Target& target, const simulation::Project& project,
                                     const std::string& own) {
@@ -206,10 +212,7 @@ void require_no_combination(const simulation::Project& project, const std::vecto
                             const DesignOptions& options) {
     if (!options.free_factor && !options.free_prescribed) return;
     for (const simulation::LoadCase& own : project.load_cases) {
-        const bool is_meant = std::ranges::any_of(names, [&](const std::string& name) {
-            return name.empty() ? project.load_cases.size() == 1 : name == own.name;
-        });
-        if (own.combines.empty() || !is_meant) continue;
+        if (own.combines.empty() || std::ranges::find(names, own.name) == names.end()) continue;
         throw base::InputError(
             "load case '" + own.name + "' combines '" + own.combines.front().load_case + "'" +
             (own.combines.size() > 1 ? " and others" : "") + ": it has no " +
@@ -237,10 +240,11 @@ void require_free(const std::vector<DesignCase>& cases, const Surface& surface,
 std::vector<DesignCase> checked_cases(const simulation::Project& project, const Target& target,
                                       const Surface& surface, const std::vector<std::string>& names,
                                       const DesignOptions& options) {
+    const std::string unnamed = default_case(project, options);
     std::vector<DesignCase> cases;
     for (const std::string& name : names)
         cases.push_back({simulation::find_load_case(project, name),
-                         CaseGoals(target, name, options.load_case, surface.tessellation)});
+                         CaseGoals(target, name, unnamed, surface.tessellation)});
     require_no_combination(project, names, options);
     require_free(cases, surface, options);
     if (std::ranges::all_of(cases, [](const DesignCase& own) { return own.goals.largest() <= 0.0; }))
@@ -272,7 +276,7 @@ Preparation prepare(const simulation::Project& project, const library::Library* 
     const std::vector<std::string> kept = kept_patterns(surface, options);
     std::vector<TileGroup> groups = tile_groups(surface.tessellation, options.keep, options.symmetry);
     if (groups.empty()) throw base::InputError("all tiles are kept: there is nothing to paint");
-    std::vector<std::string> names = case_names(target, project, options.load_case);
+    std::vector<std::string> names = case_names(target, project, default_case(project, options));
     std::vector<DesignCase> cases = checked_cases(project, target, surface, names, options);
     std::vector<NamedPattern> allowed =
         with_clearance(surface, within_number(options.palette, kept, options), options);
