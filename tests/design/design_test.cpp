@@ -228,6 +228,29 @@ TEST(Design, KeepsTheBestPaintingWhenItIsStopped) {
     EXPECT_GE(kept, 4);
 }
 
+/// The first painting follows three single patterns. Just before each better one, a stop still gives a
+/// painting of several patterns.
+TEST(Design, ReturnsNoSinglePatternWhenItIsStoppedAfterAPainting) {
+    const Planted planted;
+    DesignOptions options = test::design_options(planted.project);
+    std::vector<std::size_t> looks;
+    const test::StopAtLook never;
+    options.control = never.control();
+    options.on_better = [&](const DesignProgress& progress) {
+        if (progress.solutions > 3) looks.push_back(never.looks());
+    };
+    (void)design(planted.project, nullptr, planted.target, options);
+    options.on_better = {};
+    ASSERT_GT(looks.size(), 1U);
+    for (std::size_t i = 1; i < std::min<std::size_t>(looks.size(), 7); ++i) {
+        const test::StopAtLook stop(looks[i] - 1);
+        options.control = stop.control();
+        const DesignReport report = design(planted.project, nullptr, planted.target, options);
+        EXPECT_EQ(report.end, DesignEnd::Stopped);
+        EXPECT_GT(report.patterns.size(), 1U) << i;
+    }
+}
+
 TEST(Design, KeepsToTheNumberOfSolutions) {
     const Planted planted;
     DesignOptions options = test::design_options(planted.project);

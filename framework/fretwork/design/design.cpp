@@ -118,11 +118,12 @@ class Designer {
     }
 
     /// Puts a painting before the starts if it is better than the best of them: the search begins there.
-    void put_in_front(std::optional<Solved> painted, std::vector<Solved>& starts) const {
+    void put_in_front(std::optional<Solved> painted, std::vector<Solved>& starts) {
         if (!painted) return;
         painted->trial.objective = trials_.objective_of(painted->trial.displacements);
-        if (painted->trial.objective < starts.front().trial.objective)
-            starts.insert(starts.begin(), std::move(*painted));
+        if (painted->trial.objective >= starts.front().trial.objective) return;
+        if (search_.keeps_mass(painted->point)) best_ = painted->point;  // in case the search is stopped
+        starts.insert(starts.begin(), std::move(*painted));
     }
 
     [[nodiscard]] double reserve() const { return 2.5 * check_seconds_; }
@@ -251,8 +252,7 @@ class Designer {
 
     [[nodiscard]] bool is_allowed(const Point& point, const FullCheck& check) const {
         if (!check.has_converged || !check.error.is_stable) return false;
-        if (options_.max_mass > 0.0 && trials_.mass_of(point) > options_.max_mass) return false;
-        if (close_bars_of(point) > 0) return false;
+        if (!search_.keeps_mass(point) || close_bars_of(point) > 0) return false;
         return keeps_utilization(options_, check.largest_utilization, check.utilization_error);
     }
 

@@ -110,9 +110,10 @@ class Search {
     /// above DesignOptions::max_mass.
     void begin_at(const Solved& start);
 
-  private:
     /// True if a painting keeps DesignOptions::max_mass, or if there is no such limit.
     [[nodiscard]] bool keeps_mass(const Point& point) const;
+
+  private:
     void try_one_uniform(std::size_t pattern, std::vector<Solved>& found);
     [[nodiscard]] std::size_t predicted_best(const std::vector<Solved>& found,
                                              const std::vector<std::size_t>& palette,
