@@ -110,6 +110,7 @@ TEST(Design, KeepsTheMass) {
     options.max_mass = 0.7 * mass_of(heavy);
     const DesignReport report = design(planted.project, nullptr, planted.target, options);
     EXPECT_LE(mass_of(report.project), options.max_mass);
+    EXPECT_NEAR(report.mass, mass_of(report.project), 1e-6 * report.mass);
     EXPECT_LT(report.error->mean, report.best_uniform->mean);
     options.max_mass = 0.1 * mass_of(heavy);
     EXPECT_THAT(complaint_of([&] { (void)design(planted.project, nullptr, planted.target, options); }),

@@ -3,6 +3,7 @@
 #include "hidden.hpp"
 #include "support.hpp"
 
+#include <fretwork/design/design_words.hpp>
 #include <fretwork/pattern/enumerate.hpp>
 
 #include <gmock/gmock.h>
@@ -270,6 +271,21 @@ TEST(DesignHonesty, NamesTheLightestPatternWhereTheMassIsTooSmall) {
     DesignOptions options = test::design_options(project);
     options.max_mass = 1e-6;
     EXPECT_THAT(complaint(project, planted(project), options), HasSubstr("its lightest pattern is 0-6"));
+}
+
+TEST(DesignHonesty, WarnsOfAPaintingThatIsTooHeavy) {
+    DesignReport report;
+    report.mass = 0.0123;
+    DesignOptions options;
+    EXPECT_TRUE(design_warnings(report, options).empty());
+    options.max_mass = 0.02;
+    EXPECT_TRUE(design_warnings(report, options).empty());
+    options.max_mass = 0.01;
+    const auto texts = plain_texts(design_warnings(report, options));
+    ASSERT_EQ(texts.size(), 1U);
+    EXPECT_EQ(
+        texts.front(),
+        "no painting that was checked weighs at most 0.01 kg: the one that was written weighs 0.0123 kg");
 }
 
 /// Bars of 2 mm in hexagons of 26 mm: a clearance that only the sparse patterns keep.

@@ -139,6 +139,7 @@ struct DesignReport {
     /// their unknowns, the first quick painting, and reach_of_ten_loads.
     int uniform_solutions = 0;
     std::vector<std::string> patterns;  ///< ids of the patterns of the painting, sorted
+    double mass = 0.0;                  ///< mass of all beams of the painting, kg
     std::vector<double> factors;        ///< factor on the loads of each load case, in the order of load_cases
     std::vector<std::string> load_cases;  ///< names of the load cases
     /// Largest utilization, with all beams; none if the setting has no strength.
@@ -193,6 +194,10 @@ struct DesignReport {
     /// True if the largest utilization and its estimated error keep DesignOptions::max_utilization, if any.
     [[nodiscard]] bool keeps_utilization(const DesignOptions& options) const {
         return design::keeps_utilization(options, largest_utilization, utilization_error);
+    }
+    /// True if the painting's mass keeps DesignOptions::max_mass, if any.
+    [[nodiscard]] bool keeps_mass(const DesignOptions& options) const {
+        return options.max_mass <= 0.0 || mass <= options.max_mass;
     }
     /// True if the painting's mean error is less than 1 - kLeastDesignGain times that of the best single
     /// pattern, and less than the largest wanted displacement. False if an error is not known.
