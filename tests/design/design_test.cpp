@@ -135,6 +135,25 @@ TEST(Design, KeepsAMirrorSymmetry) {
     }
 }
 
+/// Of the palette, only 1-6+3-6 is its own mirror image.
+TEST(Design, CountsMirrorImagesAmongTheLargestNumberOfPatterns) {
+    const simulation::Project project = cantilever_project(5, 4, 0.03);
+    simulation::Project hidden = project;
+    test::paint_graded(hidden, kDesignPatterns);
+    const Target target = test::target_of(hidden);
+    DesignOptions options = test::design_options(project, {"0-1+1-6", "0-1+0-6+1-6", "1-6+3-6"});
+    options.symmetry = {Symmetry::Kind::MirrorX};
+    options.most_solutions = 16;
+    for (const std::size_t most : {1U, 2U, 3U, 4U}) {
+        options.max_patterns = most;
+        EXPECT_LE(design(project, nullptr, target, options).patterns.size(), most);
+    }
+    options.palette.pop_back();
+    options.max_patterns = 1;
+    EXPECT_THAT(complaint_of([&] { (void)design(project, nullptr, target, options); }),
+                HasSubstr("two of at most 1 pattern, and no pattern"));
+}
+
 /// A target with more load: the factor is found, too.
 TEST(Design, FindsTheFactorOfTheLoad) {
     const Planted planted;

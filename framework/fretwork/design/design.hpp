@@ -33,7 +33,8 @@ struct DesignProgress {
 struct DesignOptions {
     std::string load_case;  ///< name of the load case for goals that name none; "": the only one
     std::vector<pattern::NamedPattern> palette;  ///< patterns to choose from, each once
-    /// Largest number of different patterns of the surface, kept tiles included; 0: any number.
+    /// Largest number of different patterns of the surface, kept tiles and mirror images included; 0: any
+    /// number.
     std::size_t max_patterns = 0;
     std::vector<tiling::TileIndex> keep;  ///< tiles that keep their patterns
     Symmetry symmetry;                    ///< symmetry that the painting must have

@@ -185,6 +185,28 @@ std::vector<NamedPattern> within_number(std::vector<NamedPattern> palette,
     return palette;
 }
 
+/// With a mirror symmetry and no number left for a pattern and its image, only patterns that are their own
+/// images are left, and those of kept tiles whose images have kept tiles, too.
+std::vector<NamedPattern> within_number_of_pairs(const pattern::NodeLayout& layout,
+                                                 std::vector<NamedPattern> palette,
+                                                 const std::vector<std::string>& kept,
+                                                 const DesignOptions& options) {
+    if (options.max_patterns == 0 || kept.size() + 2 <= options.max_patterns) return palette;
+    const pattern::Mirror mirror(layout);
+    const auto is_kept = [&](const pattern::Pattern& own) {
+        return std::ranges::find(kept, pattern::pattern_id(layout, own)) != kept.end();
+    };
+    std::erase_if(palette, [&](const NamedPattern& own) {
+        const auto image = mirror.image(own.pattern);
+        return !image || (*image != own.pattern && !(is_kept(own.pattern) && is_kept(*image)));
+    });
+    if (palette.empty())
+        throw base::InputError("a pattern and its mirror image are two of at most " +
+                               base::counted(options.max_patterns, "pattern") +
+                               ", and no pattern of the palette is its own mirror image");
+    return palette;
+}
+
 /// The patterns of a palette whose own bars keep the clearance.
 std::vector<NamedPattern> with_clearance(const Surface& surface, std::vector<NamedPattern> palette,
                                          const DesignOptions& options) {
@@ -280,7 +302,9 @@ Preparation prepare(const simulation::Project& project, const library::Library* 
     std::vector<DesignCase> cases = checked_cases(project, target, surface, names, options);
     std::vector<NamedPattern> allowed =
         with_clearance(surface, within_number(options.palette, kept, options), options);
-    if (needs_mirror_images(options.symmetry)) allowed = with_mirror_image(surface.layout, allowed);
+    if (needs_mirror_images(options.symmetry))
+        allowed =
+            within_number_of_pairs(surface.layout, with_mirror_image(surface.layout, allowed), kept, options);
     const std::size_t most = most_candidates(CandidateTiles(surface, {}, {options.threads, options.control}));
     SpreadPalette spread = spread_palette(surface, sampled(allowed, first, options.seed), {}, options);
     std::vector<NamedPattern> candidates = std::move(spread.patterns);
@@ -289,10 +313,10 @@ Preparation prepare(const simulation::Project& project, const library::Library* 
     paint_whole(surface, groups, candidates.front());
     std::vector<std::size_t> palette(candidates.size());
     for (std::size_t p = 0; p < palette.size(); ++p) palette[p] = p;
-    std::vector<std::size_t> mirrored;
-    if (needs_mirror_images(options.symmetry)) mirrored = mirror_images(surface.layout, candidates);
     for (const TileIndex tile : options.keep)
         (void)place_of(candidates, *tiling::pattern_of(surface.tessellation, tile));
+    std::vector<std::size_t> mirrored;
+    if (needs_mirror_images(options.symmetry)) mirrored = mirror_images(surface.layout, candidates);
     std::vector<DesignWarning> warnings = warnings_about(cases, surface, options);
     CandidateTiles condensed(surface, std::move(candidates), {options.threads, options.control});
     return {{std::move(surface),

@@ -151,15 +151,20 @@ void Search::limit_patterns(const Point& point, const SwapTable& table, const st
                               .most_mass = mass_for_groups(point, table, start),
                               .seed = options_.seed,
                               .control = options_.control.silent()};
-    // The patterns of the start stay, so that the start is allowed. Those of kept tiles count in any case.
+    // The patterns of the start stay, so that the start is allowed. Those of kept tiles count in any case,
+    // and a pattern counts together with its mirror image.
     std::set<std::size_t> chosen(point.patterns.begin(), point.patterns.end());
     std::set<std::size_t> all = kept;
-    all.insert(chosen.begin(), chosen.end());
+    for (const std::size_t own : chosen) all.insert({own, trials_.image_of(own)});
     for (const std::size_t own : kept) {
-        if (std::ranges::find(all_, own) != all_.end()) chosen.insert(own);
+        if (all.contains(trials_.image_of(own)) && std::ranges::find(all_, own) != all_.end())
+            chosen.insert(own);
     }
-    if (options_.max_patterns > all.size()) {
-        const auto allowed = fewer_columns(table, start, sweeps, options_.max_patterns - all.size());
+    const bool has_pairs =
+        std::ranges::any_of(columns, [this](std::size_t own) { return trials_.image_of(own) != own; });
+    const std::size_t left = options_.max_patterns - std::min(options_.max_patterns, all.size());
+    if (const std::size_t most = left / (has_pairs ? 2 : 1); most > 0) {
+        const auto allowed = fewer_columns(table, start, sweeps, most);
         for (std::size_t c = 0; c < columns.size(); ++c) {
             if (allowed[c]) chosen.insert(columns[c]);
         }
