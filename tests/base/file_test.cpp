@@ -6,9 +6,12 @@
 #include <csignal>
 #include <fcntl.h>
 #include <future>
+#include <string>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <thread>
+#include <vector>
 
 namespace fretwork::base {
 namespace THIS_TEST {
@@ -38,6 +41,24 @@ TEST(File, ReplacingKeepsPermissionsAndLeavesNothingBeside) {
     EXPECT_EQ(std::filesystem::status(path).permissions(),
               std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
     EXPECT_EQ(entries(folder.path()), 1U);
+}
+
+/// A race: without a lock, this fails often, but not always.
+TEST(File, ThreadsThatWriteNewFilesLeaveTheUmaskAlone) {
+    constexpr mode_t kMask = 022;
+    const TemporaryFolder folder;
+    const mode_t before = ::umask(kMask);
+    {
+        std::vector<std::jthread> threads;
+        for (int t = 0; t < 4; ++t) {
+            threads.emplace_back([&folder, t] {
+                const std::string name = std::to_string(t) + "-";
+                for (int i = 0; i < 50; ++i)
+                    write_file_atomically(folder.path() / (name + std::to_string(i)), "new");
+            });
+        }
+    }
+    EXPECT_EQ(::umask(before), kMask);
 }
 
 TEST(File, AMissingFileAndAFolderAreRefusedByName) {

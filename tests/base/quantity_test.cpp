@@ -17,6 +17,7 @@ TEST(Quantity, LengthsComeOutInMetres) {
     EXPECT_EQ(parse_length("2.6e+1mm"), 0.026);
     EXPECT_EQ(parse_length("260e-1 mm"), 0.026);
     EXPECT_EQ(parse_length("-0mm"), 0.0);
+    EXPECT_EQ(parse_length("0e-2147483648mm"), 0.0);
     EXPECT_EQ(parse_length("1e-320mm"), 1e-323);
 }
 
@@ -33,6 +34,17 @@ TEST(Quantity, AnythingElseIsRefusedWithTheText) {
     }
     EXPECT_THROW(parse_angle("3mm"), InputError);
     EXPECT_THROW(parse_number("3x"), InputError);
+}
+
+TEST(Quantity, LargeLengthsNeedAUnit) {
+    for (const char* text : {"26", "26 ", "26  "}) {
+        EXPECT_THAT(test::complaint_of([&] { refuse_missing_unit("--edge-length", text, 1.0); }),
+                    testing::AllOf(testing::HasSubstr("--edge-length"),
+                                   testing::HasSubstr("did you mean 26mm? Metres are written 26m")))
+            << "'" << text << "'";
+    }
+    for (const char* text : {"0.5", "0.5 ", "26mm", "26 m", "", " "})
+        EXPECT_NO_THROW(refuse_missing_unit("--edge-length", text, 1.0)) << "'" << text << "'";
 }
 
 TEST(Quantity, AReadNumberIsTheWholeText) {

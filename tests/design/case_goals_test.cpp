@@ -8,6 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace fretwork::design::detail {
 namespace THIS_TEST {
 
@@ -109,6 +111,15 @@ TEST(CaseGoals, NamesTheGoalThatDoesNotFit) {
                     goals_of({fine, {NodesGoal{{999}, {}, {{0.0, 0.0, 0.0}}}}});
                 }),
                 testing::AllOf(HasSubstr("/goals/1"), HasSubstr("no interface node 999")));
+    EXPECT_THAT(complaint_of([&] {
+                    goals_of({{NodesGoal{{2, 5}, {}, {{0.0, 0.0, 0.01}}}}});
+                }),
+                testing::AllOf(HasSubstr("/goals/0: /displacements"), HasSubstr("1 value for 2 nodes")));
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const NodesGoal unknown{
+        {2, 5}, NodesGoal::Quantity::Positions, {{0.0, 0.0, 0.01}, {std::nullopt, 0.0, nan}}};
+    EXPECT_THAT(complaint_of([&] { goals_of({{unknown}}); }),
+                testing::AllOf(HasSubstr("/goals/0: /positions"), HasSubstr("node 5 that is not finite")));
     EXPECT_THAT(complaint_of([&] {
                     goals_of({{FormulaGoal{kAll, {"0.1*z", "0", "0"}}}});
                 }),

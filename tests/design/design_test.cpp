@@ -110,6 +110,7 @@ TEST(Design, KeepsTheMass) {
     options.max_mass = 0.7 * mass_of(heavy);
     const DesignReport report = design(planted.project, nullptr, planted.target, options);
     EXPECT_LE(mass_of(report.project), options.max_mass);
+    EXPECT_NEAR(report.mass, mass_of(report.project), 1e-6 * report.mass);
     EXPECT_LT(report.error->mean, report.best_uniform->mean);
     options.max_mass = 0.1 * mass_of(heavy);
     EXPECT_THAT(complaint_of([&] { (void)design(planted.project, nullptr, planted.target, options); }),
@@ -132,6 +133,25 @@ TEST(Design, KeepsAMirrorSymmetry) {
             EXPECT_EQ(pattern::pattern_id(project.layout, *mirror.image(left.pattern)), right.id);
         }
     }
+}
+
+/// Of the palette, only 1-6+3-6 is its own mirror image.
+TEST(Design, CountsMirrorImagesAmongTheLargestNumberOfPatterns) {
+    const simulation::Project project = cantilever_project(5, 4, 0.03);
+    simulation::Project hidden = project;
+    test::paint_graded(hidden, kDesignPatterns);
+    const Target target = test::target_of(hidden);
+    DesignOptions options = test::design_options(project, {"0-1+1-6", "0-1+0-6+1-6", "1-6+3-6"});
+    options.symmetry = {Symmetry::Kind::MirrorX};
+    options.most_solutions = 16;
+    for (const std::size_t most : {1U, 2U, 3U, 4U}) {
+        options.max_patterns = most;
+        EXPECT_LE(design(project, nullptr, target, options).patterns.size(), most);
+    }
+    options.palette.pop_back();
+    options.max_patterns = 1;
+    EXPECT_THAT(complaint_of([&] { (void)design(project, nullptr, target, options); }),
+                HasSubstr("two of at most 1 pattern, and no pattern"));
 }
 
 /// A target with more load: the factor is found, too.
@@ -191,6 +211,18 @@ TEST(Design, ServesTwoLoadCasesWithOnePainting) {
     EXPECT_LT(report.error->mean, 0.15 * report.best_uniform->mean);
 }
 
+TEST(Design, TakesTheOnlyLoadCaseOnceWhetherItIsNamedOrNot) {
+    Planted planted;
+    planted.target.goals.push_back(planted.target.goals.front());
+    planted.target.goals.back().load_case = "cantilever";
+    DesignOptions options = test::design_options(planted.project);
+    options.load_case.clear();
+    options.most_solutions = 6;
+    const DesignReport report = design(planted.project, nullptr, planted.target, options);
+    EXPECT_EQ(report.load_cases, std::vector<std::string>{"cantilever"});
+    EXPECT_EQ(report.shapes.size(), 1U);
+}
+
 /// Whenever it is stopped: nothing, or a whole painting that is no worse than what it began with.
 TEST(Design, KeepsTheBestPaintingWhenItIsStopped) {
     const Planted planted;
@@ -214,6 +246,29 @@ TEST(Design, KeepsTheBestPaintingWhenItIsStopped) {
         }
     }
     EXPECT_GE(kept, 4);
+}
+
+/// The first painting follows three single patterns. Just before each better one, a stop still gives a
+/// painting of several patterns.
+TEST(Design, ReturnsNoSinglePatternWhenItIsStoppedAfterAPainting) {
+    const Planted planted;
+    DesignOptions options = test::design_options(planted.project);
+    std::vector<std::size_t> looks;
+    const test::StopAtLook never;
+    options.control = never.control();
+    options.on_better = [&](const DesignProgress& progress) {
+        if (progress.solutions > 3) looks.push_back(never.looks());
+    };
+    (void)design(planted.project, nullptr, planted.target, options);
+    options.on_better = {};
+    ASSERT_GT(looks.size(), 1U);
+    for (std::size_t i = 1; i < std::min<std::size_t>(looks.size(), 7); ++i) {
+        const test::StopAtLook stop(looks[i] - 1);
+        options.control = stop.control();
+        const DesignReport report = design(planted.project, nullptr, planted.target, options);
+        EXPECT_EQ(report.end, DesignEnd::Stopped);
+        EXPECT_GT(report.patterns.size(), 1U) << i;
+    }
 }
 
 TEST(Design, KeepsToTheNumberOfSolutions) {
@@ -256,6 +311,8 @@ TEST(Design, RefusesWhatDoesNotFit) {
     using Project = simulation::Project;
     EXPECT_THAT(complaint([](DesignOptions& o, Project&, Target&) { o.palette.clear(); }),
                 HasSubstr("palette"));
+    EXPECT_THAT(complaint([](DesignOptions& o, Project&, Target&) { o.palette.push_back(o.palette[1]); }),
+                HasSubstr("the pattern 0-1+1-6 twice"));
     EXPECT_THAT(complaint([](DesignOptions& o, Project&, Target&) { o.load_case = "rain"; }),
                 HasSubstr("rain"));
     EXPECT_THAT(complaint([](DesignOptions& o, Project&, Target&) { o.keep = {TileIndex(99)}; }),

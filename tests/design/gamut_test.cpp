@@ -2,6 +2,7 @@
 #include "simulation/honeycomb.hpp"
 
 #include <fretwork/design/gamut.hpp>
+#include <fretwork/design/reach/survey.hpp>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -73,6 +74,25 @@ TEST(TileCurvatures, AreNotKnownWhereANodeHasNoPlace) {
     const auto found = tile_curvatures(plane(), places);
     EXPECT_FALSE(found[tiling::TileIndex(0)]);
     EXPECT_TRUE(found[tiling::TileIndex(24)]);
+}
+
+/// Goals for z, then goals of rotations, whose wanted places are the present ones.
+TEST(Gamut, AGoalLeavesWhatAnotherGoalOfItsNodeWants) {
+    const tiling::Tessellation tessellation = plane();
+    const Places wanted =
+        bent(tessellation, [](double x, double y) { return Eigen::Vector3d(x, y, 0.5 * x * x); });
+    const Places present = bent(tessellation, [](double x, double y) { return Eigen::Vector3d(x, y, 0.0); });
+    CaseShape shape;
+    shape.displacements.setZero(present.rows(), 6);
+    for (const Places& places : {wanted, present}) {
+        for (int node = 0; node < static_cast<int>(places.rows()); ++node)
+            shape.goals.push_back({node, places.row(node).transpose(), 0.0});
+    }
+    Gamut gamut;
+    detail::add_wanted_curvatures(tessellation, {shape}, gamut);
+    EXPECT_EQ(gamut.wanted.size(), tessellation.tiles.size());
+    for (const Curvatures& own : gamut.wanted) EXPECT_GT(own.largest, 0.5);
+    for (const Curvatures& own : gamut.designed) EXPECT_NEAR(own.largest, 0.0, 1e-9);
 }
 
 TEST(Gamut, CountsWantedCurvaturesFarFromAllReachedOnes) {

@@ -3,6 +3,9 @@
 #include "hidden.hpp"
 #include "support.hpp"
 
+#include <fretwork/design/design_words.hpp>
+#include <fretwork/pattern/enumerate.hpp>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -91,6 +94,37 @@ TEST(DesignHonesty, ATargetFarBeyondTheLoadIsOutOfReach) {
     ASSERT_TRUE(report.reach_of_ten_loads);
     EXPECT_LT(*report.reach_of_ten_loads, 1.0);
     EXPECT_TRUE(report.error) << "the painting that is written is checked";
+}
+
+/// A honeycomb whose tiles all differ from each other; its columns and rows stay straight.
+simulation::Project squeezed_project(int columns, int rows) {
+    simulation::Project project = test::cantilever_project(columns, rows, 1e-7);
+    tiling::Tessellation& own = project.tessellation;
+    for (geometry::Point2& place : own.vertices)
+        place = {place.x - 0.3 * place.x * place.x, place.y - 0.4 * place.y * place.y};
+    for (const tiling::Tile& tile : own.tiles) {
+        for (std::size_t k = 0; k < tile.vertices.size(); ++k) {
+            const geometry::Point2& a = own.vertices[tile.vertices[k]];
+            const geometry::Point2& b = own.vertices[tile.vertices[(k + 1) % tile.vertices.size()]];
+            own.interface_nodes[tile.interface_nodes[k]] = {(a.x + b.x) / 2, (a.y + b.y) / 2};
+        }
+    }
+    return project;
+}
+
+/// 8,000 condensations are 163 patterns of 49 different tiles.
+TEST(DesignHonesty, GivesNoBoundOfAPaletteThatWasCut) {
+    const simulation::Project project = squeezed_project(7, 7);
+    const Target target{"", "", {{FormulaGoal{kAll, {std::nullopt, std::nullopt, "1e-3*x^2"}}}}};
+    DesignOptions options = test::design_options(project);
+    options.most_solutions = 6;
+    options.uniform_paintings = 3;
+    EXPECT_TRUE(design(project, nullptr, target, options).bound);
+    options.palette.clear();
+    for (const pattern::Pattern& own : pattern::enumerate_patterns(project.layout)) {
+        if (options.palette.size() < 200) options.palette.push_back(pattern::named(project.layout, own));
+    }
+    EXPECT_FALSE(design(project, nullptr, target, options).bound);
 }
 
 TEST(DesignHonesty, SaysThatNothingMoves) {
@@ -237,6 +271,21 @@ TEST(DesignHonesty, NamesTheLightestPatternWhereTheMassIsTooSmall) {
     DesignOptions options = test::design_options(project);
     options.max_mass = 1e-6;
     EXPECT_THAT(complaint(project, planted(project), options), HasSubstr("its lightest pattern is 0-6"));
+}
+
+TEST(DesignHonesty, WarnsOfAPaintingThatIsTooHeavy) {
+    DesignReport report;
+    report.mass = 0.0123;
+    DesignOptions options;
+    EXPECT_TRUE(design_warnings(report, options).empty());
+    options.max_mass = 0.02;
+    EXPECT_TRUE(design_warnings(report, options).empty());
+    options.max_mass = 0.01;
+    const auto texts = plain_texts(design_warnings(report, options));
+    ASSERT_EQ(texts.size(), 1U);
+    EXPECT_EQ(
+        texts.front(),
+        "no painting that was checked weighs at most 0.01 kg: the one that was written weighs 0.0123 kg");
 }
 
 /// Bars of 2 mm in hexagons of 26 mm: a clearance that only the sparse patterns keep.

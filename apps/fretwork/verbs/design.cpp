@@ -102,7 +102,7 @@ void read_typed(DesignArguments& arguments, const simulation::Project& project) 
 }
 
 bool keeps_limits(const design::DesignReport& report, const design::DesignOptions& options) {
-    return report.close_bars == 0 && report.keeps_utilization(options);
+    return report.close_bars == 0 && report.keeps_mass(options) && report.keeps_utilization(options);
 }
 
 void write_design(const DesignArguments& arguments, const design::DesignReport& report,

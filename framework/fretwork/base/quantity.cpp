@@ -31,7 +31,8 @@ double shifted(std::string_view number, int power) {
         const char* digits = number.data() + mark + 1;
         std::from_chars(*digits == '+' ? digits + 1 : digits, number.data() + number.size(), exponent);
     }
-    const std::string text = std::string(number.substr(0, mark)) + "e" + std::to_string(exponent + power);
+    const long long shifted_exponent = static_cast<long long>(exponent) + power;
+    const std::string text = std::string(number.substr(0, mark)) + "e" + std::to_string(shifted_exponent);
     double value = 0.0;
     std::from_chars(text.data(), text.data() + text.size(), value);
     return value;
@@ -66,11 +67,13 @@ double parse_length_above_zero(const std::string& name, std::string_view text) {
 }
 
 void refuse_missing_unit(const std::string& name, const std::string& text, double large) {
-    const auto bare = read_number<double>(text);
+    // A length may have spaces before its unit, and so behind its number if there is no unit.
+    const std::string number = text.substr(0, text.find_last_not_of(' ') + 1);
+    const auto bare = read_number<double>(number);
     if (!bare || !std::isfinite(*bare) || *bare < large) return;
-    throw InputError(
-        name, "",
-        text + " without a unit is in metres; did you mean " + text + "mm? Metres are written " + text + "m");
+    throw InputError(name, "",
+                     number + " without a unit is in metres; did you mean " + number +
+                         "mm? Metres are written " + number + "m");
 }
 
 double parse_angle(std::string_view text) {

@@ -58,7 +58,9 @@ class Designer {
         require_enough_solutions();
         Search::Beginning beginning = begin();
         require_possible_mass();
-        report_.bound = detail::reach_bound(trials_, palette(), options_.control.silent());
+        // Without patterns that were not condensed, it would be no bound of the whole palette.
+        if (palette().size() >= whole_.size())
+            report_.bound = detail::reach_bound(trials_, palette(), options_.control.silent());
         std::vector<Solved> starts = solve_uniform(std::move(beginning.uniform));
         const std::size_t listed = std::min(palette().size(), options_.shortlist);
         search_.set_columns({palette().begin(), palette().begin() + static_cast<std::ptrdiff_t>(listed)},
@@ -116,11 +118,12 @@ class Designer {
     }
 
     /// Puts a painting before the starts if it is better than the best of them: the search begins there.
-    void put_in_front(std::optional<Solved> painted, std::vector<Solved>& starts) const {
+    void put_in_front(std::optional<Solved> painted, std::vector<Solved>& starts) {
         if (!painted) return;
         painted->trial.objective = trials_.objective_of(painted->trial.displacements);
-        if (painted->trial.objective < starts.front().trial.objective)
-            starts.insert(starts.begin(), std::move(*painted));
+        if (painted->trial.objective >= starts.front().trial.objective) return;
+        if (search_.keeps_mass(painted->point)) best_ = painted->point;  // in case the search is stopped
+        starts.insert(starts.begin(), std::move(*painted));
     }
 
     [[nodiscard]] double reserve() const { return 2.5 * check_seconds_; }
@@ -249,8 +252,7 @@ class Designer {
 
     [[nodiscard]] bool is_allowed(const Point& point, const FullCheck& check) const {
         if (!check.has_converged || !check.error.is_stable) return false;
-        if (options_.max_mass > 0.0 && trials_.mass_of(point) > options_.max_mass) return false;
-        if (close_bars_of(point) > 0) return false;
+        if (!search_.keeps_mass(point) || close_bars_of(point) > 0) return false;
         return keeps_utilization(options_, check.largest_utilization, check.utilization_error);
     }
 

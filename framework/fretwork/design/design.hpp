@@ -31,9 +31,10 @@ struct DesignProgress {
 
 /// Options of design().
 struct DesignOptions {
-    std::string load_case;                       ///< name of the load case for goals that name none
-    std::vector<pattern::NamedPattern> palette;  ///< patterns to choose from
-    /// Largest number of different patterns of the surface, kept tiles included; 0: any number.
+    std::string load_case;  ///< name of the load case for goals that name none; "": the only one
+    std::vector<pattern::NamedPattern> palette;  ///< patterns to choose from, each once
+    /// Largest number of different patterns of the surface, kept tiles and mirror images included; 0: any
+    /// number.
     std::size_t max_patterns = 0;
     std::vector<tiling::TileIndex> keep;  ///< tiles that keep their patterns
     Symmetry symmetry;                    ///< symmetry that the painting must have
@@ -139,6 +140,7 @@ struct DesignReport {
     /// their unknowns, the first quick painting, and reach_of_ten_loads.
     int uniform_solutions = 0;
     std::vector<std::string> patterns;  ///< ids of the patterns of the painting, sorted
+    double mass = 0.0;                  ///< mass of all beams of the painting, kg
     std::vector<double> factors;        ///< factor on the loads of each load case, in the order of load_cases
     std::vector<std::string> load_cases;  ///< names of the load cases
     /// Largest utilization, with all beams; none if the setting has no strength.
@@ -156,7 +158,8 @@ struct DesignReport {
     std::optional<double> thickness{};  ///< thickness of the bars, m; none if it is not free
     /// A lower bound of the misfit (see DesignProgress) of every painting with the palette, proven in linear
     /// theory (README.md). None if displacements are too large for this theory, weight acts, supports are
-    /// moved, unknowns besides the painting are free, or nodes may slide along a mesh.
+    /// moved, unknowns besides the painting are free, nodes may slide along a mesh, or the surface has so
+    /// many different tiles that not all patterns of the palette were condensed.
     std::optional<double> bound{};
     std::size_t close_bars = 0;  ///< number of pairs of bars with a gap below the clearance
     /// Warnings of the search, such as about goals that nodes cannot reach.
@@ -192,6 +195,10 @@ struct DesignReport {
     /// True if the largest utilization and its estimated error keep DesignOptions::max_utilization, if any.
     [[nodiscard]] bool keeps_utilization(const DesignOptions& options) const {
         return design::keeps_utilization(options, largest_utilization, utilization_error);
+    }
+    /// True if the painting's mass keeps DesignOptions::max_mass, if any.
+    [[nodiscard]] bool keeps_mass(const DesignOptions& options) const {
+        return options.max_mass <= 0.0 || mass <= options.max_mass;
     }
     /// True if the painting's mean error is less than 1 - kLeastDesignGain times that of the best single
     /// pattern, and less than the largest wanted displacement. False if an error is not known.

@@ -3,7 +3,9 @@
 #include <fretwork/design/design.hpp>
 
 #include <cmath>
+#include <set>
 #include <string>
+#include <string_view>
 
 namespace fretwork::design {
 namespace {
@@ -17,6 +19,12 @@ void require_not_negative(double value, const char* name) {
 
 void DesignOptions::validate(const simulation::Project& project) const {
     if (palette.empty()) throw base::InputError("the palette is empty: there is no pattern to paint with");
+    std::set<std::string_view> ids;
+    for (const pattern::NamedPattern& own : palette) {
+        if (!ids.insert(own.id).second)
+            throw base::InputError("the palette names the pattern " + own.id +
+                                   " twice, where each pattern is named once");
+    }
     require_not_negative(max_mass, "the largest mass");
     require_not_negative(max_utilization, "the largest utilization");
     require_not_negative(seconds, "the time");

@@ -53,6 +53,11 @@ std::optional<DesignWarning> load_warning(const DesignReport& report, const Desi
     return std::nullopt;
 }
 
+std::string mass_line(const DesignReport& report, const DesignOptions& options) {
+    return "no painting that was checked weighs at most " + short_number(options.max_mass) +
+           " kg: the one that was written weighs " + base::format_number(report.mass, 4) + " kg";
+}
+
 std::string clearance_line(std::size_t pairs) {
     return "no painting that was checked keeps the clearance: " + base::counted(pairs, "pair") +
            " of bars of the one that was written " + (pairs == 1 ? "does" : "do") + " not";
@@ -96,6 +101,7 @@ std::vector<DesignWarning> design_warnings(const DesignReport& report, const Des
         warnings.push_back({"the target is out of reach: no painting of these patterns comes nearer than " +
                             short_number(100.0 * report.bound.value_or(0.0)) +
                             " % of the largest displacement wanted (root mean square, in linear theory)"});
+    if (!report.keeps_mass(options)) warnings.push_back({mass_line(report, options)});
     if (!report.keeps_utilization(options)) warnings.push_back({utilization_line(report, options)});
     if (report.close_bars > 0) warnings.push_back({clearance_line(report.close_bars)});
     return warnings;

@@ -5,7 +5,8 @@
 
 namespace fretwork::design {
 
-/// The symmetry of a painting about the middle of the surface's bounding box.
+/// The symmetry of a painting about the middle of the surface's bounding box. A tile that is its own image
+/// may have any pattern, so that the bars of a tile on the axis of a mirror need not be symmetric.
 struct Symmetry {
     /// The motion that leaves the painting unchanged.
     enum class Kind {

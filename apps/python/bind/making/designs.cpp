@@ -201,6 +201,7 @@ void bind_report(py::module_& m) {
         .constant("uniform_solutions", &DesignReport::uniform_solutions,
                   "number of nonlinear solutions before the search leaves the single patterns")
         .constant("patterns", &DesignReport::patterns, "ids of the patterns in the painting")
+        .constant("mass", &DesignReport::mass, "mass of all beams, kg")
         .constant("factors", &DesignReport::factors, "factor on the loads of each load case in load_cases")
         .constant("load_cases", &DesignReport::load_cases, "names of the load cases")
         .constant("largest_utilization", &DesignReport::largest_utilization,

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <mutex>
 #include <optional>
 #include <sys/stat.h>
 #include <system_error>
@@ -94,6 +95,9 @@ struct AtomicFile::Impl {
     [[nodiscard]] mode_t wanted_mode() const {
         struct stat existing {};
         if (::stat(target.c_str(), &existing) == 0) return existing.st_mode & 0777U;
+        // The umask can be read only by setting it: a second thread would read the zero, and leave it.
+        static std::mutex one_at_a_time;
+        const std::lock_guard lock(one_at_a_time);
         const mode_t mask = ::umask(0);
         ::umask(mask);
         return 0666U & ~mask;

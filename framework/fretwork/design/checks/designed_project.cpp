@@ -45,6 +45,7 @@ void write_point(const Trials& trials, const Point& point, const std::vector<std
     write_painting(trials.surface_at(point).tessellation, project);
     for (const pattern::NamedPattern& own : project.tessellation.patterns) report.patterns.push_back(own.id);
     std::ranges::sort(report.patterns);
+    report.mass = trials.mass_of(point);
     report.load_cases = names;
     write_section(trials, point, report);
     const auto& free = trials.parts().free;

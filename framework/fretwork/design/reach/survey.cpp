@@ -2,6 +2,7 @@
 #include <fretwork/design/reach/survey.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace fretwork::design::detail {
@@ -89,9 +90,17 @@ void add_wanted_curvatures(const Tessellation& tessellation, const std::vector<C
     for (const CaseShape& shape : shapes) {
         Places wanted = Places::Constant(std::ssize(tessellation.interface_nodes), 3,
                                          std::numeric_limits<double>::quiet_NaN());
-        for (const CaseShape::GoalNode& goal : shape.goals) wanted.row(goal.node) = goal.wanted.transpose();
+        const Places places = places_at(tessellation, shape.displacements);
+        for (const CaseShape::GoalNode& goal : shape.goals) {
+            auto own = wanted.row(goal.node);
+            if (std::isnan(own[0])) own = places.row(goal.node);
+            // A component with its present value is free: another goal of the node may want a value of it.
+            for (Eigen::Index c = 0; c < 3; ++c) {
+                if (goal.wanted[c] != places(goal.node, c)) own[c] = goal.wanted[c];
+            }
+        }
         const auto of_goals = tile_curvatures(tessellation, wanted);
-        const auto of_painting = tile_curvatures(tessellation, places_at(tessellation, shape.displacements));
+        const auto of_painting = tile_curvatures(tessellation, places);
         for (const tiling::TileIndex tile : tessellation.tiles.indices()) {
             if (!of_goals[tile] || !of_painting[tile]) continue;
             gamut.wanted.push_back(*of_goals[tile]);

@@ -9,6 +9,7 @@
 #include <fretwork/simulation/results/bar_clearance.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace fretwork::design::detail {
@@ -40,7 +41,8 @@ struct SpreadPalette {
     Eigen::MatrixXd coordinates;
 };
 
-/// The largest number of patterns that are chosen as the most different.
+/// The largest number of patterns that are chosen as the most different, unless there are more uniform
+/// paintings.
 constexpr std::size_t kSpread = 128;
 
 SpreadPalette spread_palette(const Surface& surface, const std::vector<NamedPattern>& palette,
@@ -50,7 +52,9 @@ SpreadPalette spread_palette(const Surface& surface, const std::vector<NamedPatt
     const TileStrains strains(tile, options.threads, control);
     const Eigen::MatrixXd logs =
         stiffness_logarithms(strains, 0, tiling::mean_tile_side(surface.tessellation), control);
-    auto chosen = spread_choice(logs, std::min(kSpread, palette.size()), control);
+    // Uniform paintings have patterns with coordinates only.
+    const std::size_t count = std::max(kSpread, options.uniform_paintings);
+    auto chosen = spread_choice(logs, std::min(count, palette.size()), control);
     std::vector<bool> is_taken(palette.size(), false);
     for (const std::size_t place : chosen) is_taken[place] = true;
     for (const NamedPattern& own : known) {
@@ -83,6 +87,12 @@ std::vector<NamedPattern> sampled(const std::vector<NamedPattern>& palette, std:
         if (random.below(palette.size() - p) < count - sample.size()) sample.push_back(palette[p]);
     }
     return sample;
+}
+
+/// The name of the load case of goals that name none.
+std::string default_case(const simulation::Project& project, const DesignOptions& options) {
+    const bool is_only = options.load_case.empty() && project.load_cases.size() == 1;
+    return is_only ? project.load_cases.front().name : options.load_case;
 }
 
 /// Names of the load cases that the goals speak of, in their order.
@@ -131,14 +141,15 @@ std::vector<NamedPattern> with_mirror_image(const pattern::NodeLayout& layout,
     return kept;
 }
 
-/// The index of each candidate's mirror image; missing images become candidates.
+/// The index of each candidate's mirror image; missing images become candidates. A kept tile's pattern may
+/// have none: no group has this pattern, and its own index stands there.
 std::vector<std::size_t> mirror_images(const pattern::NodeLayout& layout,
                                        std::vector<NamedPattern>& candidates) {
     const pattern::Mirror mirror(layout);
     std::vector<std::size_t> images;
     for (std::size_t p = 0; p < candidates.size(); ++p) {
-        const pattern::Pattern image = mirror.image(candidates[p].pattern).value();
-        images.push_back(place_of(candidates, {pattern::pattern_id(layout, image), image}));
+        const std::optional<pattern::Pattern> image = mirror.image(candidates[p].pattern);
+        images.push_back(image ? place_of(candidates, {pattern::pattern_id(layout, *image), *image}) : p);
     }
     return images;
 }
@@ -174,6 +185,28 @@ std::vector<NamedPattern> within_number(std::vector<NamedPattern> palette,
     return palette;
 }
 
+/// With a mirror symmetry and no number left for a pattern and its image, only patterns that are their own
+/// images are left, and those of kept tiles whose images have kept tiles, too.
+std::vector<NamedPattern> within_number_of_pairs(const pattern::NodeLayout& layout,
+                                                 std::vector<NamedPattern> palette,
+                                                 const std::vector<std::string>& kept,
+                                                 const DesignOptions& options) {
+    if (options.max_patterns == 0 || kept.size() + 2 <= options.max_patterns) return palette;
+    const pattern::Mirror mirror(layout);
+    const auto is_kept = [&](const pattern::Pattern& own) {
+        return std::ranges::find(kept, pattern::pattern_id(layout, own)) != kept.end();
+    };
+    std::erase_if(palette, [&](const NamedPattern& own) {
+        const auto image = mirror.image(own.pattern);
+        return !image || (*image != own.pattern && !(is_kept(own.pattern) && is_kept(*image)));
+    });
+    if (palette.empty())
+        throw base::InputError("a pattern and its mirror image are two of at most " +
+                               base::counted(options.max_patterns, "pattern") +
+                               ", and no pattern of the palette is its own mirror image");
+    return palette;
+}
+
 /// The patterns of a palette whose own bars keep the clearance.
 std::vector<NamedPattern> with_clearance(const Surface& surface, std::vector<NamedPattern> palette,
                                          const DesignOptions& options) {
@@ -201,10 +234,7 @@ void require_no_combination(const simulation::Project& project, const std::vecto
                             const DesignOptions& options) {
     if (!options.free_factor && !options.free_prescribed) return;
     for (const simulation::LoadCase& own : project.load_cases) {
-        const bool is_meant = std::ranges::any_of(names, [&](const std::string& name) {
-            return name.empty() ? project.load_cases.size() == 1 : name == own.name;
-        });
-        if (own.combines.empty() || !is_meant) continue;
+        if (own.combines.empty() || std::ranges::find(names, own.name) == names.end()) continue;
         throw base::InputError(
             "load case '" + own.name + "' combines '" + own.combines.front().load_case + "'" +
             (own.combines.size() > 1 ? " and others" : "") + ": it has no " +
@@ -232,10 +262,11 @@ void require_free(const std::vector<DesignCase>& cases, const Surface& surface,
 std::vector<DesignCase> checked_cases(const simulation::Project& project, const Target& target,
                                       const Surface& surface, const std::vector<std::string>& names,
                                       const DesignOptions& options) {
+    const std::string unnamed = default_case(project, options);
     std::vector<DesignCase> cases;
     for (const std::string& name : names)
         cases.push_back({simulation::find_load_case(project, name),
-                         CaseGoals(target, name, options.load_case, surface.tessellation)});
+                         CaseGoals(target, name, unnamed, surface.tessellation)});
     require_no_combination(project, names, options);
     require_free(cases, surface, options);
     if (std::ranges::all_of(cases, [](const DesignCase& own) { return own.goals.largest() <= 0.0; }))
@@ -267,11 +298,13 @@ Preparation prepare(const simulation::Project& project, const library::Library* 
     const std::vector<std::string> kept = kept_patterns(surface, options);
     std::vector<TileGroup> groups = tile_groups(surface.tessellation, options.keep, options.symmetry);
     if (groups.empty()) throw base::InputError("all tiles are kept: there is nothing to paint");
-    std::vector<std::string> names = case_names(target, project, options.load_case);
+    std::vector<std::string> names = case_names(target, project, default_case(project, options));
     std::vector<DesignCase> cases = checked_cases(project, target, surface, names, options);
     std::vector<NamedPattern> allowed =
         with_clearance(surface, within_number(options.palette, kept, options), options);
-    if (needs_mirror_images(options.symmetry)) allowed = with_mirror_image(surface.layout, allowed);
+    if (needs_mirror_images(options.symmetry))
+        allowed =
+            within_number_of_pairs(surface.layout, with_mirror_image(surface.layout, allowed), kept, options);
     const std::size_t most = most_candidates(CandidateTiles(surface, {}, {options.threads, options.control}));
     SpreadPalette spread = spread_palette(surface, sampled(allowed, first, options.seed), {}, options);
     std::vector<NamedPattern> candidates = std::move(spread.patterns);
@@ -280,10 +313,10 @@ Preparation prepare(const simulation::Project& project, const library::Library* 
     paint_whole(surface, groups, candidates.front());
     std::vector<std::size_t> palette(candidates.size());
     for (std::size_t p = 0; p < palette.size(); ++p) palette[p] = p;
-    std::vector<std::size_t> mirrored;
-    if (needs_mirror_images(options.symmetry)) mirrored = mirror_images(surface.layout, candidates);
     for (const TileIndex tile : options.keep)
         (void)place_of(candidates, *tiling::pattern_of(surface.tessellation, tile));
+    std::vector<std::size_t> mirrored;
+    if (needs_mirror_images(options.symmetry)) mirrored = mirror_images(surface.layout, candidates);
     std::vector<DesignWarning> warnings = warnings_about(cases, surface, options);
     CandidateTiles condensed(surface, std::move(candidates), {options.threads, options.control});
     return {{std::move(surface),

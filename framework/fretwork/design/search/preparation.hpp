@@ -36,9 +36,9 @@ struct ExtendedPalette {
     std::vector<std::size_t> palette;
     Eigen::MatrixXd coordinates;
 };
-/// Condense further candidates of the whole palette: as many as prepare() allows, but at least the 128 most
-/// different and the earlier candidates. The indices of the earlier candidates do not change. Throws
-/// Stopped.
+/// Condense further candidates of the whole palette: as many as prepare() allows, but at least the earlier
+/// candidates and the most different patterns: 128, or one for each of DesignOptions::uniform_paintings if
+/// these are more. The indices of the earlier candidates do not change. Throws Stopped.
 ExtendedPalette extend_palette(Trials& trials, const std::vector<pattern::NamedPattern>& whole,
                                const DesignOptions& options);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
 
 namespace fretwork::design::detail {
 namespace {
@@ -150,15 +151,20 @@ void Search::limit_patterns(const Point& point, const SwapTable& table, const st
                               .most_mass = mass_for_groups(point, table, start),
                               .seed = options_.seed,
                               .control = options_.control.silent()};
-    // The patterns of the start stay, so that the start is allowed. Those of kept tiles count in any case.
+    // The patterns of the start stay, so that the start is allowed. Those of kept tiles count in any case,
+    // and a pattern counts together with its mirror image.
     std::set<std::size_t> chosen(point.patterns.begin(), point.patterns.end());
     std::set<std::size_t> all = kept;
-    all.insert(chosen.begin(), chosen.end());
+    for (const std::size_t own : chosen) all.insert({own, trials_.image_of(own)});
     for (const std::size_t own : kept) {
-        if (std::ranges::find(all_, own) != all_.end()) chosen.insert(own);
+        if (all.contains(trials_.image_of(own)) && std::ranges::find(all_, own) != all_.end())
+            chosen.insert(own);
     }
-    if (options_.max_patterns > all.size()) {
-        const auto allowed = fewer_columns(table, start, sweeps, options_.max_patterns - all.size());
+    const bool has_pairs =
+        std::ranges::any_of(columns, [this](std::size_t own) { return trials_.image_of(own) != own; });
+    const std::size_t left = options_.max_patterns - std::min(options_.max_patterns, all.size());
+    if (const std::size_t most = left / (has_pairs ? 2 : 1); most > 0) {
+        const auto allowed = fewer_columns(table, start, sweeps, most);
         for (std::size_t c = 0; c < columns.size(); ++c) {
             if (allowed[c]) chosen.insert(columns[c]);
         }
@@ -241,8 +247,13 @@ Solved Search::descend(Solved start, double reserve, const Demand& demand) {
             return current;
         }
         if (!trials_.is_at(current.point)) {
-            current.trial = solve(current.point);
-            if (!current.trial.is_found) break;
+            Trial again = solve(current.point);
+            // The path from another point may miss its equilibrium: it stays as it was found.
+            if (!again.is_found) {
+                end_ = DesignEnd::NoSwapImproves;
+                return current;
+            }
+            current.trial = std::move(again);
         }
         const double before = time_.seconds();
         const Step taken = step(current, radius, round, demand);
@@ -299,7 +310,11 @@ Solved Search::improve_from_others(Solved best, const std::vector<Solved>& start
         const double gain = is_small() ? kLeastGain : kWorthwhileGain;
         Solved found = descend(start, reserve, {gain, is_small() ? 0.0 : best.trial.objective});
         report_.starts.push_back(std::sqrt(found.trial.objective));
-        if (!found.trial.is_found || found.trial.objective >= best.trial.objective) return false;
+        // A painting above max_mass does not replace one that keeps it, however near to the target it is.
+        const bool is_light = keeps_mass(found.point);
+        const bool was_light = keeps_mass(best.point);
+        if (!found.trial.is_found || (was_light && !is_light)) return false;
+        if (is_light == was_light && found.trial.objective >= best.trial.objective) return false;
         best = std::move(found);
         return true;
     };

@@ -110,9 +110,10 @@ class Search {
     /// above DesignOptions::max_mass.
     void begin_at(const Solved& start);
 
-  private:
     /// True if a painting keeps DesignOptions::max_mass, or if there is no such limit.
     [[nodiscard]] bool keeps_mass(const Point& point) const;
+
+  private:
     void try_one_uniform(std::size_t pattern, std::vector<Solved>& found);
     [[nodiscard]] std::size_t predicted_best(const std::vector<Solved>& found,
                                              const std::vector<std::size_t>& palette,
@@ -140,6 +141,7 @@ class Search {
     /// begin again at each better painting. The table ranks all paintings if can_rank_all(). Otherwise, it
     /// ranks those that differ from the best in one or two groups.
     Solved search_nearby(Solved best, double reserve, int last_solution);
+    /// The paintings that search_nearby() solves next; none if the best painting is not found again.
     std::vector<Point> promising(Solved& best);
     [[nodiscard]] double mass_for_groups(const Point& point, const SwapTable& table,
                                          const std::vector<std::size_t>& start) const;

@@ -3,6 +3,7 @@
 #include <fretwork/design/search/search.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace fretwork::design::detail {
 namespace {
@@ -29,7 +30,11 @@ bool Search::can_rank_all() const {
 }
 
 std::vector<Point> Search::promising(Solved& best) {
-    if (!trials_.is_at(best.point)) best.trial = solve(best.point);
+    if (!trials_.is_at(best.point)) {
+        Trial again = solve(best.point);
+        if (!again.is_found) return {};
+        best.trial = std::move(again);
+    }
     std::vector<std::size_t> columns = all_;
     std::ranges::sort(columns);
     const base::Control silent = options_.control.silent();

@@ -76,6 +76,10 @@ class Trials {
     [[nodiscard]] const TrialParts& parts() const { return parts_; }
     [[nodiscard]] Eigen::VectorXd initial_unknowns() const;
     [[nodiscard]] Point uniform(std::size_t pattern) const;
+    /// The index of a candidate's mirror image; the candidate's own if no mirror images are needed.
+    [[nodiscard]] std::size_t image_of(std::size_t pattern) const {
+        return parts_.mirrored.empty() ? pattern : parts_.mirrored[pattern];
+    }
     /// The unknowns, with width and thickness moved into their bounds (kLargestSectionChange).
     [[nodiscard]] Eigen::VectorXd bounded(Eigen::VectorXd unknowns) const;
     /// Set the displacements that are added to the wanted positions, for each load case; see

@@ -61,7 +61,8 @@ struct Goal {
     double weight = 1.0;  ///< weight of each node's squared distance, from kLeastWeight to kMostWeight
     /// Name of the goal's load case; "": the load case of the design.
     std::string load_case{};
-    /// Throws InputError if the weight is out of range, or if a rotation vector is longer than pi.
+    /// Throws InputError if the weight is out of range, if a rotation vector is longer than pi, or if a
+    /// NodesGoal has a number that is not finite, or not one value for each node.
     void validate() const;
     friend bool operator==(const Goal&, const Goal&) = default;
 };

@@ -134,6 +134,24 @@ Target read_target_json(const JsonReader& json) {
     return target;
 }
 
+/// Checks that a goal has one value for each node, and only finite ones.
+void require_values(const NodesGoal& goal) {
+    const char* const place =
+        goal.quantity == NodesGoal::Quantity::Positions ? "/positions" : "/displacements";
+    if (goal.values.size() != goal.nodes.size())
+        throw base::InputError("", place,
+                               "has " + base::counted(goal.values.size(), "value") + " for " +
+                                   base::counted(goal.nodes.size(), "node") +
+                                   ", where one for each node is needed");
+    const auto is_finite = [](const std::optional<double>& own) { return !own || std::isfinite(*own); };
+    for (std::size_t i = 0; i < goal.nodes.size(); ++i) {
+        if (std::ranges::all_of(goal.values[i], is_finite)) continue;
+        throw base::InputError("", place,
+                               "has a number for node " + std::to_string(goal.nodes[i]) +
+                                   " that is not finite, where metres, or none (free), are needed");
+    }
+}
+
 Json free_vector_json(const FreeVector& vector) {
     Json json = Json::array();
     for (const auto& component : vector) json.push_back(base::or_null(component));
@@ -181,6 +199,7 @@ void Goal::validate() const {
         throw base::InputError(
             "", "/weight",
             "is " + base::format_number(weight) + ", where a number from 1e-6 to 1e6 is needed");
+    if (const auto* own = std::get_if<NodesGoal>(&what)) require_values(*own);
     const auto* turn = std::get_if<RotationGoal>(&what);
     if (turn == nullptr) return;
     double square = 0.0;
