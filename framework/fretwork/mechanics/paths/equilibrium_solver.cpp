@@ -99,7 +99,8 @@ class EquilibriumSolver::Impl {
         auto& [own, system, newton, mixed] = *equations_;
         if (std::exchange(is_given_up_, false)) has_factors_ = false;
         return EquilibriumTangent(std::make_unique<EquilibriumTangent::Impl>(
-            EquilibriumTangent::Impl::Parts{system, newton, mixed, point_.configuration, has_factors_},
+            EquilibriumTangent::Impl::Parts{system, newton, mixed, options_, point_.configuration,
+                                            has_factors_},
             control));
     }
 
