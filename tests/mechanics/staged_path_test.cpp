@@ -275,6 +275,18 @@ TEST(StagedPath, ARotationThatIsFreedComesBack) {
     EXPECT_LT((freed.displacements - whole.displacements).norm(), 1e-8 * whole.displacements.norm());
 }
 
+/// The moment that has held the rotation is gone at the end.
+TEST(StagedPath, StabilityIsThatOfTheTangentWhereNoMomentActs) {
+    Frame star = sample::star();
+    star.loads[0].moment.setZero();
+    const Assembly assembly = assemble(star);
+    StagedPath path(assembly);
+    ASSERT_TRUE(path.advance({star.supports, {{NodeIndex(0), Dof::rx, 0.3}}, assembly.loads}).converged());
+    const Solution freed = path.advance({star.supports, {}, assembly.loads});
+    ASSERT_TRUE(freed.converged());
+    EXPECT_EQ(freed.stability, StabilityTest::Tangent);
+}
+
 TEST(StagedPath, SnapsAreCrossedOnRequestAndTold) {
     Frame shallow = bistable_arch();
     shallow.nodes[1].z() = 0.006;
