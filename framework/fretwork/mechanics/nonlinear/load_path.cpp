@@ -253,6 +253,9 @@ class LoadPath::Impl {
                 fallen = std::move(*step);
                 continue;
             }
+            // Stability may be lost before the load reaches its limit.
+            if (changes_stability(*step) && may_end_stability(*step))
+                return take(arc, std::move(*step), target);
             span -= step->length;
             rise = step->state.load_rate;
             arc.plan_next(*step);
