@@ -106,6 +106,41 @@ TEST(Branch, PrimaryPathContinuesPastReportedCriticalLoad) {
     EXPECT_NEAR(path[1].reactions(0, 0), 1.5 * kPi * kPi / 4.0 * 1e3, 1e-6);
 }
 
+/// Von Mises' truss with an apex that two more bars hold sideways, under 42 N. It leaves its plane at 37.649
+/// N; in its plane, the limit load is 38.114 N.
+Frame truss_that_leaves_its_plane() {
+    const DofSet rotations{{false, false, false, true, true, true}};
+    Frame frame;
+    frame.nodes = {{-1, 0, 0}, {0, 0, 0.1}, {1, 0, 0}, {0, 2, 0.1}, {0, -2, 0.1}};
+    for (const int foot : {0, 2, 3, 4}) {
+        Beam bar = sample::beam_between(foot, 1);
+        bar.section = {.area = foot < 3 ? 1e-4 : 6e-7, .I2 = 1e-6, .I3 = 1e-6, .J = 1e-6};
+        bar.releases = {{0, rotations}, {1, rotations}};
+        frame.beams.push_back(bar);
+        sample::clamp(frame, foot);
+    }
+    frame.supports.push_back({NodeIndex(1), {{true, false, false, true, true, true}}});
+    frame.loads.push_back({NodeIndex(1), {0.0, 0.0, -42.0}});
+    return frame;
+}
+
+// A long step passes both the loss of stability and the limit.
+TEST(Branch, LossOfStabilityJustBeforeALimitIsFoundInStepsOfAnyLength) {
+    const Assembly truss = assemble(truss_that_leaves_its_plane());
+    for (const int steps : {1, 2, 10}) {
+        for (const Branch branch : {Branch::Primary, Branch::Stable, Branch::Snapping}) {
+            const Solution end = end_of_path(follow_load_path(
+                truss, even_load_factors(steps), {.branch = branch, .locate_critical_loads = true}));
+            ASSERT_FALSE(end.stability_losses.empty()) << steps;
+            const StabilityLoss& first = end.stability_losses.front();
+            EXPECT_NEAR(first.load_factor, 37.649 / 42.0, 1e-4) << steps;
+            EXPECT_EQ(first.node, NodeIndex(1)) << steps;
+            EXPECT_EQ(first.dof, Dof::uy) << steps;
+            EXPECT_EQ(first.pushed, branch != Branch::Primary) << steps;
+        }
+    }
+}
+
 TEST(Branch, StablePathIsNotPushed) {
     const Assembly assembly = assemble(sample::star());
     const double factors[] = {0.5, 1.0};

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 namespace fretwork::mechanics {
 namespace THIS_TEST {
 
@@ -151,6 +153,25 @@ TEST(EquilibriumSolver, FollowsPrescribedDisplacementsAndRotations) {
         const Solution found = solver.solve(assembly);
         EXPECT_EQ(solver.starting_point(), StartingPoint::LastEquilibrium) << more;
         expect_equal(found, from_rest(assembly), std::to_string(more));
+    }
+}
+
+/// A shaft of one element: its path from rest ends where it is twisted by half a turn, and so does this one.
+TEST(EquilibriumSolver, DoesNotTakeALargeTurnOfAHeldNodeForOneInTheOppositeSense) {
+    constexpr double kTorquePerRadian = 0.5 * 1e9 * 2.5e-6;
+    Frame frame = sample::cantilever();
+    frame.supports.push_back({NodeIndex(1), {{false, true, true, false, true, true}}});
+    frame.prescribed.push_back({NodeIndex(1), Dof::rx, 0.5});
+    for (const double angle : {2.0, 3.5, 0.5 + 2.0 * std::numbers::pi}) {
+        Assembly assembly = assemble(frame);
+        EquilibriumSolver solver;
+        ASSERT_TRUE(solver.solve(assembly).converged());
+        assembly.prescribed[0].value = angle;
+        const Solution found = solver.solve(assembly);
+        EXPECT_EQ(found.converged(), angle < std::numbers::pi) << angle;
+        EXPECT_NEAR(found.reactions(1, 3), kTorquePerRadian * angle * found.load_factor,
+                    1e-6 * kTorquePerRadian)
+            << angle;
     }
 }
 

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <stop_token>
 
 namespace fretwork::mechanics {
 namespace THIS_TEST {
@@ -186,6 +187,20 @@ TEST(EquilibriumTangent, LeavesTheSolverAsItWas) {
     const Solution b = silent.solve(assembly);
     EXPECT_EQ(asked.starting_point(), StartingPoint::LastEquilibrium);
     EXPECT_LT((a.displacements - b.displacements).norm(), 1e-7 * b.displacements.norm());
+}
+
+/// The control of the call that has made the tangent may be gone, or asked to stop, by then.
+TEST(EquilibriumTangent, ListensToTheControlOfEachCallOnly) {
+    const Assembly assembly = bent(8);  // with moments, for which solutions are iterated
+    const MatrixXd force = MatrixXd::Ones(std::ssize(assembly.nodes) * kDofsPerNode, 1);
+    const std::vector<std::size_t> elements = {0, 1};
+    EquilibriumSolver solver(tight());
+    ASSERT_TRUE(solver.solve(assembly).converged());
+    std::stop_source done;
+    const EquilibriumTangent tangent = solver.tangent({.stop = done.get_token()});
+    done.request_stop();
+    EXPECT_NO_THROW((void)tangent.motions(force));
+    EXPECT_NO_THROW((void)tangent.flexibilities(elements));
 }
 
 TEST(EquilibriumTangent, IsRefusedWithoutAnEquilibrium) {

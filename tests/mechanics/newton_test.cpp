@@ -2,6 +2,7 @@
 #include "sample.hpp"
 #include "verification/benchmark_frames.hpp"
 
+#include <fretwork/mechanics/nonlinear/lowest_mode.hpp>
 #include <fretwork/mechanics/nonlinear/newton.hpp>
 
 #include <gtest/gtest.h>
@@ -77,6 +78,15 @@ TEST(Newton, WithoutAWayTheFactorsAreMadeAtTheEquilibrium) {
         start.newton.solve_and_factorize(0.0, Eigen::VectorXd::Zero(start.rate.size()), rest);
     ASSERT_TRUE(outcome);
     EXPECT_TRUE(outcome->positive_definite());
+}
+
+TEST(LowestMode, NamesNoNodeWhereNothingMoves) {
+    const Assembly assembly = assemble(sample::star());
+    const NonlinearSystem system(assembly);
+    LowestMode none{0.0, Eigen::VectorXd::Zero(system.unknowns().equations())};
+    const StabilityLoss loss = describe_loss(system, none, 0.5);
+    EXPECT_FALSE(loss.node.is_valid());
+    EXPECT_EQ(loss.load_factor, 0.5);
 }
 
 }  // namespace THIS_TEST

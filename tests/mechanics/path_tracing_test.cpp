@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
 namespace fretwork::mechanics {
 namespace THIS_TEST {
@@ -56,6 +57,22 @@ TEST(PathTracing, AgreesWithLoadPathBelowLimitLoad) {
     for (std::size_t k = 0; k < path.size(); ++k)
         EXPECT_LT((path[k].displacements - traced[k].displacements).norm(),
                   1e-7 * path[k].displacements.norm());
+}
+
+/// Beyond half a turn, an element would take its twist for one in the opposite sense.
+TEST(PathTracing, EndsWhereAnElementIsTwistedByHalfATurn) {
+    constexpr double kAngle = 7.0;
+    constexpr double kTorquePerRadian = 0.5 * 1e9 * 2.5e-6;
+    Frame frame = sample::cantilever({.divisions = 2});
+    frame.supports.push_back({NodeIndex(1), {{false, true, true, false, true, true}}});
+    frame.prescribed.push_back({NodeIndex(1), Dof::rx, kAngle});
+    const auto path = trace_path(assemble(frame));
+    EXPECT_FALSE(path.back().converged());
+    EXPECT_GT(path.back().load_factor, 0.7);
+    EXPECT_LT(path.back().load_factor, 2.0 * std::numbers::pi / kAngle);
+    for (const Solution& solution : path)
+        EXPECT_NEAR(solution.reactions(1, 3), kTorquePerRadian * kAngle * solution.load_factor,
+                    1e-6 * kTorquePerRadian);
 }
 
 TEST(PathTracing, BadOptionsAreRefused) {

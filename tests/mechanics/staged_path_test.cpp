@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sample.hpp"
 
+#include <fretwork/base/control.hpp>
 #include <fretwork/mechanics/paths/staged_path.hpp>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <tuple>
 
@@ -75,6 +77,26 @@ TEST_P(HeldArch, GoesDownhillWhereItIsLetGo) {
 }
 
 INSTANTIATE_TEST_SUITE_P(StagedPath, HeldArch, testing::Values(0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 1.2, 1.5, 1.8));
+
+TEST(StagedPath, AStageThatWasStoppedCanBeMadeAgain) {
+    const Assembly assembly = assemble(bistable_arch());
+    bool stops = false;
+    const std::function<bool()> question = [&] { return stops; };
+    StagedPath stopped(assembly, {.control = {.question = &question}});
+    StagedPath other(assembly);
+    const StageTarget push{pins(), {{NodeIndex(1), Dof::uz, -0.9 * kRise}}, no_loads(assembly)};
+    const StageTarget release{pins(), {}, no_loads(assembly)};
+    ASSERT_TRUE(stopped.advance(push).converged());
+    ASSERT_TRUE(other.advance(push).converged());
+    stops = true;
+    EXPECT_THROW((void)stopped.advance(release), base::Stopped);
+    stops = false;
+    const Solution again = stopped.advance(release);
+    const Solution expected = other.advance(release);
+    ASSERT_TRUE(again.converged());
+    EXPECT_EQ((again.displacements - expected.displacements).norm(), 0.0) << "as without the stop";
+    EXPECT_EQ(again.stability_losses.size(), expected.stability_losses.size());
+}
 
 TEST(StagedPath, WhatIsKeptBearsTheLoadThatPressedIt) {
     const Assembly assembly = assemble(bistable_arch());
@@ -251,6 +273,18 @@ TEST(StagedPath, ARotationThatIsFreedComesBack) {
     ASSERT_TRUE(freed.converged());
     const Solution whole = follow_load_path(assembly, std::vector{1.0}).back();
     EXPECT_LT((freed.displacements - whole.displacements).norm(), 1e-8 * whole.displacements.norm());
+}
+
+/// The moment that has held the rotation is gone at the end.
+TEST(StagedPath, StabilityIsThatOfTheTangentWhereNoMomentActs) {
+    Frame star = sample::star();
+    star.loads[0].moment.setZero();
+    const Assembly assembly = assemble(star);
+    StagedPath path(assembly);
+    ASSERT_TRUE(path.advance({star.supports, {{NodeIndex(0), Dof::rx, 0.3}}, assembly.loads}).converged());
+    const Solution freed = path.advance({star.supports, {}, assembly.loads});
+    ASSERT_TRUE(freed.converged());
+    EXPECT_EQ(freed.stability, StabilityTest::Tangent);
 }
 
 TEST(StagedPath, SnapsAreCrossedOnRequestAndTold) {

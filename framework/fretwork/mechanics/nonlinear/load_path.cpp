@@ -253,6 +253,9 @@ class LoadPath::Impl {
                 fallen = std::move(*step);
                 continue;
             }
+            // Stability may be lost before the load reaches its limit.
+            if (changes_stability(*step) && may_end_stability(*step))
+                return take(arc, std::move(*step), target);
             span -= step->length;
             rise = step->state.load_rate;
             arc.plan_next(*step);
@@ -269,9 +272,7 @@ class LoadPath::Impl {
             return snapped;
         }
         LowestMode mode = lowest_mode_here();
-        StabilityLoss loss = describe_loss(system_, mode);
-        loss.load_factor = point_.load_factor;
-        losses_.push_back(loss);
+        losses_.push_back(describe_loss(system_, mode, point_.load_factor));
         return Termination::LimitLoad;
     }
 
@@ -285,10 +286,10 @@ class LoadPath::Impl {
         if (found != Termination::Converged) return Termination::LimitLoad;
         unknowns_.unwind(point_.configuration, snapped);
         LowestMode jump{0.0, unknowns_.step_between(point_.configuration, snapped)};
-        StabilityLoss loss = describe_loss(system_, jump);
-        loss.load_factor = point_.load_factor;
-        loss.pushed = true;
-        losses_.push_back(loss);
+        if (unknowns_.largest_component(jump.shape) > kLinearMove) {  // else the equilibrium was neutral
+            losses_.push_back(describe_loss(system_, jump, point_.load_factor));
+            losses_.back().pushed = true;
+        }
         continue_from(std::move(snapped), factor);
         system_.evaluate(point_.configuration, factor);
         restart_prediction();
@@ -333,8 +334,7 @@ class LoadPath::Impl {
     Termination leave(double factor, const Eigen::VectorXd& move, Configuration& unstable) {
         system_.evaluate(unstable, factor);
         LowestMode mode = lowest_mode(system_, newton_);
-        StabilityLoss loss = describe_loss(system_, mode);
-        loss.load_factor = factor;
+        StabilityLoss loss = describe_loss(system_, mode, factor);
         if (move.size() > 0)
             loss.load_factor =
                 critical_load_factor(system_, newton_, point_, {factor, mode.eigenvalue}, move);

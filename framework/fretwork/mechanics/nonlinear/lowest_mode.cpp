@@ -86,11 +86,13 @@ LowestMode lowest_mode(const NonlinearSystem& system, Newton& newton) {
     return {eigenvalue, x / (x[largest] * std::sqrt(system.unknowns().weights()[largest]))};
 }
 
-StabilityLoss describe_loss(const NonlinearSystem& system, LowestMode& mode) {
+StabilityLoss describe_loss(const NonlinearSystem& system, LowestMode& mode, double load_factor) {
     const Assembly& assembly = system.unknowns().assembly();
     StabilityLoss loss = largest_component_of(system, mode, 0, assembly.reported_nodes);
     if (!loss.node.is_valid())
         loss = largest_component_of(system, mode, assembly.reported_nodes, std::ssize(assembly.nodes));
+    loss.load_factor = load_factor;
+    if (!loss.node.is_valid()) return loss;
     if (mode.shape[system.unknowns().layout().equation(loss.node.value, static_cast<int>(loss.dof))] < 0.0)
         mode.shape = -mode.shape;
     if (loss.node.value >= assembly.reported_nodes)

@@ -22,9 +22,10 @@ double rounding_shift(const NonlinearSystem& system);
 /// it is positive definite. After the call, `newton` has the factors of the shifted tangent.
 LowestMode lowest_mode(const NonlinearSystem& system, Newton& newton);
 
-/// Describe a loss of stability by the largest component of its mode, if possible at a reported node. The
-/// sign of the mode is changed so that this component is positive. StabilityLoss::load_factor is left unset.
-StabilityLoss describe_loss(const NonlinearSystem& system, LowestMode& mode);
+/// Describe a loss of stability at a load factor by the largest component of its mode, if possible at a
+/// reported node. The sign of the mode is changed so that this component is positive. The node is invalid if
+/// the mode moves nothing.
+StabilityLoss describe_loss(const NonlinearSystem& system, LowestMode& mode, double load_factor);
 
 /// Descend in energy from a configuration to an equilibrium under this load factor. The equilibrium is stable
 /// or neutral; a round column, which may buckle in any direction, has neutral equilibria. The steps are

@@ -358,6 +358,12 @@ Eigen::VectorXd NonlinearSystem::skew_product(const Eigen::VectorXd& x) const {
     return y;
 }
 
+bool NonlinearSystem::is_conservative() const {
+    // Moments that act elsewhere on the path may be zero here.
+    const auto is_zero = [](const SkewBlock& block) { return block.matrix.isZero(0.0); };
+    return !unknowns_.assembly().has_moments || std::ranges::all_of(skew_, is_zero);
+}
+
 NodeValues NonlinearSystem::reactions() const {
     NodeValues result = NodeValues::Zero(forces_.rows(), kDofsPerNode);
     for (Eigen::Index node = 0; node < forces_.rows(); ++node) {

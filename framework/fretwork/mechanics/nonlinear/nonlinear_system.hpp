@@ -75,7 +75,7 @@ class NonlinearSystem {
     /// False if applied moments make the tangent unsymmetric: their direction stays fixed in space, so they
     /// have no potential. Moments of gravity do not count, because they come from forces, which have a
     /// potential.
-    [[nodiscard]] bool is_conservative() const { return skew_.empty() || !unknowns_.assembly().has_moments; }
+    [[nodiscard]] bool is_conservative() const;
     /// The kind of stability test by the tangent's pivots.
     [[nodiscard]] StabilityTest stability_test() const {
         return is_conservative() ? StabilityTest::Tangent : StabilityTest::SymmetricPart;

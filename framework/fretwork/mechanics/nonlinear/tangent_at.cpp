@@ -50,6 +50,7 @@ Index EquilibriumTangent::Impl::nodes() const {
 
 MatrixXd EquilibriumTangent::Impl::solve(const MatrixXd& right_sides, nonlinear::Newton::Side side,
                                          const base::Control& control) {
+    parts_.options.control = control;
     if (is_exact_ && !parts_.system.has_skew_part()) return parts_.newton.solve_plainly(right_sides, control);
     if (!is_exact_) {
         if (auto refined = parts_.newton.solve_refined(right_sides, side, control))
@@ -230,6 +231,7 @@ MatrixXd EquilibriumTangent::Impl::by_held_values(const MatrixXd& gradients, con
 
 std::vector<MatrixXd> EquilibriumTangent::Impl::flexibilities(std::span<const std::size_t> elements,
                                                               const base::Control& control) {
+    parts_.options.control = control;
     if (!is_exact_) factorize(control);
     const auto& layout = unknowns().layout();
     std::vector<std::vector<int>> cliques;

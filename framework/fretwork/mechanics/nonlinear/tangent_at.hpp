@@ -13,6 +13,7 @@ class EquilibriumTangent::Impl {
         nonlinear::NonlinearSystem& system;
         nonlinear::Newton& newton;
         nonlinear::MixedNewton& mixed;
+        EquilibriumOptions& options;  ///< options of `newton` and `mixed`; each call sets their control
         const nonlinear::Configuration& configuration;
         /// True if the factors belong to a tangent near that at the configuration, and so can refine
         /// solutions.

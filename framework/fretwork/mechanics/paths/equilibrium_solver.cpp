@@ -99,7 +99,8 @@ class EquilibriumSolver::Impl {
         auto& [own, system, newton, mixed] = *equations_;
         if (std::exchange(is_given_up_, false)) has_factors_ = false;
         return EquilibriumTangent(std::make_unique<EquilibriumTangent::Impl>(
-            EquilibriumTangent::Impl::Parts{system, newton, mixed, point_.configuration, has_factors_},
+            EquilibriumTangent::Impl::Parts{system, newton, mixed, options_, point_.configuration,
+                                            has_factors_},
             control));
     }
 
@@ -208,6 +209,7 @@ class EquilibriumSolver::Impl {
         const auto first = mixed.depart(next.configuration);
         if (first.step.size() == 0) return settled_again();
         if (!(system.unknowns().largest_rotation(first.step) <= kLongestStep)) return {};
+        if (!(turn_of_held(next.configuration) <= kLongestStep)) return {};
         if (first_iterate) first_iterate(iterate_at(next.configuration));
         const Termination found =
             mixed.solve(1.0, nonlinear::MixedNewton::Goal::Equilibrium, first.step, next.configuration);
@@ -236,14 +238,26 @@ class EquilibriumSolver::Impl {
         return settled();
     }
 
+    /// The largest turn of a node with held rotation components from the last equilibrium, rad. Elements
+    /// know rotations only up to whole turns, so a larger turn could pass for one in the opposite sense.
+    [[nodiscard]] double turn_of_held(const Configuration& next) const {
+        const auto& last = point_.configuration.rotation_vectors;
+        double largest = 0.0;
+        for (std::size_t node = 0; node < last.size(); ++node) {
+            if (equations_->system.unknowns().has_held_rotation(static_cast<int>(node)))
+                largest = std::max(largest, (next.rotation_vectors[node] - last[node]).norm());
+        }
+        return largest;
+    }
+
     /// True if the last equilibrium and the next one seem to lie on one path.
     bool is_near(const nonlinear::MixedNewton::FirstStep& first, PathPoint& next) {
         auto& [own, system, newton, mixed] = *equations_;
         const auto& unknowns = system.unknowns();
         unknowns.unwind(point_.configuration, next.configuration);
         const Eigen::VectorXd move = unknowns.step_between(point_.configuration, next.configuration);
-        next.turn_bound = nonlinear::bound_relative_turn(system, point_, unknowns.largest_rotation(move),
-                                                         next.configuration);
+        const double turned = std::max(unknowns.largest_rotation(move), turn_of_held(next.configuration));
+        next.turn_bound = nonlinear::bound_relative_turn(system, point_, turned, next.configuration);
         if (next.turn_bound > std::numbers::pi) return false;
         const Eigen::VectorXd last_step = newton.solve_tangent(first.unbalanced);
         return !nonlinear::is_jump(unknowns, move.cwiseAbs(),

@@ -26,7 +26,8 @@ enum class StabilityCheck {
 
 /// A receiver of the first iterate on the way to an equilibrium: the prediction by the tangent at the last
 /// equilibrium. After small edits, it is close to the new equilibrium, but is not one: Solution::converged()
-/// is false, and there are no reactions. The function is not called if the solution starts from rest.
+/// is false, and there are no reactions. The function is not called on the way from rest. If the way from the
+/// last equilibrium was given up after the call, starting_point() is Rest.
 using FirstIterate = std::function<void(const Solution&)>;
 
 /// Solves for the nonlinear equilibrium of a structure under its full load after each of many edits: the

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 namespace fretwork::mechanics {
 namespace {
@@ -24,12 +26,12 @@ class Tracer {
         : options_(options),
           system_(assembly, options.equilibrium.threads, options.equilibrium.control),
           newton_(system_, options_.equilibrium),
-          configuration_(unknowns_.rest()) {
-        system_.evaluate(configuration_, 0.0);
+          point_{unknowns_.rest(), 0.0, {}, {}, 0.0} {
+        system_.evaluate(point_.configuration, 0.0);
         newton_.factorize_at_rest();
-        rate_ = newton_.solve_tangent(system_.load_rate());
-        direction_ = rate_;
-        arc_ = std::min(options_.first_load_step * unknowns_.size_of(rate_), options_.largest_arc);
+        point_.rate = newton_.solve_tangent(system_.load_rate());
+        direction_ = point_.rate;
+        arc_ = std::min(options_.first_load_step * unknowns_.size_of(point_.rate), options_.largest_arc);
     }
 
     std::vector<Solution> run() {
@@ -37,7 +39,7 @@ class Tracer {
         std::vector<Solution> path;
         const double shortest = arc_ / std::pow(2.0, options_.largest_cut_back);
         while (static_cast<int>(path.size()) < options_.steps &&
-               std::abs(factor_) < options_.largest_load_factor) {
+               std::abs(point_.load_factor) < options_.largest_load_factor) {
             bool found = try_step();
             while (!found && arc_ > shortest) {
                 arc_ *= 0.5;
@@ -54,31 +56,37 @@ class Tracer {
 
   private:
     bool try_step() {
-        const double forward = unknowns_.product(direction_, rate_) >= 0.0 ? 1.0 : -1.0;
-        const double load_step = forward * arc_ / unknowns_.size_of(rate_);
-        const Eigen::VectorXd tangent = load_step * rate_;
-        Configuration trial = configuration_;
-        double factor = factor_ + load_step;
+        const double forward = unknowns_.product(direction_, point_.rate) >= 0.0 ? 1.0 : -1.0;
+        const double load_step = forward * arc_ / unknowns_.size_of(point_.rate);
+        const Eigen::VectorXd tangent = load_step * point_.rate;
+        Configuration trial = point_.configuration;
+        double factor = point_.load_factor + load_step;
         unknowns_.prescribe(factor, trial);
         unknowns_.move(tangent, trial);
         const int iterations = nonlinear::correct_across(system_, newton_, tangent, factor, trial);
         if (iterations < 0) return false;
-        Eigen::VectorXd move = unknowns_.step_between(configuration_, trial);
+        Eigen::VectorXd move = unknowns_.step_between(point_.configuration, trial);
         if (unknowns_.product(tangent, move) <= 0.25 * arc_ * arc_) return false;
+        const double turned =
+            std::max(unknowns_.largest_rotation(move),
+                     std::abs(factor - point_.load_factor) * unknowns_.largest_prescribed_rotation());
+        const double turn_bound = nonlinear::bound_relative_turn(system_, point_, turned, trial);
+        if (turn_bound > std::numbers::pi) return false;
         direction_ = std::move(move);
-        configuration_ = std::move(trial);
-        factor_ = factor;
-        outcome_ = newton_.factorize();
-        if (outcome_.zero_pivot < 0) rate_ = newton_.solve_tangent(system_.load_rate());
+        point_.configuration = std::move(trial);
+        point_.load_factor = factor;
+        point_.turn_bound = turn_bound;
+        point_.outcome = newton_.factorize();
+        if (point_.outcome.zero_pivot < 0) point_.rate = newton_.solve_tangent(system_.load_rate());
         arc_ *= std::clamp(std::sqrt(kGoodIterations / std::max(iterations, 1)), 0.5, 1.5);
         arc_ = std::min(arc_, options_.largest_arc);
         return true;
     }
 
     [[nodiscard]] Solution describe() {
-        system_.evaluate(configuration_, factor_);
-        Solution solution = system_.describe(configuration_, factor_);
-        solution.stable = outcome_.positive_definite();
+        system_.evaluate(point_.configuration, point_.load_factor);
+        Solution solution = system_.describe(point_.configuration, point_.load_factor);
+        solution.stable = point_.outcome.positive_definite();
         solution.stability = system_.stability_test();
         solution.iterations = newton_.take_iterations();
         return solution;
@@ -88,12 +96,9 @@ class Tracer {
     nonlinear::NonlinearSystem system_;
     const nonlinear::Unknowns& unknowns_ = system_.unknowns();
     nonlinear::Newton newton_;
-    Configuration configuration_;
-    double factor_ = 0.0;
+    nonlinear::PathPoint point_;  ///< last equilibrium
     double arc_ = 0.0;
-    Eigen::VectorXd rate_;       ///< derivative of the unknowns with respect to the load factor
     Eigen::VectorXd direction_;  ///< the last move
-    sparse::Ldlt::Outcome outcome_;
 };
 
 }  // namespace

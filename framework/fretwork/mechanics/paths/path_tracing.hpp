@@ -25,8 +25,9 @@ struct PathTracingOptions {
 
 /// Follow the equilibrium path from rest by its arc length, also through limit points, where the load turns
 /// back. Returns one solution for each point; their load factors rise and fall. If the path could not be
-/// followed to its end, the last solution has not converged and holds the last equilibrium. Throws as
-/// follow_load_path.
+/// followed to its end, the last solution has not converged and holds the last equilibrium. A path also ends
+/// where the relative rotation of the ends of an element reaches pi, as in follow_load_path(). Throws as that
+/// function.
 std::vector<Solution> trace_path(const Assembly& assembly, const PathTracingOptions& options = {});
 
 }  // namespace fretwork::mechanics

@@ -51,11 +51,12 @@ class StagedPath::Impl {
         std::optional<PathStart> start;
         if (last_) start = {last_->configuration, last_->loads, reactions_of_released(held)};
         take_up(held, target.loads, start);
-        held_ = std::move(held);
         const base::Task task(options_.control, "load stage (thousandths)", nonlinear::kThousandths);
         LoadPath path(assembly_, options_, start);
         Solution solution = path.advance_to(1.0, {task, 1.0});
+        // After an error, both still belong to the load stage before.
         last_ = path.end();
+        held_ = std::move(held);
         return solution;
     }
 
