@@ -96,6 +96,17 @@ TEST_F(SurfaceDrawing, ALoadAlongTheLineOfSightIsARing) {
     EXPECT_EQ(lines_of_layer(svg.layer("loads")), 2U) << "the other with a cross";
 }
 
+TEST_F(SurfaceDrawing, ARingTellsTowardsFromAwayInEveryView) {
+    conditions_.loads.resize(2);
+    conditions_.loads[0].force = {0.0, -1.0, 0.0};  // towards a viewer in front
+    conditions_.loads[1].force = {0.0, 1.0, 0.0};
+    const ViewOptions from_the_front{.azimuth = 0.0, .elevation = 0.1};
+    const Svg svg(detail::setup_panel(surface_, conditions_, from_the_front).document("Setup"));
+    EXPECT_EQ(children(svg.layer("loads"), "circle"), 3U) << "two rings, one with a dot";
+    EXPECT_EQ(lines_of_layer(svg.layer("loads")), 2U) << "the other with a cross";
+    EXPECT_THAT(svg.words(), HasSubstr("towards you"));
+}
+
 TEST_F(SurfaceDrawing, AMomentHasTwoHeads) {
     conditions_.loads.resize(1);
     conditions_.loads[0].force.setZero();

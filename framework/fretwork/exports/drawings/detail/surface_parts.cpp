@@ -44,7 +44,8 @@ LoadMark load_mark(LoadMark::Kind kind, const Point2& place, const Eigen::Vector
                   arrow.norm()};
     const double seen = geometry::distance(mark.from, mark.to);
     if (seen < 0.2 * arrow.norm()) {
-        mark.shape = arrow.z() > 0 ? LoadMark::Shape::TowardsViewer : LoadMark::Shape::AwayFromViewer;
+        mark.shape = projection.nearness(arrow) > 0.0 ? LoadMark::Shape::TowardsViewer
+                                                      : LoadMark::Shape::AwayFromViewer;
         mark.from = mark.to = projection(node);
     }
     return mark;
