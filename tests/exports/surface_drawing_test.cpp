@@ -86,6 +86,16 @@ TEST_F(SurfaceDrawing, HasABallForEverySupportAndAnArrowForEveryLoad) {
     }
 }
 
+TEST_F(SurfaceDrawing, TheSupportsOfANodeAreOneBall) {
+    const mechanics::DofSet rotations{{false, false, false, true, true, true}};
+    conditions_.supports = {{mechanics::NodeIndex(0), mechanics::DofSet::translations()},
+                            {mechanics::NodeIndex(0), rotations}};
+    const Svg svg(surface_svg(surface_, &conditions_));
+    EXPECT_EQ(children(svg.layer("supports"), "circle"), 2U) << "ball and its light";
+    EXPECT_THAT(svg.words(), HasSubstr("all components held"));
+    EXPECT_THAT(svg.words(), Not(HasSubstr("some components held")));
+}
+
 TEST_F(SurfaceDrawing, ALoadAlongTheLineOfSightIsARing) {
     conditions_.loads.resize(2);
     conditions_.loads[0].force = {0.0, 0.0, 1.0};
