@@ -188,7 +188,13 @@ class FactFinder {
 
     void estimate_sag(const LoadCase& load_case) {
         if (load_case.supports.empty() || surface_.setting.material.density <= 0.0) return;
-        const simulation::SurfaceResult result = estimate_outline(own_weight(load_case));
+        simulation::SurfaceResult result;
+        try {
+            result = estimate_outline(own_weight(load_case));
+        } catch (const base::NumericalError& error) {
+            return warn("the sag under its own weight on the supports alone is not known: " +
+                        std::string(error.what()));
+        }
         if (!result.solution.converged())
             return warn("the sag under its own weight is not known: its path ends at " +
                         short_number(100.0 * result.solution.load_factor) + " % of the weight");

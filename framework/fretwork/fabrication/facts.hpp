@@ -65,8 +65,9 @@ struct Facts {
     std::optional<NarrowPlace> narrowest{};
     double smallest_radius = 0.0;  ///< smallest radius of an inner corner, m; 0: sharp, or no inner corner
     /// The deflection under the surface's own weight on the supports of a load case, computed with
-    /// corotational tiles. There is no sag without supports or density. If the equilibrium path does not
-    /// reach the whole weight, there is a warning and no sag.
+    /// corotational tiles. There is no sag without supports or density. If the supports, without prescribed
+    /// displacements, do not hold the surface, or if the equilibrium path does not reach the whole weight,
+    /// there is a warning and no sag.
     struct Sag {
         std::string load_case;    ///< name of the load case with the supports
         double weight = 0.0;      ///< load on the supports, N: `mass` times 9.80665 m/s2
