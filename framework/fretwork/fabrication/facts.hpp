@@ -23,7 +23,7 @@ struct FactsOptions {
     double sharp_angle = 0.35;
     /// Stresses higher than this, Pa, give a warning; none: the strength in the setting.
     std::optional<double> strength{};
-    /// Catalogue with the tile models of the result.
+    /// Catalogue with the tile models of the surface and of the result.
     std::span<const reduction::TileModel> models = reduction::tile_models();
     base::Control control{};  ///< progress and stop
     /// Throws InputError that names an invalid option.
