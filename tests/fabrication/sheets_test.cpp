@@ -150,6 +150,15 @@ TEST(Sheets, AJointWithoutRoomIsNamedByItsNode) {
                 AllOf(HasSubstr("node"), HasSubstr("no room")));
 }
 
+TEST(Sheets, AHoleForABoltWhereNoBarEndsIsRefusedByNode) {
+    const simulation::Surface surface = wide_surface();
+    const TessellationNodeIndex beyond(bar_plan(surface).nodes.size());
+    const ShapeOptions options{.bolt_diameter = 1e-3, .bolts = {beyond}};
+    EXPECT_THAT(
+        complaint_of([&] { (void)cut_into_sheets(surface, options, {.width = 0.2, .height = 0.15}); }),
+        HasSubstr("a bolt at node " + std::to_string(beyond)));
+}
+
 /// A rectangle of 380 x 480 mm with round corners and a slot for a hand.
 outlines::Outline chair_back() {
     const auto rounded = [](const Box& box, double radius) {

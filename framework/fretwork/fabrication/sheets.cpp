@@ -7,12 +7,12 @@
 #include <fretwork/fabrication/detail/fillets.hpp>
 #include <fretwork/fabrication/detail/length_text.hpp>
 #include <fretwork/fabrication/detail/parts.hpp>
+#include <fretwork/fabrication/detail/patches.hpp>
 #include <fretwork/fabrication/sheets.hpp>
 #include <fretwork/geometry/plane.hpp>
 
 #include <algorithm>
 #include <ranges>
-#include <set>
 #include <utility>
 
 namespace fretwork::fabrication {
@@ -67,7 +67,7 @@ class SheetCutter {
         : surface_(surface),
           options_(options),
           bed_(bed),
-          plan_(bar_plan(surface, options.frame_width)),
+          plan_(checked_plan(surface, options)),
           size_(plan_.width),
           part_of_tile_(
               parts_of_tiles(surface.tessellation, bed, {reach(), size_.plate + bed.fit, options.control})) {}
@@ -85,6 +85,12 @@ class SheetCutter {
     }
 
   private:
+    static BarPlan checked_plan(const simulation::Surface& surface, const ShapeOptions& options) {
+        BarPlan plan = bar_plan(surface, options.frame_width);
+        if (options.bolt_diameter > 0.0) require_bars_at_bolts(plan, options.bolts);
+        return plan;
+    }
+
     /// How far material lies beyond the tiles of a part: plates of connectors, half a frame, eyes.
     [[nodiscard]] double reach() const {
         double farthest = std::max(size_.plate, 0.5 * (options_.frame_width + options_.kerf));
@@ -134,8 +140,7 @@ class SheetCutter {
 
     [[nodiscard]] Part make_part(std::size_t number) const {
         const BarPlan plan = part_plan(number);
-        std::set<int> nodes;
-        for (const Bar& bar : plan.bars) nodes.insert({bar.nodes[0], bar.nodes[1]});
+        const auto nodes = nodes_with_bars(plan);
         ShapeOptions options = options_;
         options.fillet = 0.0;  // fillets come after connectors
         std::erase_if(options.bolts, [&](TessellationNodeIndex node) { return !nodes.contains(node); });
