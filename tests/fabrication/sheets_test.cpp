@@ -150,6 +150,15 @@ TEST(Sheets, AJointWithoutRoomIsNamedByItsNode) {
                 AllOf(HasSubstr("node"), HasSubstr("no room")));
 }
 
+TEST(Sheets, AConnectorDoesNotFillAHoleForABolt) {
+    const simulation::Surface surface = honeycomb(1, 2, {"1-6+3-6"});
+    const Bed bed{.width = 0.0704, .height = 0.0704, .margin = 1e-3};
+    const TessellationNodeIndex node(tiling::shared_sides(surface.tessellation).front().nodes.front().value);
+    const ShapeOptions options{.bolt_diameter = 1e-3, .bolts = {node}};
+    EXPECT_THAT(complaint_of([&] { (void)cut_into_sheets(surface, options, bed); }),
+                AllOf(HasSubstr("connector at node " + std::to_string(node)), HasSubstr("bolt")));
+}
+
 TEST(Sheets, AHoleForABoltWhereNoBarEndsIsRefusedByNode) {
     const simulation::Surface surface = wide_surface();
     const TessellationNodeIndex beyond(bar_plan(surface).nodes.size());

@@ -69,8 +69,9 @@ class SheetCutter {
           bed_(bed),
           plan_(checked_plan(surface, options)),
           size_(plan_.width),
-          part_of_tile_(
-              parts_of_tiles(surface.tessellation, bed, {reach(), size_.plate + bed.fit, options.control})) {}
+          part_of_tile_(parts_of_tiles(
+              surface.tessellation, bed,
+              {reach(), size_.plate + bed.fit, options.control, holes(), 0.5 * options.bolt_diameter})) {}
 
     SheetSet run() {
         find_connectors();
@@ -99,6 +100,14 @@ class SheetCutter {
         return farthest;
     }
 
+    /// The places of holes for bolts.
+    [[nodiscard]] std::vector<Point2> holes() const {
+        std::vector<Point2> places;
+        if (options_.bolt_diameter == 0.0) return places;
+        for (const TessellationNodeIndex node : options_.bolts) places.push_back(plan_.nodes[node]);
+        return places;
+    }
+
     /// Add connectors to sides between two parts.
     void find_connectors() {
         for (const tiling::SharedSide& side : tiling::shared_sides(surface_.tessellation))
@@ -116,6 +125,7 @@ class SheetCutter {
         for (const auto node : side.nodes | std::views::reverse) {
             const Point2& place = tessellation.interface_nodes[node];
             require_room(place, {from, to}, node);
+            require_no_hole(place, node);
             connectors_.push_back({connectors_.size() + 1, place, first < second ? outward : -1.0 * outward,
                                    std::min(first, second), std::max(first, second)});
         }
@@ -130,6 +140,16 @@ class SheetCutter {
         throw base::InputError("the connector at node " + std::to_string(node) + ", " + place_text(place) +
                                ", has no room: its plate takes " + base::format_number(1e3 * size_.plate) +
                                " mm around it; narrower beams or larger tiles are needed, or a larger bed");
+    }
+
+    /// Check that a connector's plate fills no hole for a bolt.
+    void require_no_hole(const Point2& place, int node) const {
+        for (const Point2& hole : holes()) {
+            if (distance(place, hole) > size_.plate + bed_.fit + 0.5 * options_.bolt_diameter) continue;
+            throw base::InputError("the connector at node " + std::to_string(node) + ", " +
+                                   place_text(place) + ", would fill the hole for a bolt at " +
+                                   place_text(hole) + "; another support or a larger bed is needed");
+        }
     }
 
     [[nodiscard]] BarPlan part_plan(std::size_t part) const {

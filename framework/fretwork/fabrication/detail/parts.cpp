@@ -11,6 +11,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace fretwork::fabrication::detail {
@@ -124,6 +125,19 @@ std::vector<std::vector<std::size_t>> fitting_grids(const std::vector<Box>& boxe
     return grids;
 }
 
+/// The crossings of a surface; those beside holes are tight, because a connector would fill the holes.
+std::vector<Crossing> crossings_with_room(const tiling::Tessellation& tessellation,
+                                          std::span<const tiling::SharedSide> sides, const PartRoom& room) {
+    std::vector<Crossing> crossings = crossings_of(tessellation, sides, room.connector);
+    for (Crossing& crossing : crossings) {
+        const auto is_beside = [&](const Point2& hole) {
+            return distance(hole, crossing.place) <= room.connector + room.hole_radius;
+        };
+        crossing.is_tight = crossing.is_tight || std::ranges::any_of(room.holes, is_beside);
+    }
+    return crossings;
+}
+
 }  // namespace
 
 base::IndexVector<TileIndex, std::size_t> parts_of_tiles(const tiling::Tessellation& tessellation,
@@ -142,7 +156,7 @@ base::IndexVector<TileIndex, std::size_t> parts_of_tiles(const tiling::Tessellat
         std::vector<std::size_t> parts = connected_groups(sides, cells);
         // One part has no seam.
         if (std::ranges::count(parts, parts.front()) == std::ssize(parts)) return parts;
-        if (!crossings) crossings = crossings_of(tessellation, sides, room.connector);
+        if (!crossings) crossings = crossings_with_room(tessellation, sides, room);
         if (make_room(*crossings, boxes, rules, parts)) return connected_groups(sides, parts);
     }
     return connected_groups(sides, grids.front());
