@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sample.hpp"
 
+#include <fretwork/fabrication/detail/assembling.hpp>
 #include <fretwork/fabrication/detail/parts.hpp>
 #include <fretwork/fabrication/sheets.hpp>
 #include <fretwork/geometry/plane.hpp>
@@ -135,6 +136,27 @@ TEST(Sheets, JointsLeaveTheFitAroundKnobsAndNothingElseIsLost) {
     const double neck_length = 1.5 * kWidth - 0.9 * kWidth * std::cos(knob_angle);
     const double gap = 2.0 * plate - kWidth + 2.0 * neck_length + 0.9 * kWidth * 2.0 * (kPi - knob_angle);
     EXPECT_NEAR(tight_sum - sum, gap * 1e-4, 0.05 * gap * 1e-4);  // corners of the gap
+}
+
+TEST(Sheets, FramesEndAtTheSeam) {
+    // Two tiles, two parts. Beside both ends of the seam, there is material of one part only.
+    const simulation::Surface surface = honeycomb(1, 2, {"1-6+3-6"});
+    const Bed bed{.width = 0.0704, .height = 0.0704, .margin = 1e-3};
+    const SheetSet set = cut_into_sheets(surface, {.frame_width = 0.004}, bed);
+    ASSERT_EQ(set.parts, 2U);
+    const auto seam = tiling::shared_sides(surface.tessellation).front();
+    const auto& vertices = surface.tessellation.vertices;
+    const Point2 across = geometry::left_of(geometry::unit(vertices[seam.to] - vertices[seam.from]));
+    for (const tiling::VertexIndex vertex : {seam.from, seam.to}) {
+        for (const double beside : {-0.001, 0.001}) {
+            const Point2 place = vertices[vertex] + beside * across;
+            std::size_t parts_there = 0;
+            for (const Contour& outline : set.assembly.guides)
+                if (signed_area(outline) > 0.0 && detail::contains(flattened(outline, 1e-6), place))
+                    ++parts_there;
+            EXPECT_EQ(parts_there, 1U);
+        }
+    }
 }
 
 TEST(Sheets, ATileThatDoesNotFitTheBedIsNamed) {

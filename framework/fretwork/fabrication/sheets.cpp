@@ -12,6 +12,7 @@
 #include <fretwork/geometry/plane.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <ranges>
 #include <utility>
 
@@ -110,8 +111,33 @@ class SheetCutter {
 
     /// Add connectors to sides between two parts.
     void find_connectors() {
-        for (const tiling::SharedSide& side : tiling::shared_sides(surface_.tessellation))
-            if (part_of_tile_[side.tiles[0]] != part_of_tile_[side.tiles[1]]) add_connectors(side);
+        for (const tiling::SharedSide& side : tiling::shared_sides(surface_.tessellation)) {
+            if (part_of_tile_[side.tiles[0]] == part_of_tile_[side.tiles[1]]) continue;
+            add_connectors(side);
+            if (options_.frame_width > 0.0) add_seam_ends(side);
+        }
+    }
+
+    /// From the first tile of a side to the second.
+    [[nodiscard]] Point2 outward_of(const tiling::SharedSide& side) const {
+        const auto& vertices = surface_.tessellation.vertices;
+        return left_of(unit(vertices[side.to] - vertices[side.from]));
+    }
+
+    /// Only the two tiles of the side are at an end where the frame goes from one to the other.
+    void add_seam_ends(const tiling::SharedSide& side) {
+        const tiling::Tessellation& tessellation = surface_.tessellation;
+        const std::size_t first = part_of_tile_[side.tiles[0]];
+        const std::size_t second = part_of_tile_[side.tiles[1]];
+        for (const tiling::VertexIndex vertex : {side.from, side.to}) {
+            const auto is_there = [&](const tiling::Tile& tile) {
+                return std::ranges::find(tile.vertices, vertex) != tile.vertices.end();
+            };
+            if (std::ranges::count_if(tessellation.tiles, is_there) > 2) continue;
+            seam_ends_.push_back({tessellation.vertices[vertex],
+                                  first < second ? outward_of(side) : -1.0 * outward_of(side),
+                                  std::min(first, second), std::max(first, second)});
+        }
     }
 
     /// The first tile's polygon gives the order of the connectors; `side` runs in the opposite direction.
@@ -119,7 +145,7 @@ class SheetCutter {
         const tiling::Tessellation& tessellation = surface_.tessellation;
         const Point2& from = tessellation.vertices[side.to];
         const Point2& to = tessellation.vertices[side.from];
-        const Point2 outward = -1.0 * left_of(unit(to - from));
+        const Point2 outward = outward_of(side);
         const std::size_t first = part_of_tile_[side.tiles[0]];
         const std::size_t second = part_of_tile_[side.tiles[1]];
         for (const auto node : side.nodes | std::views::reverse) {
@@ -166,13 +192,10 @@ class SheetCutter {
         std::erase_if(options.bolts, [&](TessellationNodeIndex node) { return !nodes.contains(node); });
         const Shape shape = make_shape(plan, options);
         Part part{joined_pieces(shape, number, plan), {}, {}};
-        for (const Connector& connector : connectors_) {
-            for (const ConnectorSide side : {ConnectorSide::Knob, ConnectorSide::Socket}) {
-                if (part_of_side(connector, side) != number) continue;
-                part.engraved.push_back({name_place(connector, side, size_), std::to_string(connector.number),
-                                         0.9 * plan_.width});
-            }
-        }
+        for (const Connector& connector : connectors_)
+            if (const auto side = side_of(connector, number))
+                part.engraved.push_back({name_place(connector, *side, size_),
+                                         std::to_string(connector.number), 0.9 * plan_.width});
         const auto tiles = tile_labels(surface_.tessellation);
         for (std::size_t t = 0; t < tiles.size(); ++t)
             if (part_of_tile_[t] == number) part.labels.push_back(tiles[t]);
@@ -181,24 +204,42 @@ class SheetCutter {
         return part;
     }
 
-    static std::size_t part_of_side(const Connector& connector, ConnectorSide side) {
-        return side == ConnectorSide::Knob ? connector.knob_part : connector.socket_part;
+    /// The side of a part at a connector or an end of a seam; none: other parts meet there.
+    static std::optional<ConnectorSide> side_of(const auto& on_seam, std::size_t part) {
+        if (on_seam.knob_part == part) return ConnectorSide::Knob;
+        if (on_seam.socket_part == part) return ConnectorSide::Socket;
+        return std::nullopt;
+    }
+
+    /// Add the cuts at a part's connectors and at the ends of its frame. Returns the boxes around them.
+    [[nodiscard]] std::vector<Box> add_cuts(ConnectorCut& cut, std::size_t number) const {
+        // Corners of frames lie farther from the end of the seam than half their width.
+        const double frame = kFrameReach * 0.5 * (options_.frame_width + options_.kerf);
+        const ConnectorMaking making{size_, bed_.fit, 0.5 * options_.kerf};
+        std::vector<Box> boxes;
+        const auto add_box = [&](const Point2& place, double margin) {
+            boxes.push_back(geometry::grown({place.x, place.y, place.x, place.y}, margin));
+        };
+        for (const Connector& connector : connectors_) {
+            const auto side = side_of(connector, number);
+            if (!side) continue;
+            add_side(cut, connector, *side, making);
+            add_box(connector.place, 1.5 * size_.plate);
+        }
+        for (const SeamEnd& end : seam_ends_) {
+            const auto side = side_of(end, number);
+            if (!side) continue;
+            cut_frame(cut, end, *side, frame, making);
+            add_box(end.place, frame);
+        }
+        return boxes;
     }
 
     /// Cut the connectors of a part into its contours. Contours away from connectors keep their arcs.
     [[nodiscard]] std::vector<Piece> joined_pieces(const Shape& shape, std::size_t number,
                                                    const BarPlan& plan) const {
         ConnectorCut cut;
-        std::vector<Box> plates;
-        for (const Connector& connector : connectors_) {
-            for (const ConnectorSide side : {ConnectorSide::Knob, ConnectorSide::Socket}) {
-                if (part_of_side(connector, side) != number) continue;
-                add_side(cut, connector, side, {size_, bed_.fit, 0.5 * options_.kerf});
-                plates.push_back(geometry::grown(
-                    {connector.place.x, connector.place.y, connector.place.x, connector.place.y},
-                    1.5 * size_.plate));
-            }
-        }
+        const std::vector<Box> plates = add_cuts(cut, number);
         std::vector<Contour> contours;
         std::vector<Polygon> touched;
         const auto sort_in = [&](const Contour& contour) {
@@ -299,6 +340,7 @@ class SheetCutter {
         return drawing;
     }
 
+    static constexpr double kFrameReach = 1.5;   // enough for frames that meet at 84 degrees or more
     static constexpr double kChordShare = 5e-4;  // share of a bar's width; chords become as short as in discs
     const simulation::Surface& surface_;
     const ShapeOptions& options_;
@@ -307,6 +349,7 @@ class SheetCutter {
     ConnectorSize size_;
     base::IndexVector<TileIndex, std::size_t> part_of_tile_;
     std::vector<Connector> connectors_;
+    std::vector<SeamEnd> seam_ends_;
 };
 
 }  // namespace
