@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sample.hpp"
+#include "stops.hpp"
 
 #include <fretwork/fabrication/detail/assembling.hpp>
 #include <fretwork/fabrication/detail/parts.hpp>
@@ -235,6 +236,14 @@ TEST(Sheets, SeamsDoNotDependOnChance) {
         return detail::parts_of_tiles(surface.tessellation, bed, {0.0068, 0.00685, {}});
     };
     EXPECT_EQ(parts(), parts());
+}
+
+TEST(Sheets, TheSearchForPartsCanBeStopped) {
+    const simulation::Surface surface = chair_surface();
+    const fretwork::test::StopAtLook stop(0);
+    const Bed bed{.width = 0.6, .height = 0.6};
+    EXPECT_THROW((void)detail::parts_of_tiles(surface.tessellation, bed, {0.0068, 0.00685, stop.control()}),
+                 base::Stopped);
 }
 
 TEST(Sheets, SideBySideHasAllSheetsAndTheAssembly) {
