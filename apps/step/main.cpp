@@ -14,6 +14,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <new>
 #include <optional>
 #include <typed/making_choice.hpp>
 
@@ -74,6 +75,11 @@ void run(const Options& options) {
     print(shape, options);
 }
 
+void flush_output() {
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
+    throw base::IoError("the standard output cannot be written");
+}
+
 void add_options(CLI::App& app, Options& options) {
     app.add_option("project", options.project, "Project file")->required();
     app.add_option("--to", options.to, "File to write: .step or .stp")->required();
@@ -108,9 +114,12 @@ int main(int argc, char** argv) {
     }
     try {
         step::run(options);
+        step::flush_output();
+        return 0;
     } catch (const base::Error& error) {
         std::fprintf(stderr, "fretwork-step: %s\n", error.what());
-        return 2;
+    } catch (const std::bad_alloc&) {
+        std::fputs("fretwork-step: out of memory\n", stderr);
     }
-    return 0;
+    return 2;
 }

@@ -54,6 +54,16 @@ TEST(BarScene, HasEveryBarOfTheSurfaceWithItsSection) {
     for (const BarScene::Field& field : bars.fields) EXPECT_EQ(field.values.size(), 2 * bars.bars.size());
 }
 
+TEST(BarScene, HasOneSupportForTheEntriesOfANode) {
+    Scene scene = bent_scene();
+    const mechanics::DofSet rotations{{false, false, false, true, true, true}};
+    scene.conditions->supports = {{mechanics::NodeIndex(0), mechanics::DofSet::translations()},
+                                  {mechanics::NodeIndex(0), rotations}};
+    const BarScene bars = make_bar_scene(scene);
+    ASSERT_EQ(bars.supports.size(), 1U);
+    EXPECT_EQ(bars.supports[0].kind, BarScene::Support::Kind::Clamped);
+}
+
 TEST(BarScene, OfACondensedResultHasItsBarsBackAndNotOnlyInterfaceNodes) {
     const BarScene full = make_bar_scene(solved_scene("full"));
     const BarScene corotational = make_bar_scene(solved_scene("corotational"));

@@ -70,6 +70,15 @@ TEST(ExternalModel, IsWrittenByEveryWriter) {
     EXPECT_EQ(series_files(scene.surface, scene.results.front().result, "s", {}, catalogue()).size(), 2U);
 }
 
+TEST(ExternalModel, OfTilesIsInTheFactsOfALoadCase) {
+    Scene scene = scene_of("twofold");
+    scene.results.clear();
+    scene.load_case = cantilever();
+    scene.surface.tile_models.resize(scene.surface.tessellation.tiles.size());
+    for (std::string& model : scene.surface.tile_models) model = "twofold";
+    EXPECT_THAT(find_writer("facts.json").write(scene).text, HasSubstr("\"stress\""));
+}
+
 TEST(ExternalModel, IsNamedByEveryWriterThatDoesNotKnowIt) {
     Scene scene = scene_of("twofold");
     scene.models = reduction::tile_models();

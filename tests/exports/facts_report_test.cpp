@@ -61,5 +61,14 @@ TEST(FactsReport, ThePageHasACircleForEveryWarningWithAPlace) {
     EXPECT_EQ(circles, placed);
 }
 
+TEST(FactsReport, CirclesAndNumbersLieOverTheMaterial) {
+    const std::string page = facts_html(sample_facts());
+    const std::size_t material = page.find("<g id=\"cut\"");
+    ASSERT_NE(material, std::string::npos);
+    EXPECT_LT(material, page.find("<g id=\"guides\""));
+    EXPECT_LT(material, page.find("<g id=\"labels\""));
+    EXPECT_EQ(page.find("<g id=\"cut\"", material + 1), std::string::npos);
+}
+
 }  // namespace THIS_TEST
 }  // namespace fretwork::exports

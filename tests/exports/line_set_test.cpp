@@ -30,6 +30,17 @@ TEST(ResultLines, OfAReducedModelAreClosedThroughEachTilesInterfaceNodes) {
     EXPECT_EQ(lines.displacements->rows(), static_cast<Eigen::Index>(lines.nodes.size()));
 }
 
+TEST(ResultLines, OfAModelWithAsManyOtherNodesAsThePatternAreClosedToo) {
+    const simulation::Surface surface = sample_surface();
+    const std::size_t interfaces = surface.tessellation.interface_nodes.size();
+    simulation::SurfaceResult other = bent(surface, Rows::EveryNode);
+    for (std::size_t i = interfaces; i < other.nodes.size(); ++i) other.nodes[i].rest_position.x() += 0.002;
+    const LineSet lines = result_lines(surface, other);
+    EXPECT_EQ(lines.nodes.size(), interfaces);
+    EXPECT_EQ(lines.lines.size(), 6U * surface.tessellation.tiles.size());
+    EXPECT_EQ(lines.displacements->rows(), static_cast<Eigen::Index>(interfaces));
+}
+
 TEST(ResultLines, OfAnotherSurfaceAreRefused) {
     const simulation::Surface surface = sample_surface();
     const simulation::Surface larger = sample_surface(4, 3);

@@ -82,6 +82,14 @@ TEST(Lettering, KnowsWhatUnitsAreMadeOf) {
         EXPECT_NE(lettering.set(letter).coverage, missing) << letter;
 }
 
+TEST(PictureLegend, LeavesMostOfTheHeightToTheSurface) {
+    for (const PixelSize size : {PixelSize{300, 300}, PixelSize{3000, 300}, PixelSize{4000, 390},
+                                 PixelSize{8000, 700}, PixelSize{1600, 1000}, PixelSize{8000, 8000}}) {
+        EXPECT_GT(legend_height(size), 0);
+        EXPECT_LT(3 * legend_height(size), size.height) << size.width << "x" << size.height;
+    }
+}
+
 TEST(PictureLegend, IsLeftOutOfSmallPictures) {
     const std::vector<std::uint8_t> picture(std::size_t{4} * 200 * 100, 77);
     EXPECT_EQ(legend_height({200, 100}), 0);

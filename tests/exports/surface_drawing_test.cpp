@@ -86,6 +86,16 @@ TEST_F(SurfaceDrawing, HasABallForEverySupportAndAnArrowForEveryLoad) {
     }
 }
 
+TEST_F(SurfaceDrawing, TheSupportsOfANodeAreOneBall) {
+    const mechanics::DofSet rotations{{false, false, false, true, true, true}};
+    conditions_.supports = {{mechanics::NodeIndex(0), mechanics::DofSet::translations()},
+                            {mechanics::NodeIndex(0), rotations}};
+    const Svg svg(surface_svg(surface_, &conditions_));
+    EXPECT_EQ(children(svg.layer("supports"), "circle"), 2U) << "ball and its light";
+    EXPECT_THAT(svg.words(), HasSubstr("all components held"));
+    EXPECT_THAT(svg.words(), Not(HasSubstr("some components held")));
+}
+
 TEST_F(SurfaceDrawing, ALoadAlongTheLineOfSightIsARing) {
     conditions_.loads.resize(2);
     conditions_.loads[0].force = {0.0, 0.0, 1.0};
@@ -94,6 +104,17 @@ TEST_F(SurfaceDrawing, ALoadAlongTheLineOfSightIsARing) {
     EXPECT_EQ(children(svg.layer("loads"), "polygon"), 0U);
     EXPECT_EQ(children(svg.layer("loads"), "circle"), 3U) << "two rings, one with a dot";
     EXPECT_EQ(lines_of_layer(svg.layer("loads")), 2U) << "the other with a cross";
+}
+
+TEST_F(SurfaceDrawing, ARingTellsTowardsFromAwayInEveryView) {
+    conditions_.loads.resize(2);
+    conditions_.loads[0].force = {0.0, -1.0, 0.0};  // towards a viewer in front
+    conditions_.loads[1].force = {0.0, 1.0, 0.0};
+    const ViewOptions from_the_front{.azimuth = 0.0, .elevation = 0.1};
+    const Svg svg(detail::setup_panel(surface_, conditions_, from_the_front).document("Setup"));
+    EXPECT_EQ(children(svg.layer("loads"), "circle"), 3U) << "two rings, one with a dot";
+    EXPECT_EQ(lines_of_layer(svg.layer("loads")), 2U) << "the other with a cross";
+    EXPECT_THAT(svg.words(), HasSubstr("towards you"));
 }
 
 TEST_F(SurfaceDrawing, AMomentHasTwoHeads) {

@@ -89,6 +89,25 @@ TEST(Facts, SmallSagAndStressAreProportionalToWeightAndLoad) {
     EXPECT_NEAR(more.stress->value, 3.0 * once.stress->value, 1e-6 * once.stress->value);
 }
 
+/// A side lies on something, and displacements of the other side are given.
+TEST(Facts, SupportsThatDoNotHoldTheSheetAloneCostOnlyTheSag) {
+    using mechanics::Dof;
+    simulation::LoadCase load_case;
+    load_case.name = "pulled";
+    load_case.gravity = {0.0, 0.0, -9.81};
+    load_case.supports.push_back({simulation::NodesAtSide{simulation::Side::Left},
+                                  mechanics::DofSet{{false, false, true, false, false, false}}});
+    for (const Dof dof : {Dof::ux, Dof::uy, Dof::uz})
+        load_case.prescribed.push_back(
+            {simulation::NodesAtSide{simulation::Side::Right}, dof, dof == Dof::ux ? 1e-5 : 0.0});
+    const Facts known = facts(sample(), {}, {&load_case, nullptr});
+    EXPECT_FALSE(known.sag);
+    EXPECT_TRUE(known.stress);
+    EXPECT_GT(known.mass, 0.0);
+    EXPECT_THAT(known.warnings,
+                Contains(Field(&Warning::message, HasSubstr("on the supports alone is not known"))));
+}
+
 // For small displacements it would sag by many times its own width.
 TEST(Facts, ALimpSheetHangsNoLowerThanItIsWide) {
     const simulation::LoadCase load_case = cantilever();

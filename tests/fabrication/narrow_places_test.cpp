@@ -36,6 +36,18 @@ TEST(NarrowPlaces, AThinOpeningIsFoundWithItsWidthTileAndNode) {
     EXPECT_TRUE(narrow_places(make_shape(plan, {}), plan, 1e-4).empty());
 }
 
+TEST(NarrowPlaces, APlaceBetweenWideBarsHasItsTileAndNodeToo) {
+    constexpr double kWide = 0.02;  // as of a frame
+    const double apart = kWide + 2e-4;
+    BarPlan plan =
+        plan_of({{0.0, 0.0}, {0.1, 0.0}, {0.1, apart}, {0.0, apart}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}});
+    for (Bar& bar : plan.bars) bar.width = kWide;
+    const auto places = narrow_places(make_shape(plan, {}), plan, 5e-4);
+    ASSERT_FALSE(places.empty());
+    EXPECT_EQ(places[0].tile, TileIndex(0));
+    EXPECT_TRUE(places[0].node.is_valid());
+}
+
 TEST(NarrowPlaces, AGapBetweenAFreeEndAndABarIsFoundWhereItIs) {
     // A bar ends 0.3 mm before another one.
     const BarPlan plan =

@@ -130,6 +130,15 @@ TEST(Shape, ABoltHasAnEyeAroundItsHole) {
     EXPECT_NEAR(area(shape), eye + 3.0 * bar - 0.25 * kPi * 9e-6, 1e-9);  // chords where bars cut the circle
 }
 
+TEST(Shape, AHoleForABoltWhereNoBarEndsIsRefusedByNode) {
+    BarPlan plan = star(3, kLength);
+    plan.nodes.push_back({0.5 * kLength, 0.5 * kLength});
+    for (const TessellationNodeIndex node :
+         {TessellationNodeIndex(4), TessellationNodeIndex(5), TessellationNodeIndex()})
+        EXPECT_THAT(complaint_of([&] { (void)make_shape(plan, {.bolt_diameter = 1e-3, .bolts = {node}}); }),
+                    HasSubstr("a bolt at node " + std::to_string(node)));
+}
+
 TEST(Shape, HolesThatMeetAreRefusedByNode) {
     const BarPlan plan = plan_of({{0.0, 0.0}, {0.004, 0.0}, {0.05, 0.0}}, {{0, 1}, {1, 2}});
     const ShapeOptions options{.bolt_diameter = 5e-3,

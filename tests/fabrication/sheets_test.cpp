@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sample.hpp"
+#include "stops.hpp"
 
+#include <fretwork/fabrication/detail/assembling.hpp>
 #include <fretwork/fabrication/detail/parts.hpp>
 #include <fretwork/fabrication/sheets.hpp>
 #include <fretwork/geometry/plane.hpp>
@@ -137,6 +139,27 @@ TEST(Sheets, JointsLeaveTheFitAroundKnobsAndNothingElseIsLost) {
     EXPECT_NEAR(tight_sum - sum, gap * 1e-4, 0.05 * gap * 1e-4);  // corners of the gap
 }
 
+TEST(Sheets, FramesEndAtTheSeam) {
+    // Two tiles, two parts. Beside both ends of the seam, there is material of one part only.
+    const simulation::Surface surface = honeycomb(1, 2, {"1-6+3-6"});
+    const Bed bed{.width = 0.0704, .height = 0.0704, .margin = 1e-3};
+    const SheetSet set = cut_into_sheets(surface, {.frame_width = 0.004}, bed);
+    ASSERT_EQ(set.parts, 2U);
+    const auto seam = tiling::shared_sides(surface.tessellation).front();
+    const auto& vertices = surface.tessellation.vertices;
+    const Point2 across = geometry::left_of(geometry::unit(vertices[seam.to] - vertices[seam.from]));
+    for (const tiling::VertexIndex vertex : {seam.from, seam.to}) {
+        for (const double beside : {-0.001, 0.001}) {
+            const Point2 place = vertices[vertex] + beside * across;
+            std::size_t parts_there = 0;
+            for (const Contour& outline : set.assembly.guides)
+                if (signed_area(outline) > 0.0 && detail::contains(flattened(outline, 1e-6), place))
+                    ++parts_there;
+            EXPECT_EQ(parts_there, 1U);
+        }
+    }
+}
+
 TEST(Sheets, ATileThatDoesNotFitTheBedIsNamed) {
     EXPECT_THAT(
         complaint_of([] { (void)cut_into_sheets(wide_surface(), {}, {.width = 0.04, .height = 0.04}); }),
@@ -148,6 +171,24 @@ TEST(Sheets, AJointWithoutRoomIsNamedByItsNode) {
     surface.setting.section = mechanics::rectangle_section(0.0045, 0.002);
     EXPECT_THAT(complaint_of([&] { (void)cut_into_sheets(surface, {}, {.width = 0.2, .height = 0.15}); }),
                 AllOf(HasSubstr("node"), HasSubstr("no room")));
+}
+
+TEST(Sheets, AConnectorDoesNotFillAHoleForABolt) {
+    const simulation::Surface surface = honeycomb(1, 2, {"1-6+3-6"});
+    const Bed bed{.width = 0.0704, .height = 0.0704, .margin = 1e-3};
+    const TessellationNodeIndex node(tiling::shared_sides(surface.tessellation).front().nodes.front().value);
+    const ShapeOptions options{.bolt_diameter = 1e-3, .bolts = {node}};
+    EXPECT_THAT(complaint_of([&] { (void)cut_into_sheets(surface, options, bed); }),
+                AllOf(HasSubstr("connector at node " + std::to_string(node)), HasSubstr("bolt")));
+}
+
+TEST(Sheets, AHoleForABoltWhereNoBarEndsIsRefusedByNode) {
+    const simulation::Surface surface = wide_surface();
+    const TessellationNodeIndex beyond(bar_plan(surface).nodes.size());
+    const ShapeOptions options{.bolt_diameter = 1e-3, .bolts = {beyond}};
+    EXPECT_THAT(
+        complaint_of([&] { (void)cut_into_sheets(surface, options, {.width = 0.2, .height = 0.15}); }),
+        HasSubstr("a bolt at node " + std::to_string(beyond)));
 }
 
 /// A rectangle of 380 x 480 mm with round corners and a slot for a hand.
@@ -195,6 +236,14 @@ TEST(Sheets, SeamsDoNotDependOnChance) {
         return detail::parts_of_tiles(surface.tessellation, bed, {0.0068, 0.00685, {}});
     };
     EXPECT_EQ(parts(), parts());
+}
+
+TEST(Sheets, TheSearchForPartsCanBeStopped) {
+    const simulation::Surface surface = chair_surface();
+    const fretwork::test::StopAtLook stop(0);
+    const Bed bed{.width = 0.6, .height = 0.6};
+    EXPECT_THROW((void)detail::parts_of_tiles(surface.tessellation, bed, {0.0068, 0.00685, stop.control()}),
+                 base::Stopped);
 }
 
 TEST(Sheets, SideBySideHasAllSheetsAndTheAssembly) {

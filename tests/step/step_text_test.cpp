@@ -142,6 +142,15 @@ TEST(StepProgram, GmshFindsTheVolumeThatItSays) {
     EXPECT_NEAR(std::stod(found), expected, 1e-4 * expected) << found;
 }
 
+TEST(StepProgram, TellsWhereItCannotWrite) {
+    const TemporaryFolder folder;
+    const std::string start = tile_in(folder.path().string()) + " && ";
+    EXPECT_THAT(output_of(start + "TMPDIR=/nowhere " FRETWORK_STEP " p.json --to a.step; echo exit $?"),
+                testing::MatchesRegex("fretwork-step: .*TMPDIR.*/nowhere.*\nexit 2\n"));
+    EXPECT_THAT(output_of(start + FRETWORK_STEP " p.json --to a.step 2>&1 >/dev/full; echo exit $?"),
+                testing::AllOf(testing::HasSubstr("standard output"), testing::HasSubstr("exit 2")));
+}
+
 TEST(StepProgram, RefusesInOneLine) {
     const TemporaryFolder folder;
     const auto refusal = [&](const std::string& words) {

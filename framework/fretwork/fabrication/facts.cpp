@@ -54,9 +54,11 @@ LoadCase own_weight(const LoadCase& load_case) {
 }
 
 simulation::SurfaceResult estimate(const Surface& surface, const LoadCase& load_case,
-                                   const base::Control& control) {
-    const simulation::SimulationOptions options{.model = kModel, .estimate_where_doubtful = true};
-    simulation::SurfaceResult result = simulation::simulate(surface, load_case, options, control.silent());
+                                   const FactsOptions& wanted) {
+    const simulation::SimulationOptions options{
+        .model = kModel, .models = wanted.models, .estimate_where_doubtful = true};
+    simulation::SurfaceResult result =
+        simulation::simulate(surface, load_case, options, wanted.control.silent());
     result.subject = simulation::result_subject(surface, load_case, options);
     return result;
 }
@@ -183,12 +185,18 @@ class FactFinder {
     /// Solve with gravity scaled to the mass of the outline, because beams count joints more than once.
     [[nodiscard]] simulation::SurfaceResult estimate_outline(LoadCase load_case) const {
         if (facts_.beam_mass > 0.0) load_case.gravity *= facts_.mass / facts_.beam_mass;
-        return estimate(surface_, load_case, options_.control);
+        return estimate(surface_, load_case, options_);
     }
 
     void estimate_sag(const LoadCase& load_case) {
         if (load_case.supports.empty() || surface_.setting.material.density <= 0.0) return;
-        const simulation::SurfaceResult result = estimate_outline(own_weight(load_case));
+        simulation::SurfaceResult result;
+        try {
+            result = estimate_outline(own_weight(load_case));
+        } catch (const base::NumericalError& error) {
+            return warn("the sag under its own weight on the supports alone is not known: " +
+                        std::string(error.what()));
+        }
         if (!result.solution.converged())
             return warn("the sag under its own weight is not known: its path ends at " +
                         short_number(100.0 * result.solution.load_factor) + " % of the weight");

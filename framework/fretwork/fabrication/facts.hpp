@@ -23,7 +23,7 @@ struct FactsOptions {
     double sharp_angle = 0.35;
     /// Stresses higher than this, Pa, give a warning; none: the strength in the setting.
     std::optional<double> strength{};
-    /// Catalogue with the tile models of the result.
+    /// Catalogue with the tile models of the surface and of the result.
     std::span<const reduction::TileModel> models = reduction::tile_models();
     base::Control control{};  ///< progress and stop
     /// Throws InputError that names an invalid option.
@@ -65,8 +65,9 @@ struct Facts {
     std::optional<NarrowPlace> narrowest{};
     double smallest_radius = 0.0;  ///< smallest radius of an inner corner, m; 0: sharp, or no inner corner
     /// The deflection under the surface's own weight on the supports of a load case, computed with
-    /// corotational tiles. There is no sag without supports or density. If the equilibrium path does not
-    /// reach the whole weight, there is a warning and no sag.
+    /// corotational tiles. There is no sag without supports or density. If the supports, without prescribed
+    /// displacements, do not hold the surface, or if the equilibrium path does not reach the whole weight,
+    /// there is a warning and no sag.
     struct Sag {
         std::string load_case;    ///< name of the load case with the supports
         double weight = 0.0;      ///< load on the supports, N: `mass` times 9.80665 m/s2

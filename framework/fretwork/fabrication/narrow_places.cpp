@@ -144,11 +144,9 @@ void name_places(std::vector<NarrowPlace>& places, const BarPlan& plan, const ba
     for (NarrowPlace& narrow : places) {
         control.check();
         const Point2& p = narrow.place;
-        const Box around = geometry::grown({p.x, p.y, p.x, p.y}, narrow.width + 2.0 * plan.width);
         double nearest = std::numeric_limits<double>::max();
         double nearest_node = nearest;
-        for (const std::size_t b : grid.meeting(around)) {
-            const Bar& bar = plan.bars[b];
+        const auto look_at = [&](const Bar& bar) {
             const double to_bar = distance(p, nearest_on_segment(end(bar, 0), end(bar, 1), p));
             if (to_bar < nearest) {
                 nearest = to_bar;
@@ -159,7 +157,11 @@ void name_places(std::vector<NarrowPlace>& places, const BarPlan& plan, const ba
                 nearest_node = distance(p, end(bar, i));
                 narrow.node = bar.nodes[i];
             }
-        }
+        };
+        // The lines of frames, which are wide, may be far from the place.
+        for (double reach = narrow.width + 2.0 * plan.width; nearest > reach; reach *= 2.0)
+            for (const std::size_t b : grid.meeting(geometry::grown({p.x, p.y, p.x, p.y}, reach)))
+                look_at(plan.bars[b]);
     }
 }
 

@@ -199,6 +199,7 @@ Shape make_shape(const simulation::Surface& surface, const ShapeOptions& options
 Shape make_shape(const BarPlan& plan, const ShapeOptions& options) {
     options.validate();
     require_below_surface(plan, options);
+    if (options.bolt_diameter > 0.0) require_bars_at_bolts(plan, options.bolts);
     return ShapeMaker(plan, options).run();
 }
 

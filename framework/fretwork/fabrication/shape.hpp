@@ -31,7 +31,7 @@ struct ShapeOptions {
     double frame_width = 0.0;    ///< width of bars along the rim, m; 0: no bars along the rim
     double bolt_diameter = 0.0;  ///< diameter of the holes at `bolts`, m; 0: no holes
     double eye_diameter = 0.0;   ///< diameter of the discs around the holes, m; 0: twice `bolt_diameter`
-    std::vector<TessellationNodeIndex> bolts{};  ///< nodes with a hole for a bolt
+    std::vector<TessellationNodeIndex> bolts{};  ///< nodes with a hole for a bolt; a bar ends at each of them
     base::Control control{};                     ///< progress and stop
     /// Throws InputError that names an invalid option.
     void validate() const;
@@ -48,7 +48,7 @@ struct ShapeOptions {
 
 /// Make the outline of a surface's bars: all points within half a bar's width of its centreline, so joints
 /// and free ends are round. Boolean operations are exact on a grid of a nanometre, and arcs stay arcs. Throws
-/// as bar_plan(), InputError for invalid options and holes that meet, and Stopped.
+/// as bar_plan(), InputError for invalid options, holes that meet and holes where no bar ends, and Stopped.
 Shape make_shape(const simulation::Surface& surface, const ShapeOptions& options = {});
 /// Make the outline of a plan. The plan contains its border, so `options.frame_width` is only validated.
 Shape make_shape(const BarPlan& plan, const ShapeOptions& options);

@@ -7,12 +7,13 @@
 #include <fretwork/fabrication/detail/fillets.hpp>
 #include <fretwork/fabrication/detail/length_text.hpp>
 #include <fretwork/fabrication/detail/parts.hpp>
+#include <fretwork/fabrication/detail/patches.hpp>
 #include <fretwork/fabrication/sheets.hpp>
 #include <fretwork/geometry/plane.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <ranges>
-#include <set>
 #include <utility>
 
 namespace fretwork::fabrication {
@@ -67,10 +68,11 @@ class SheetCutter {
         : surface_(surface),
           options_(options),
           bed_(bed),
-          plan_(bar_plan(surface, options.frame_width)),
+          plan_(checked_plan(surface, options)),
           size_(plan_.width),
-          part_of_tile_(
-              parts_of_tiles(surface.tessellation, bed, {reach(), size_.plate + bed.fit, options.control})) {}
+          part_of_tile_(parts_of_tiles(
+              surface.tessellation, bed,
+              {reach(), size_.plate + bed.fit, options.control, holes(), 0.5 * options.bolt_diameter})) {}
 
     SheetSet run() {
         find_connectors();
@@ -85,6 +87,12 @@ class SheetCutter {
     }
 
   private:
+    static BarPlan checked_plan(const simulation::Surface& surface, const ShapeOptions& options) {
+        BarPlan plan = bar_plan(surface, options.frame_width);
+        if (options.bolt_diameter > 0.0) require_bars_at_bolts(plan, options.bolts);
+        return plan;
+    }
+
     /// How far material lies beyond the tiles of a part: plates of connectors, half a frame, eyes.
     [[nodiscard]] double reach() const {
         double farthest = std::max(size_.plate, 0.5 * (options_.frame_width + options_.kerf));
@@ -93,10 +101,43 @@ class SheetCutter {
         return farthest;
     }
 
+    /// The places of holes for bolts.
+    [[nodiscard]] std::vector<Point2> holes() const {
+        std::vector<Point2> places;
+        if (options_.bolt_diameter == 0.0) return places;
+        for (const TessellationNodeIndex node : options_.bolts) places.push_back(plan_.nodes[node]);
+        return places;
+    }
+
     /// Add connectors to sides between two parts.
     void find_connectors() {
-        for (const tiling::SharedSide& side : tiling::shared_sides(surface_.tessellation))
-            if (part_of_tile_[side.tiles[0]] != part_of_tile_[side.tiles[1]]) add_connectors(side);
+        for (const tiling::SharedSide& side : tiling::shared_sides(surface_.tessellation)) {
+            if (part_of_tile_[side.tiles[0]] == part_of_tile_[side.tiles[1]]) continue;
+            add_connectors(side);
+            if (options_.frame_width > 0.0) add_seam_ends(side);
+        }
+    }
+
+    /// From the first tile of a side to the second.
+    [[nodiscard]] Point2 outward_of(const tiling::SharedSide& side) const {
+        const auto& vertices = surface_.tessellation.vertices;
+        return left_of(unit(vertices[side.to] - vertices[side.from]));
+    }
+
+    /// Only the two tiles of the side are at an end where the frame goes from one to the other.
+    void add_seam_ends(const tiling::SharedSide& side) {
+        const tiling::Tessellation& tessellation = surface_.tessellation;
+        const std::size_t first = part_of_tile_[side.tiles[0]];
+        const std::size_t second = part_of_tile_[side.tiles[1]];
+        for (const tiling::VertexIndex vertex : {side.from, side.to}) {
+            const auto is_there = [&](const tiling::Tile& tile) {
+                return std::ranges::find(tile.vertices, vertex) != tile.vertices.end();
+            };
+            if (std::ranges::count_if(tessellation.tiles, is_there) > 2) continue;
+            seam_ends_.push_back({tessellation.vertices[vertex],
+                                  first < second ? outward_of(side) : -1.0 * outward_of(side),
+                                  std::min(first, second), std::max(first, second)});
+        }
     }
 
     /// The first tile's polygon gives the order of the connectors; `side` runs in the opposite direction.
@@ -104,12 +145,13 @@ class SheetCutter {
         const tiling::Tessellation& tessellation = surface_.tessellation;
         const Point2& from = tessellation.vertices[side.to];
         const Point2& to = tessellation.vertices[side.from];
-        const Point2 outward = -1.0 * left_of(unit(to - from));
+        const Point2 outward = outward_of(side);
         const std::size_t first = part_of_tile_[side.tiles[0]];
         const std::size_t second = part_of_tile_[side.tiles[1]];
         for (const auto node : side.nodes | std::views::reverse) {
             const Point2& place = tessellation.interface_nodes[node];
             require_room(place, {from, to}, node);
+            require_no_hole(place, node);
             connectors_.push_back({connectors_.size() + 1, place, first < second ? outward : -1.0 * outward,
                                    std::min(first, second), std::max(first, second)});
         }
@@ -126,6 +168,16 @@ class SheetCutter {
                                " mm around it; narrower beams or larger tiles are needed, or a larger bed");
     }
 
+    /// Check that a connector's plate fills no hole for a bolt.
+    void require_no_hole(const Point2& place, int node) const {
+        for (const Point2& hole : holes()) {
+            if (distance(place, hole) > size_.plate + bed_.fit + 0.5 * options_.bolt_diameter) continue;
+            throw base::InputError("the connector at node " + std::to_string(node) + ", " +
+                                   place_text(place) + ", would fill the hole for a bolt at " +
+                                   place_text(hole) + "; another support or a larger bed is needed");
+        }
+    }
+
     [[nodiscard]] BarPlan part_plan(std::size_t part) const {
         BarPlan plan = plan_;
         std::erase_if(plan.bars, [&](const Bar& bar) { return part_of_tile_[bar.tile] != part; });
@@ -134,20 +186,16 @@ class SheetCutter {
 
     [[nodiscard]] Part make_part(std::size_t number) const {
         const BarPlan plan = part_plan(number);
-        std::set<int> nodes;
-        for (const Bar& bar : plan.bars) nodes.insert({bar.nodes[0], bar.nodes[1]});
+        const auto nodes = nodes_with_bars(plan);
         ShapeOptions options = options_;
         options.fillet = 0.0;  // fillets come after connectors
         std::erase_if(options.bolts, [&](TessellationNodeIndex node) { return !nodes.contains(node); });
         const Shape shape = make_shape(plan, options);
         Part part{joined_pieces(shape, number, plan), {}, {}};
-        for (const Connector& connector : connectors_) {
-            for (const ConnectorSide side : {ConnectorSide::Knob, ConnectorSide::Socket}) {
-                if (part_of_side(connector, side) != number) continue;
-                part.engraved.push_back({name_place(connector, side, size_), std::to_string(connector.number),
-                                         0.9 * plan_.width});
-            }
-        }
+        for (const Connector& connector : connectors_)
+            if (const auto side = side_of(connector, number))
+                part.engraved.push_back({name_place(connector, *side, size_),
+                                         std::to_string(connector.number), 0.9 * plan_.width});
         const auto tiles = tile_labels(surface_.tessellation);
         for (std::size_t t = 0; t < tiles.size(); ++t)
             if (part_of_tile_[t] == number) part.labels.push_back(tiles[t]);
@@ -156,24 +204,42 @@ class SheetCutter {
         return part;
     }
 
-    static std::size_t part_of_side(const Connector& connector, ConnectorSide side) {
-        return side == ConnectorSide::Knob ? connector.knob_part : connector.socket_part;
+    /// The side of a part at a connector or an end of a seam; none: other parts meet there.
+    static std::optional<ConnectorSide> side_of(const auto& on_seam, std::size_t part) {
+        if (on_seam.knob_part == part) return ConnectorSide::Knob;
+        if (on_seam.socket_part == part) return ConnectorSide::Socket;
+        return std::nullopt;
+    }
+
+    /// Add the cuts at a part's connectors and at the ends of its frame. Returns the boxes around them.
+    [[nodiscard]] std::vector<Box> add_cuts(ConnectorCut& cut, std::size_t number) const {
+        // Corners of frames lie farther from the end of the seam than half their width.
+        const double frame = kFrameReach * 0.5 * (options_.frame_width + options_.kerf);
+        const ConnectorMaking making{size_, bed_.fit, 0.5 * options_.kerf};
+        std::vector<Box> boxes;
+        const auto add_box = [&](const Point2& place, double margin) {
+            boxes.push_back(geometry::grown({place.x, place.y, place.x, place.y}, margin));
+        };
+        for (const Connector& connector : connectors_) {
+            const auto side = side_of(connector, number);
+            if (!side) continue;
+            add_side(cut, connector, *side, making);
+            add_box(connector.place, 1.5 * size_.plate);
+        }
+        for (const SeamEnd& end : seam_ends_) {
+            const auto side = side_of(end, number);
+            if (!side) continue;
+            cut_frame(cut, end, *side, frame, making);
+            add_box(end.place, frame);
+        }
+        return boxes;
     }
 
     /// Cut the connectors of a part into its contours. Contours away from connectors keep their arcs.
     [[nodiscard]] std::vector<Piece> joined_pieces(const Shape& shape, std::size_t number,
                                                    const BarPlan& plan) const {
         ConnectorCut cut;
-        std::vector<Box> plates;
-        for (const Connector& connector : connectors_) {
-            for (const ConnectorSide side : {ConnectorSide::Knob, ConnectorSide::Socket}) {
-                if (part_of_side(connector, side) != number) continue;
-                add_side(cut, connector, side, {size_, bed_.fit, 0.5 * options_.kerf});
-                plates.push_back(geometry::grown(
-                    {connector.place.x, connector.place.y, connector.place.x, connector.place.y},
-                    1.5 * size_.plate));
-            }
-        }
+        const std::vector<Box> plates = add_cuts(cut, number);
         std::vector<Contour> contours;
         std::vector<Polygon> touched;
         const auto sort_in = [&](const Contour& contour) {
@@ -274,6 +340,7 @@ class SheetCutter {
         return drawing;
     }
 
+    static constexpr double kFrameReach = 1.5;   // enough for frames that meet at 84 degrees or more
     static constexpr double kChordShare = 5e-4;  // share of a bar's width; chords become as short as in discs
     const simulation::Surface& surface_;
     const ShapeOptions& options_;
@@ -282,6 +349,7 @@ class SheetCutter {
     ConnectorSize size_;
     base::IndexVector<TileIndex, std::size_t> part_of_tile_;
     std::vector<Connector> connectors_;
+    std::vector<SeamEnd> seam_ends_;
 };
 
 }  // namespace

@@ -34,7 +34,8 @@ struct SheetSet {
 };
 
 /// Cut a surface into parts on sheets. Throws as make_shape(). Throws InputError if `bed` is invalid, if a
-/// tile does not fit the bed, or if a connector's plate meets another plate or an end of its tile side.
+/// tile does not fit the bed, or if a connector's plate meets another plate, an end of its tile side or a
+/// hole for a bolt.
 SheetSet cut_into_sheets(const simulation::Surface& surface, const ShapeOptions& options, const Bed& bed);
 
 /// All sheets of a set side by side, with the plan of assembly above them, as one drawing.

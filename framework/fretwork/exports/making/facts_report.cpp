@@ -84,7 +84,12 @@ std::string marked_picture(const FactsOfScene& scene) {
     for (const fabrication::Warning& warning : scene.facts.warnings) {
         if (warning.place) sheet.guides.push_back(fabrication::circle(*warning.place, radius));
     }
-    const std::string svg = cut_svg(sheet);
+    std::string svg = cut_svg(sheet);
+    // The page fills the material, so circles and numbers must come after it.
+    const std::size_t cut = svg.find("<g id=\"cut\"");
+    const std::string material = svg.substr(cut, svg.rfind("</svg>") - cut);
+    svg.erase(cut, material.size());
+    svg.insert(svg.find("<g id=\"guides\""), material);
     return svg.substr(svg.find("<svg"));
 }
 

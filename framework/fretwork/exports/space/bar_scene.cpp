@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/text.hpp>
+#include <fretwork/exports/drawings/detail/surface_parts.hpp>
 #include <fretwork/exports/space/bar_scene.hpp>
 #include <fretwork/exports/tables/line_set.hpp>
 #include <fretwork/simulation/results/surface_beams.hpp>
@@ -116,7 +117,7 @@ class Builder {
 
     void add_conditions() {
         if (!scene_.conditions) return;
-        for (const mechanics::Support& support : scene_.conditions->supports) {
+        for (const mechanics::Support& support : detail::supports_of_nodes(*scene_.conditions)) {
             using Kind = BarScene::Support::Kind;
             const bool is_clamped = support.fixed == mechanics::DofSet::all();
             const bool is_pinned = support.fixed == mechanics::DofSet::translations();

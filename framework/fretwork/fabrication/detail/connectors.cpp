@@ -55,6 +55,14 @@ void add_side(ConnectorCut& cut, const Connector& connector, ConnectorSide side,
     }
 }
 
+void cut_frame(ConnectorCut& cut, const SeamEnd& end, ConnectorSide side, double radius,
+               const ConnectorMaking& making) {
+    const Disc disc{end.place, radius};
+    cut.beyond.push_back(side == ConnectorSide::Knob
+                             ? disc_beyond(disc, end.normal, making.growth)
+                             : disc_beyond(disc, -1.0 * end.normal, making.growth - making.fit));
+}
+
 Point2 name_place(const Connector& connector, ConnectorSide side, const ConnectorSize& size) {
     const double along = side == ConnectorSide::Knob ? -0.35 : 0.35;
     return connector.place + along * size.plate * connector.normal +

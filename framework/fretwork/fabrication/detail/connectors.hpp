@@ -18,6 +18,14 @@ struct Connector {
     std::size_t socket_part = 0;
 };
 
+/// An end of a seam at the rim, where frames of two parts meet.
+struct SeamEnd {
+    geometry::Point2 place;
+    geometry::Point2 normal;  ///< of length 1, from the part with knobs to that with sockets
+    std::size_t knob_part = 0;
+    std::size_t socket_part = 0;
+};
+
 /// Lengths of a connector, m, as multiples of the width of the bars.
 struct ConnectorSize {
     explicit ConnectorSize(double width)
@@ -48,6 +56,10 @@ enum class ConnectorSide { Knob, Socket };
 /// Add one side of a connector.
 void add_side(ConnectorCut& cut, const Connector& connector, ConnectorSide side,
               const ConnectorMaking& making);
+
+/// Remove what a part's frame has beyond the seam, within a disc around an end of the seam.
+void cut_frame(ConnectorCut& cut, const SeamEnd& end, ConnectorSide side, double radius,
+               const ConnectorMaking& making);
 
 /// The place at which a connector's number is engraved on a side.
 geometry::Point2 name_place(const Connector& connector, ConnectorSide side, const ConnectorSize& size);

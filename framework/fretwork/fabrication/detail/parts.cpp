@@ -11,6 +11,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace fretwork::fabrication::detail {
@@ -54,16 +55,14 @@ std::vector<std::size_t> cells_of_tiles(const std::vector<Box>& boxes, const Box
     return found;
 }
 
-/// True if the tiles of each cell fit the bed.
+/// True if the tiles of each cell fit the bed. Cells only grow, so the first one that is too large decides.
 bool all_fit(const std::vector<Box>& boxes, const std::vector<std::size_t>& cells, const Bed& bed,
              double reach) {
     std::map<std::size_t, Box> of_cell;
     for (std::size_t t = 0; t < boxes.size(); ++t) {
         const auto [entry, is_new] = of_cell.emplace(cells[t], boxes[t]);
         if (!is_new) entry->second = united(entry->second, boxes[t]);
-    }
-    for (const auto& [cell, box] : of_cell) {
-        const Box around = grown(box, reach);
+        const Box around = grown(entry->second, reach);
         if (!fits(around.width(), around.height(), bed)) return false;
     }
     return true;
@@ -100,7 +99,7 @@ void require_tiles_fit(const std::vector<Box>& boxes, const Bed& bed, double rea
 /// Grids whose cells fit the bed, the grid with the fewest cells first. Each grid is a list with the cell of
 /// each tile. For each number of rows, only the grid with the fewest columns is listed.
 std::vector<std::vector<std::size_t>> fitting_grids(const std::vector<Box>& boxes, const Bed& bed,
-                                                    double reach) {
+                                                    const PartRoom& room) {
     constexpr std::size_t kMost = 6;
     Box whole = boxes.front();
     for (const Box& box : boxes) whole = united(whole, box);
@@ -108,8 +107,9 @@ std::vector<std::vector<std::size_t>> fitting_grids(const std::vector<Box>& boxe
     for (std::size_t rows = 1; rows <= boxes.size(); ++rows) {
         if (found.size() >= kMost && rows > std::next(found.begin(), kMost - 1)->first) break;
         for (std::size_t columns = 1; columns <= boxes.size(); ++columns) {
+            room.control.check();
             auto cells = cells_of_tiles(boxes, whole, {columns, rows});
-            if (!all_fit(boxes, cells, bed, reach)) continue;
+            if (!all_fit(boxes, cells, bed, room.reach)) continue;
             found.emplace(rows * columns, std::move(cells));
             break;
         }
@@ -124,6 +124,19 @@ std::vector<std::vector<std::size_t>> fitting_grids(const std::vector<Box>& boxe
     return grids;
 }
 
+/// The crossings of a surface; those beside holes are tight, because a connector would fill the holes.
+std::vector<Crossing> crossings_with_room(const tiling::Tessellation& tessellation,
+                                          std::span<const tiling::SharedSide> sides, const PartRoom& room) {
+    std::vector<Crossing> crossings = crossings_of(tessellation, sides, room.connector);
+    for (Crossing& crossing : crossings) {
+        const auto is_beside = [&](const Point2& hole) {
+            return distance(hole, crossing.place) <= room.connector + room.hole_radius;
+        };
+        crossing.is_tight = crossing.is_tight || std::ranges::any_of(room.holes, is_beside);
+    }
+    return crossings;
+}
+
 }  // namespace
 
 base::IndexVector<TileIndex, std::size_t> parts_of_tiles(const tiling::Tessellation& tessellation,
@@ -136,13 +149,13 @@ base::IndexVector<TileIndex, std::size_t> parts_of_tiles(const tiling::Tessellat
     };
     const SeamRules rules{fits_bed, room.control};
     const auto sides = tiling::shared_sides(tessellation);
-    const auto grids = fitting_grids(boxes, bed, room.reach);
+    const auto grids = fitting_grids(boxes, bed, room);
     std::optional<std::vector<Crossing>> crossings;
     for (const auto& cells : grids) {
         std::vector<std::size_t> parts = connected_groups(sides, cells);
         // One part has no seam.
         if (std::ranges::count(parts, parts.front()) == std::ssize(parts)) return parts;
-        if (!crossings) crossings = crossings_of(tessellation, sides, room.connector);
+        if (!crossings) crossings = crossings_with_room(tessellation, sides, room);
         if (make_room(*crossings, boxes, rules, parts)) return connected_groups(sides, parts);
     }
     return connected_groups(sides, grids.front());

@@ -4,6 +4,8 @@
 
 #include <fretwork/base/control.hpp>
 #include <fretwork/fabrication/sheets.hpp>
+#include <fretwork/geometry/box.hpp>
+#include <fretwork/tiling/tessellation.hpp>
 
 #include <vector>
 
@@ -14,6 +16,8 @@ struct PartRoom {
     double reach = 0.0;      ///< length by which material lies beyond the tiles of a part, m
     double connector = 0.0;  ///< free length around each connector, m
     base::Control control{};
+    std::vector<geometry::Point2> holes{};  ///< holes that no connector may fill, m
+    double hole_radius = 0.0;               ///< m
 };
 
 /// For each tile the number of its part. Parts are neighbouring tiles in a cell of a grid; then tiles along

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/fabrication/detail/length_text.hpp>
 #include <fretwork/fabrication/detail/patches.hpp>
 #include <fretwork/geometry/plane.hpp>
 
 #include <map>
 #include <numbers>
+#include <string>
 
 namespace fretwork::fabrication::detail {
 namespace {
@@ -81,6 +84,25 @@ std::vector<Patch> bar_patches(const BarPlan& plan, double growth) {
 
 Patch disc_patch(const Disc& disc) {
     return round_end(disc, 0.0, std::numbers::pi);
+}
+
+std::set<TessellationNodeIndex> nodes_with_bars(const BarPlan& plan) {
+    std::set<TessellationNodeIndex> nodes;
+    for (const Bar& bar : plan.bars) nodes.insert(bar.nodes.begin(), bar.nodes.end());
+    for (const BarPlan::Coincidence& one : plan.coincidences)
+        if (nodes.contains(one.taken)) nodes.insert(one.node);
+    return nodes;
+}
+
+void require_bars_at_bolts(const BarPlan& plan, std::span<const TessellationNodeIndex> bolts) {
+    const auto nodes = nodes_with_bars(plan);
+    for (const TessellationNodeIndex node : bolts) {
+        if (nodes.contains(node)) continue;
+        const bool is_there = node.is_valid() && static_cast<std::size_t>(node) < plan.nodes.size();
+        throw base::InputError("the hole for a bolt at node " + std::to_string(node) +
+                               (is_there ? ", " + place_text(plan.nodes[node]) + "," : "") +
+                               " is where no bar ends; a node with a bar is needed");
+    }
 }
 
 }  // namespace fretwork::fabrication::detail

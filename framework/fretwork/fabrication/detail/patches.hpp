@@ -5,6 +5,7 @@
 #include <fretwork/fabrication/bar_plan.hpp>
 
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -32,5 +33,10 @@ inline constexpr double kChordAngle = 0.1;
 std::vector<Patch> bar_patches(const BarPlan& plan, double growth);
 
 Patch disc_patch(const Disc& disc);
+
+/// The nodes where bars end, and the other nodes at the same places.
+std::set<TessellationNodeIndex> nodes_with_bars(const BarPlan& plan);
+/// Check that a bar ends at each node with a hole for a bolt. Throws InputError.
+void require_bars_at_bolts(const BarPlan& plan, std::span<const TessellationNodeIndex> bolts);
 
 }  // namespace fretwork::fabrication::detail

@@ -17,7 +17,7 @@ namespace fretwork::fabrication::detail {
 struct Crossing {
     std::array<std::size_t, 2> tiles{};  ///< the two tiles
     geometry::Point2 place;              ///< m
-    bool is_tight = false;               ///< true if an end of its side is too near for a connector
+    bool is_tight = false;               ///< true if an end of its side or a hole is too near for a connector
     std::vector<std::size_t> close;      ///< crossings that are too near for both to be connectors
 };
 

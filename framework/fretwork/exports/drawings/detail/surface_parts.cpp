@@ -44,7 +44,8 @@ LoadMark load_mark(LoadMark::Kind kind, const Point2& place, const Eigen::Vector
                   arrow.norm()};
     const double seen = geometry::distance(mark.from, mark.to);
     if (seen < 0.2 * arrow.norm()) {
-        mark.shape = arrow.z() > 0 ? LoadMark::Shape::TowardsViewer : LoadMark::Shape::AwayFromViewer;
+        mark.shape = projection.nearness(arrow) > 0.0 ? LoadMark::Shape::TowardsViewer
+                                                      : LoadMark::Shape::AwayFromViewer;
         mark.from = mark.to = projection(node);
     }
     return mark;
@@ -136,10 +137,22 @@ void draw_beams(SvgCanvas& canvas, const Surface& surface, const Projection& pro
         canvas.named_segments(beams[t], style, "beams" + std::to_string(t));
 }
 
+std::vector<mechanics::Support> supports_of_nodes(const Conditions& conditions) {
+    std::map<mechanics::NodeIndex, mechanics::DofSet> held;
+    for (const mechanics::Support& support : conditions.supports) {
+        auto& components = held[support.node].contains;
+        for (std::size_t c = 0; c < components.size(); ++c)
+            components[c] = components[c] || support.fixed.contains[c];
+    }
+    std::vector<mechanics::Support> supports;
+    for (const auto& [node, fixed] : held) supports.push_back({node, fixed});
+    return supports;
+}
+
 std::vector<SupportMark> support_marks(const Surface& surface, const Conditions& conditions,
                                        const Projection& projection) {
     std::vector<SupportMark> marks;
-    for (const mechanics::Support& support : conditions.supports) {
+    for (const mechanics::Support& support : supports_of_nodes(conditions)) {
         const Point2 place = projection(node_place(surface, support.node));
         if (support.fixed == mechanics::DofSet::all()) {
             marks.push_back({place, "#d7301f", "all components held"});

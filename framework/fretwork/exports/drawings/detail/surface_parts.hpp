@@ -25,6 +25,9 @@ void draw_labels(SvgCanvas& canvas, const simulation::Surface& surface, const Dr
 void draw_beams(SvgCanvas& canvas, const simulation::Surface& surface, const Projection& projection,
                 Tint tint);
 
+/// The supports of nodes: all components that entries of a node hold.
+std::vector<mechanics::Support> supports_of_nodes(const simulation::Conditions& conditions);
+
 /// The mark of a support, and its meaning in a legend.
 struct SupportMark {
     geometry::Point2 place;

@@ -56,7 +56,7 @@ class LegendPixels {
 
 /// The lengths of a legend, pixels.
 struct Measures {
-    explicit Measures(PixelSize size) : letters(std::max(11, size.width / 75)) {}
+    explicit Measures(PixelSize size) : letters(std::max(11, std::min(size.width / 75, size.height / 30))) {}
     int letters;                 ///< size
     int line = 3 * letters / 2;  ///< from one line of text to the next
     int margin = letters;

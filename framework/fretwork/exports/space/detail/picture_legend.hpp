@@ -17,7 +17,7 @@ struct Legend {
 };
 
 /// The height, in pixels, of the strip for a legend at the bottom of a picture of this size; 0 if the picture
-/// is narrower or lower than 300 pixels.
+/// is narrower or lower than 300 pixels. The strip is lower than a third of the picture.
 int legend_height(PixelSize size);
 
 /// A picture (red, green, blue and opacity, a byte each) of this size with a legend in its strip. The legend
