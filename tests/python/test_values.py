@@ -90,7 +90,7 @@ class Views(unittest.TestCase):
             first[0, 0] = 1.0
 
     def test_copies_of_rows_keep_their_texts(self):
-        for row, name in [(fw.filter_catalogue()[0], "doc"), (fw.writer_catalogue()[0], "description")]:
+        for row, name in [(fw.filter_catalogue()[0], "summary"), (fw.writer_catalogue()[0], "description")]:
             text = getattr(row, name)
             for again in (copy.copy(row), copy.deepcopy(row), pickle.loads(pickle.dumps(row))):
                 gc.collect()

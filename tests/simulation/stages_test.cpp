@@ -369,7 +369,7 @@ TEST(Stages, NoneIsRefused) {
     EXPECT_THAT(complaint_of([&] {
                     (void)simulate_stages(strip(), {cases.front(), cases, {}}, {.model = "corotational"});
                 }),
-                HasSubstr("no stage"));
+                HasSubstr("no load stage"));
 }
 
 }  // namespace THIS_TEST
