@@ -171,5 +171,11 @@ TEST(Responses, RefuseAPatternThatLeavesInterfaceNodesFree) {
                  base::InputError);
 }
 
+TEST(Responses, RefuseASettingWithoutScenarios) {
+    Setting setting = paper_setting();
+    setting.scenarios.clear();
+    EXPECT_THROW((void)compute_responses(paper_layout(), paper_pattern(kPattern), setting), base::InputError);
+}
+
 }  // namespace THIS_TEST
 }  // namespace fretwork::reduction

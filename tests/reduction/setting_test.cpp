@@ -194,6 +194,27 @@ TEST(SettingFile, BadInputIsRefusedByItsPlace) {
     EXPECT_THROW((void)read_setting("/nowhere/setting.json"), base::InputError);
 }
 
+TEST(Setting, IsValidOnlyIfItsTextCanBeReadBack) {
+    const auto refuses = [](auto&& change, const char* place) {
+        Setting setting = paper_setting();
+        change(setting);
+        EXPECT_THAT(test::complaint_of([&] { setting.validate("mine"); }), HasSubstr(place));
+        EXPECT_THROW((void)parse_setting(setting_text(setting), "text"), base::InputError) << place;
+    };
+    refuses([](Setting& s) { s.scenarios[0].loads[0].interface_node = -1; }, "mine: /scenarios/0/loads/0");
+    refuses([](Setting& s) { s.scenarios[1].supports[0].interface_node = -1; }, "mine: /scenarios/1/held/0");
+    refuses([](Setting& s) { s.scenarios[1].loads[0].force[2] = -1e300; },
+            "mine: /scenarios/1/loads/0/force/2");
+    refuses([](Setting& s) { s.scenarios[2].weight = 0.0; }, "mine: /scenarios/2/weight");
+    refuses([](Setting& s) { s.scenarios[2].weight = -1.0; }, "mine: /scenarios/2/weight");
+    refuses([](Setting& s) { s.scenarios[2].name.clear(); }, "mine: /scenarios/2/name");
+    refuses([](Setting& s) { s.scenarios[2].loads.clear(); }, "mine: /scenarios/2/loads");
+    refuses([](Setting& s) { s.material.poisson_ratio = 0.7; }, "mine: /material/poisson_ratio");
+    refuses([](Setting& s) { s.sides = 101; }, "mine: /sides");
+    refuses([](Setting& s) { s.divisions = 101; }, "mine: /divisions");
+    refuses([](Setting& s) { s.magnitudes = 1001; }, "mine: /magnitudes");
+}
+
 TEST(SettingFile, WritingWhatWasReadGivesAnEqualSetting) {
     const test::TemporaryFolder folder;
     Setting setting = paper_setting();

@@ -130,6 +130,7 @@ Response follow_scenario(const LoadedTile& tile, const Scenario& scenario, const
 
 std::vector<Response> compute_responses(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                         const Setting& setting, const ResponseOptions& options) {
+    setting.validate();
     const auto nodes_a_side = static_cast<int>(layout.interface_nodes().size());
     const FreeTile tile{mechanics::refined(pattern_frame(layout, pattern, setting), setting.divisions),
                         setting.sides * nodes_a_side, setting.magnitudes};

@@ -103,6 +103,7 @@ std::vector<double> parameter_values(const Calibration& calibration, const TileM
 Calibration calibrate(const TileModel& model, const CalibrationInput& input,
                       const CalibrationOptions& options) {
     options.validate();
+    input.setting->validate();
     const Objective objective(input.responses, input.setting);
     if (objective.sample_count() == 0) {
         throw base::NumericalError(
