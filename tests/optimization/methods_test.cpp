@@ -100,6 +100,25 @@ TEST(DeadStarts, AreCountedAndAreNoDescent) {
     }
 }
 
+/// The derivatives of a point's distances from another along the axes, for x up to 0.5 only.
+Eigen::MatrixXd slopes_at_left(const Eigen::VectorXd& x) {
+    Eigen::MatrixXd slopes = Eigen::MatrixXd::Identity(2, 2);
+    if (x[0] > 0.5) slopes.setConstant(NAN);
+    return slopes;
+}
+
+TEST(DeadStarts, AreThoseWithoutASlopeToo) {
+    const LeastSquaresProblem problem(
+        "no slopes at right", cube(2, -2.0, 2.0), [](const Eigen::VectorXd& x) { return x; }, slopes_at_left);
+    for (const char* name : {"ceres-residuals", "ceres-dogleg", "ceres-sine", "ceres-smoothed"}) {
+        const auto report = minimize(problem, find_optimizer(name), {.starts = 16});
+        EXPECT_GT(report.dead_starts, 0) << name;
+        EXPECT_LT(report.dead_starts, 16) << name;
+        EXPECT_LT(report.value, 1e-6) << name;
+        EXPECT_NE(report.ending, Ending::Invalid) << name;
+    }
+}
+
 TEST(SmoothedMethods, FindAMinimumInAKink) {
     const DistanceSumProblem problem(cube(2, -3.0, 3.0),
                                      (Eigen::MatrixXd(2, 3) << 0.0, 2.0, -2.0, 0.0, 0.3, 0.3).finished());
