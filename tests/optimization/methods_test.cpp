@@ -168,6 +168,31 @@ TEST(Multistart, GivesUpDescentsThatStayFarAboveTheLowest) {
     }
 }
 
+TEST(Multistart, GivesUpADescentWithoutASlope) {
+    const LeastSquaresProblem problem(
+        "no slopes", cube(2, -1.0, 1.0), [](const Eigen::VectorXd& x) { return x; },
+        [](const Eigen::VectorXd&) { return Eigen::MatrixXd::Constant(2, 2, NAN).eval(); });
+    for (const auto make : {make_ceres_multistart, make_gauss_newton_multistart}) {
+        Evaluator evaluator(problem, {.cost = 10000});
+        const auto method =
+            make({.common = {.starts = 1}, .continuation = {.smoothing = {1e-1}, .samples_per_start = 1}});
+        EXPECT_EQ(method->run(evaluator).ending, Ending::Stalled);
+        EXPECT_EQ(evaluator.cost(), 1);
+    }
+}
+
+/// The minimum in (1, 1) lies where there are no derivatives.
+TEST(Multistart, EndsOnlyWhereThereAreDerivatives) {
+    const LeastSquaresProblem problem(
+        "minimum without slopes", cube(2, -2.0, 2.0),
+        [](const Eigen::VectorXd& x) { return Eigen::VectorXd(x.array() - 1.0); }, slopes_at_left);
+    for (const auto make : {make_ceres_multistart, make_gauss_newton_multistart}) {
+        Evaluator evaluator(problem, {.cost = 1000000});
+        const auto method = make({.common = {.starts = 8}, .continuation = {.samples_per_start = 1}});
+        EXPECT_LE(method->run(evaluator).final_point[0], 0.5);
+    }
+}
+
 /// From the minimum itself nothing can be gained, and a stage needs no evaluation beyond that of its start.
 TEST(Multistart, SpendsOneEvaluationAStageWhereNothingIsToBeGained) {
     const LeastSquaresProblem problem(
