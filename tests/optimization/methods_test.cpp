@@ -277,6 +277,21 @@ TEST(SimulatedAnnealing, KeepsBoundsByReflectionClampingOrRejection) {
     EXPECT_LT(rejected.size(), 300U) << "a rejected move is not evaluated";
 }
 
+/// Between points without a value every move is accepted, but none beyond a bound.
+TEST(SimulatedAnnealing, RejectsMovesBeyondABoundAlsoWhereThereIsNoValue) {
+    const LeastSquaresProblem hole(
+        "hole", cube(2, 0.0, 1.0), [](const Eigen::VectorXd& x) { return (NAN * x).eval(); },
+        [](const Eigen::VectorXd&) { return Eigen::MatrixXd::Identity(2, 2).eval(); });
+    const auto annealing = make_simulated_annealing({.common = {.starts = 1, .seed = 5},
+                                                     .largest_moves = 50,
+                                                     .initial_moves = 50,
+                                                     .initial_move = 5.0,
+                                                     .bounds = AnnealingBounds::Reject});
+    Evaluator evaluator(hole, {.cost = 1000});
+    const Eigen::VectorXd end = annealing->run(evaluator).final_point;
+    EXPECT_TRUE((end.array() > 0.0).all() && (end.array() < 1.0).all()) << end.transpose();
+}
+
 /// x is the logarithm of a quantity between 1 and e^10.
 class LogarithmicProblem final : public Problem {
   public:
