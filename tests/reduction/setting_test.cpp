@@ -140,6 +140,20 @@ TEST(SettingDifference, NamesThePlaceAndBothValues) {
     EXPECT_THAT(setting_difference(other, paper_setting()), HasSubstr("/material/shear_modulus"));
 }
 
+TEST(SettingDifference, NamesWhatTheLibraryLacks) {
+    Setting fewer = paper_setting();
+    fewer.scenarios.pop_back();
+    const std::string scenario = setting_difference(paper_setting(), fewer);
+    EXPECT_THAT(scenario, testing::StartsWith("/scenarios/4: {"));
+    EXPECT_THAT(scenario, HasSubstr("saddle"));
+    EXPECT_THAT(scenario, testing::EndsWith("}, where the library has nothing"));
+    fewer = paper_setting();
+    const std::size_t loads = fewer.scenarios[0].loads.size();
+    fewer.scenarios[0].loads.pop_back();
+    EXPECT_THAT(setting_difference(paper_setting(), fewer),
+                testing::StartsWith("/scenarios/0/loads/" + std::to_string(loads - 1) + ": {"));
+}
+
 TEST(SettingFile, LeavesOutWhatIsAsInThePaper) {
     const Setting setting = parse_setting(
         R"({"format": "fretwork/setting/1", "section": {"type": "circle", "diameter": 0.003},
