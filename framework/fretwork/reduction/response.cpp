@@ -113,7 +113,6 @@ mechanics::Frame scenario_frame(mechanics::Frame tile, const Scenario& scenario)
 void apply_scenario(const Scenario& scenario, mechanics::Assembly& tile) {
     const auto supports = detail::supports_of(scenario);
     tile.supports.insert(tile.supports.end(), supports.begin(), supports.end());
-    tile.has_moments = false;
     for (const mechanics::NodalLoad& load : detail::loads_of(scenario, scenario.max_magnitude)) {
         tile.loads.row(load.node).head<3>() += load.force;
         tile.loads.row(load.node).tail<3>() += load.moment;
