@@ -5,6 +5,7 @@
 #include <fretwork/base/random.hpp>
 #include <fretwork/optimization/methods/detail/box_quadratic.hpp>
 #include <fretwork/optimization/methods/multistart.hpp>
+#include <fretwork/optimization/methods/pagmo_methods.hpp>
 #include <fretwork/optimization/methods/simulated_annealing.hpp>
 #include <fretwork/optimization/minimize.hpp>
 #include <fretwork/optimization/problems/distance_sum_problem.hpp>
@@ -319,6 +320,19 @@ TEST(SimulatedAnnealing, MovesUniformlyInQuantitiesOnRequest) {
     const auto above = std::ranges::count_if(
         problem.points, [](const Eigen::VectorXd& x) { return std::exp(x[0]) > 0.5 * std::exp(10.0); });
     EXPECT_NEAR(static_cast<double>(above) / static_cast<double>(problem.points.size()), 0.5, 0.1);
+}
+
+TEST(Evolution, IsStalledIfItSpendsItsGenerations) {
+    const auto problem = rosenbrock(cube(2, -2.0, 2.0));
+    for (const auto make : {make_cma_es, make_differential_evolution}) {
+        const auto ending = [&](int largest_generations) {
+            const auto method = make(
+                {.common = {.starts = 1}, .tolerance = 1e-2, .largest_generations = largest_generations});
+            return minimize(problem, *method, {.cost = 20000}).ending;
+        };
+        EXPECT_EQ(ending(1), Ending::Stalled);
+        EXPECT_EQ(ending(100'000), Ending::Converged);
+    }
 }
 
 TEST(AnnealingThenCeres, AddsTheDescentToTheAnnealing) {
