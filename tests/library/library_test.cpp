@@ -152,6 +152,22 @@ TEST_F(LibraryTest, AdoptsAShapeAlsoAfterSomethingIsComputed) {
     EXPECT_EQ(library.setting(), circle) << "numbers say nothing of the shape";
 }
 
+TEST_F(LibraryTest, AnInvalidSettingIsRefusedBeforeAnythingIsWritten) {
+    reduction::Setting other = reduction::paper_setting();
+    other.divisions = 101;
+    EXPECT_THAT(complaint_of([&] { Library::create(path(), paper_layout(), other); }),
+                HasSubstr("/divisions"));
+    EXPECT_THAT(complaint_of([&] { Library::open_or_create(path(), paper_layout(), other); }),
+                HasSubstr("/divisions"));
+    EXPECT_FALSE(std::filesystem::exists(path()));
+    Library library = make_library(path());
+    library.store(std::vector{sample_data("0-1+1-6", 2.0)});
+    other = library.setting();
+    other.strength = -1.0;
+    EXPECT_THAT(complaint_of([&] { library.adopt_setting(other); }), HasSubstr("/material/strength"));
+    EXPECT_EQ(Library::open(path()).setting(), reduction::paper_setting());
+}
+
 TEST_F(LibraryTest, SummariesCountWhatThereIsOfEachPattern) {
     Library library = make_library(path());
     library.store(std::vector{sample_data("0-1+1-6", 2.0)},

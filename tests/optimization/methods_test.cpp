@@ -5,6 +5,7 @@
 #include <fretwork/base/random.hpp>
 #include <fretwork/optimization/methods/detail/box_quadratic.hpp>
 #include <fretwork/optimization/methods/multistart.hpp>
+#include <fretwork/optimization/methods/pagmo_methods.hpp>
 #include <fretwork/optimization/methods/simulated_annealing.hpp>
 #include <fretwork/optimization/minimize.hpp>
 #include <fretwork/optimization/problems/distance_sum_problem.hpp>
@@ -100,6 +101,25 @@ TEST(DeadStarts, AreCountedAndAreNoDescent) {
     }
 }
 
+/// The derivatives of a point's distances from another along the axes, for x up to 0.5 only.
+Eigen::MatrixXd slopes_at_left(const Eigen::VectorXd& x) {
+    Eigen::MatrixXd slopes = Eigen::MatrixXd::Identity(2, 2);
+    if (x[0] > 0.5) slopes.setConstant(NAN);
+    return slopes;
+}
+
+TEST(DeadStarts, AreThoseWithoutASlopeToo) {
+    const LeastSquaresProblem problem(
+        "no slopes at right", cube(2, -2.0, 2.0), [](const Eigen::VectorXd& x) { return x; }, slopes_at_left);
+    for (const char* name : {"ceres-residuals", "ceres-dogleg", "ceres-sine", "ceres-smoothed"}) {
+        const auto report = minimize(problem, find_optimizer(name), {.starts = 16});
+        EXPECT_GT(report.dead_starts, 0) << name;
+        EXPECT_LT(report.dead_starts, 16) << name;
+        EXPECT_LT(report.value, 1e-6) << name;
+        EXPECT_NE(report.ending, Ending::Invalid) << name;
+    }
+}
+
 TEST(SmoothedMethods, FindAMinimumInAKink) {
     const DistanceSumProblem problem(cube(2, -3.0, 3.0),
                                      (Eigen::MatrixXd(2, 3) << 0.0, 2.0, -2.0, 0.0, 0.3, 0.3).finished());
@@ -146,6 +166,31 @@ TEST(Multistart, GivesUpDescentsThatStayFarAboveTheLowest) {
         };
         EXPECT_LT(run(2.0), run(std::numeric_limits<double>::infinity()));
         EXPECT_THROW(make({.pruning_ratio = 0.9}), base::InputError);
+    }
+}
+
+TEST(Multistart, GivesUpADescentWithoutASlope) {
+    const LeastSquaresProblem problem(
+        "no slopes", cube(2, -1.0, 1.0), [](const Eigen::VectorXd& x) { return x; },
+        [](const Eigen::VectorXd&) { return Eigen::MatrixXd::Constant(2, 2, NAN).eval(); });
+    for (const auto make : {make_ceres_multistart, make_gauss_newton_multistart}) {
+        Evaluator evaluator(problem, {.cost = 10000});
+        const auto method =
+            make({.common = {.starts = 1}, .continuation = {.smoothing = {1e-1}, .samples_per_start = 1}});
+        EXPECT_EQ(method->run(evaluator).ending, Ending::Stalled);
+        EXPECT_EQ(evaluator.cost(), 1);
+    }
+}
+
+/// The minimum in (1, 1) lies where there are no derivatives.
+TEST(Multistart, EndsOnlyWhereThereAreDerivatives) {
+    const LeastSquaresProblem problem(
+        "minimum without slopes", cube(2, -2.0, 2.0),
+        [](const Eigen::VectorXd& x) { return Eigen::VectorXd(x.array() - 1.0); }, slopes_at_left);
+    for (const auto make : {make_ceres_multistart, make_gauss_newton_multistart}) {
+        Evaluator evaluator(problem, {.cost = 1000000});
+        const auto method = make({.common = {.starts = 8}, .continuation = {.samples_per_start = 1}});
+        EXPECT_LE(method->run(evaluator).final_point[0], 0.5);
     }
 }
 
@@ -233,6 +278,21 @@ TEST(SimulatedAnnealing, KeepsBoundsByReflectionClampingOrRejection) {
     EXPECT_LT(rejected.size(), 300U) << "a rejected move is not evaluated";
 }
 
+/// Between points without a value every move is accepted, but none beyond a bound.
+TEST(SimulatedAnnealing, RejectsMovesBeyondABoundAlsoWhereThereIsNoValue) {
+    const LeastSquaresProblem hole(
+        "hole", cube(2, 0.0, 1.0), [](const Eigen::VectorXd& x) { return (NAN * x).eval(); },
+        [](const Eigen::VectorXd&) { return Eigen::MatrixXd::Identity(2, 2).eval(); });
+    const auto annealing = make_simulated_annealing({.common = {.starts = 1, .seed = 5},
+                                                     .largest_moves = 50,
+                                                     .initial_moves = 50,
+                                                     .initial_move = 5.0,
+                                                     .bounds = AnnealingBounds::Reject});
+    Evaluator evaluator(hole, {.cost = 1000});
+    const Eigen::VectorXd end = annealing->run(evaluator).final_point;
+    EXPECT_TRUE((end.array() > 0.0).all() && (end.array() < 1.0).all()) << end.transpose();
+}
+
 /// x is the logarithm of a quantity between 1 and e^10.
 class LogarithmicProblem final : public Problem {
   public:
@@ -260,6 +320,19 @@ TEST(SimulatedAnnealing, MovesUniformlyInQuantitiesOnRequest) {
     const auto above = std::ranges::count_if(
         problem.points, [](const Eigen::VectorXd& x) { return std::exp(x[0]) > 0.5 * std::exp(10.0); });
     EXPECT_NEAR(static_cast<double>(above) / static_cast<double>(problem.points.size()), 0.5, 0.1);
+}
+
+TEST(Evolution, IsStalledIfItSpendsItsGenerations) {
+    const auto problem = rosenbrock(cube(2, -2.0, 2.0));
+    for (const auto make : {make_cma_es, make_differential_evolution}) {
+        const auto ending = [&](int largest_generations) {
+            const auto method = make(
+                {.common = {.starts = 1}, .tolerance = 1e-2, .largest_generations = largest_generations});
+            return minimize(problem, *method, {.cost = 20000}).ending;
+        };
+        EXPECT_EQ(ending(1), Ending::Stalled);
+        EXPECT_EQ(ending(100'000), Ending::Converged);
+    }
 }
 
 TEST(AnnealingThenCeres, AddsTheDescentToTheAnnealing) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analytic_problems.hpp"
 
+#include <fretwork/base/error.hpp>
 #include <fretwork/optimization/minimize.hpp>
 
 #include <gtest/gtest.h>
@@ -46,6 +47,14 @@ TEST(Minimize, TellsWhatItSpends) {
     const auto report = minimize(problem, find_optimizer("bobyqa"), {}, {.control = {.progress = &progress}});
     EXPECT_EQ(progress.last, static_cast<std::size_t>(report.cost));
     EXPECT_TRUE(progress.is_finished);
+}
+
+TEST(Minimize, RefusesAMethodThatNeedsTheJacobianThatIsNotThere) {
+    const LeastSquaresProblem problem("values", cube(2, -1.0, 1.0),
+                                      [](const Eigen::VectorXd& x) { return x; }, {});
+    EXPECT_TRUE(problem.offers(Evaluation::Value));
+    EXPECT_FALSE(problem.offers(Evaluation::Residuals));
+    EXPECT_THROW((void)minimize(problem, find_optimizer("slsqp")), base::InputError);
 }
 
 }  // namespace THIS_TEST

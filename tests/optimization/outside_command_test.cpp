@@ -115,6 +115,22 @@ TEST(OutsideCommand, ThatGoesOnAfterItsBudgetIsSpentIsStoppedAndItsRunKept) {
     EXPECT_EQ(report.value, sphere(3).value(Eigen::Vector3d::Zero()));
 }
 
+TEST(OutsideCommand, ThatIsSilentAfterItsTimeIsStoppedAndItsRunKept) {
+    const auto report =
+        run("head -n 5 >/dev/null; echo value 0 0 0; read answer; sleep 30", {.seconds = 2.0});
+    EXPECT_EQ(report.ending, Ending::Stopped);
+    EXPECT_EQ(report.cost, 1);
+    EXPECT_EQ(report.value, sphere(3).value(Eigen::Vector3d::Zero()));
+}
+
+TEST(OutsideCommand, HearsThatItsBudgetIsSpentAlsoOutside) {
+    const auto report = run(python("ask(\"value\", [0.5, 0.5, 0.5])\n"
+                                   "assert ask(\"value\", [upper[0] + 1.0, 0.0, 0.0]) == \"spent\"\n"),
+                            {.cost = 1});
+    EXPECT_EQ(report.ending, Ending::BudgetSpent);
+    EXPECT_EQ(report.points_outside, 0);
+}
+
 TEST(OutsideCommand, ThatAsksAHundredTimesAfterItsBudgetIsSpentMayStillBeDone) {
     const auto report =
         run(python("for _ in range(102): ask(\"value\", lower)\nprint(\"done\")\n"), {.cost = 1});

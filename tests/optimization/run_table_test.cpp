@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "optimization/analytic_problems.hpp"
 #include "optimization/evolution_strategy.hpp"
+#include "support.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/optimization/studies/known_value.hpp>
 #include <fretwork/optimization/studies/run_table.hpp>
+#include <fretwork/optimization/studies/study_problem.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <optional>
 #include <regex>
 #include <set>
 
@@ -187,6 +192,35 @@ TEST(RunTable, ReadsTablesWithoutCommands) {
     of_unknown.add(record);
     const std::vector<Contender> outsiders{{&now, 2}};
     EXPECT_THROW(RunTable(of_unknown.csv(), "results.csv", conditions, outsiders), base::InputError);
+}
+
+/// A problem whose minimum is not known, but whose scale is.
+ProblemFamilies own_families() {
+    const auto make = [](const std::string& id, const std::string&) {
+        return StudyProblem{id, std::make_shared<LeastSquaresProblem>(sphere(2)), std::nullopt, {}, 2.5};
+    };
+    return {ProblemFamily{"own", make}};
+}
+
+TEST(KnownValues, KeepTheScaleThatAProblemStates) {
+    const auto found = find_known_values({"own/x"}, {.families = own_families(), .starts = 2, .threads = 1});
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found.front().scale, 2.5);
+    EXPECT_LT(found.front().best_value, 1e-6);
+}
+
+TEST(KnownValues, TakeABetterValueAsScaleOnlyWhereTheOldOneWasIt) {
+    const test::TemporaryFolder folder;
+    RunTable table;
+    table.add(sphere_run("bobyqa", 1, {}));
+    const auto results = folder.file("results.csv", table.csv());
+    std::vector<KnownValue> stated = {{"sphere", 9.0, 2.5, "before"}};
+    std::vector<KnownValue> lowest = {{"sphere", 9.0, 9.0, "before"}};
+    improve_known_values(stated, results);
+    improve_known_values(lowest, results);
+    EXPECT_LT(stated.front().best_value, 9.0);
+    EXPECT_EQ(stated.front().scale, 2.5);
+    EXPECT_EQ(lowest.front().scale, lowest.front().best_value);
 }
 
 void expect_refused(const std::string& text, const RunConditions& conditions, const std::string& complaint) {

@@ -3,6 +3,7 @@
 // number of interface nodes a side.
 #include "fixtures.hpp"
 
+#include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/pattern/sample.hpp>
 #include <fretwork/reduction/calibration/difference_problem.hpp>
@@ -217,6 +218,18 @@ TEST(AnyLayout, ASquareTileIsCalibratedToo) {
         calibrate(find_tile_model("paper6"), {paper_layout(), pattern, setting, responses},
                   {.starts = 2, .budget = 2000});
     EXPECT_TRUE(std::isfinite(found.objective));
+}
+
+TEST(AnyLayout, ResponsesOfAnotherLayoutAreRefused) {
+    const Setting setting = quick_setting();
+    const pattern::Pattern one = paper_pattern("0-1+1-6");
+    const pattern::Pattern two = some_patterns(two_node_layout(), 1).front();
+    const auto of_one = compute_responses(paper_layout(), one, setting);
+    const auto of_two = compute_responses(two_node_layout(), two, setting);
+    EXPECT_THROW((void)calibrate(find_tile_model("paper6"), {paper_layout(), one, setting, of_two}),
+                 base::InputError);
+    EXPECT_THROW((void)calibrate(find_tile_model("condensed"), {two_node_layout(), two, setting, of_one}),
+                 base::InputError);
 }
 
 /// Which interface node of the next tile is which: found by where they lie, not by their numbers.

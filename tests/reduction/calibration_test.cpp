@@ -123,6 +123,9 @@ TEST(Calibration, RefusesBadOptionsAndResponsesWithoutAUsableSample) {
     EXPECT_THROW((void)calibrate_paper6(responses, setting, {.optimizer = "ceres"}), base::InputError);
     EXPECT_THROW((void)calibrate_paper6(responses, setting, {.starts = 0}), base::InputError);
     EXPECT_THROW((void)calibrate_paper6(responses, setting, {.budget = 0}), base::InputError);
+    Setting invalid = setting;
+    invalid.scenarios[0].loads[0].interface_node = -1;
+    EXPECT_THROW((void)calibrate_paper6(responses, invalid), base::InputError);
     for (auto& response : responses) {
         for (auto& sample : response.samples) sample.converged = false;
     }

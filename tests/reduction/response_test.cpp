@@ -171,5 +171,21 @@ TEST(Responses, RefuseAPatternThatLeavesInterfaceNodesFree) {
                  base::InputError);
 }
 
+TEST(ApplyScenario, KeepsMomentsThatAreThereAlready) {
+    const Setting setting = paper_setting();
+    auto tile = mechanics::assemble(pattern_frame(paper_layout(), paper_pattern(kPattern), setting));
+    EXPECT_FALSE(tile.has_moments);
+    apply_scenario(setting.scenarios[3], tile);
+    EXPECT_TRUE(tile.has_moments) << "dome has moments";
+    apply_scenario(setting.scenarios[1], tile);
+    EXPECT_TRUE(tile.has_moments) << "shear has none";
+}
+
+TEST(Responses, RefuseASettingWithoutScenarios) {
+    Setting setting = paper_setting();
+    setting.scenarios.clear();
+    EXPECT_THROW((void)compute_responses(paper_layout(), paper_pattern(kPattern), setting), base::InputError);
+}
+
 }  // namespace THIS_TEST
 }  // namespace fretwork::reduction

@@ -150,6 +150,15 @@ TEST(RingHexagon, RefusesMechanismsAndPolygonsOtherThanHexagons) {
     EXPECT_THROW(RingHexagon{setting}, base::InputError);
 }
 
+TEST(RingHexagon, HoldsATileOfAnySize) {
+    for (const double factor : {1e-4, 1e-2, 1e3}) {
+        Setting setting = paper_setting();
+        setting.tile_side *= factor;
+        setting.section = mechanics::rectangle_section(0.002 * factor, 0.002 * factor);
+        EXPECT_NO_THROW(RingHexagon{setting}) << "times " << factor;
+    }
+}
+
 /// A change of one section of the paper's model is the sum of that of the links and that of the ring.
 TEST(RingHexagon, DerivativesOfSharedSectionsAreSums) {
     const Setting setting = paper_setting();

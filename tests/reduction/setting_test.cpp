@@ -140,6 +140,20 @@ TEST(SettingDifference, NamesThePlaceAndBothValues) {
     EXPECT_THAT(setting_difference(other, paper_setting()), HasSubstr("/material/shear_modulus"));
 }
 
+TEST(SettingDifference, NamesWhatTheLibraryLacks) {
+    Setting fewer = paper_setting();
+    fewer.scenarios.pop_back();
+    const std::string scenario = setting_difference(paper_setting(), fewer);
+    EXPECT_THAT(scenario, testing::StartsWith("/scenarios/4: {"));
+    EXPECT_THAT(scenario, HasSubstr("saddle"));
+    EXPECT_THAT(scenario, testing::EndsWith("}, where the library has nothing"));
+    fewer = paper_setting();
+    const std::size_t loads = fewer.scenarios[0].loads.size();
+    fewer.scenarios[0].loads.pop_back();
+    EXPECT_THAT(setting_difference(paper_setting(), fewer),
+                testing::StartsWith("/scenarios/0/loads/" + std::to_string(loads - 1) + ": {"));
+}
+
 TEST(SettingFile, LeavesOutWhatIsAsInThePaper) {
     const Setting setting = parse_setting(
         R"({"format": "fretwork/setting/1", "section": {"type": "circle", "diameter": 0.003},
@@ -192,6 +206,27 @@ TEST(SettingFile, BadInputIsRefusedByItsPlace) {
     EXPECT_THAT(complaint(R"("scenarios": [{"use": "axial", "max_magnitude": 1e300}])"),
                 HasSubstr("/scenarios/0/max_magnitude"));
     EXPECT_THROW((void)read_setting("/nowhere/setting.json"), base::InputError);
+}
+
+TEST(Setting, IsValidOnlyIfItsTextCanBeReadBack) {
+    const auto refuses = [](auto&& change, const char* place) {
+        Setting setting = paper_setting();
+        change(setting);
+        EXPECT_THAT(test::complaint_of([&] { setting.validate("mine"); }), HasSubstr(place));
+        EXPECT_THROW((void)parse_setting(setting_text(setting), "text"), base::InputError) << place;
+    };
+    refuses([](Setting& s) { s.scenarios[0].loads[0].interface_node = -1; }, "mine: /scenarios/0/loads/0");
+    refuses([](Setting& s) { s.scenarios[1].supports[0].interface_node = -1; }, "mine: /scenarios/1/held/0");
+    refuses([](Setting& s) { s.scenarios[1].loads[0].force[2] = -1e300; },
+            "mine: /scenarios/1/loads/0/force/2");
+    refuses([](Setting& s) { s.scenarios[2].weight = 0.0; }, "mine: /scenarios/2/weight");
+    refuses([](Setting& s) { s.scenarios[2].weight = -1.0; }, "mine: /scenarios/2/weight");
+    refuses([](Setting& s) { s.scenarios[2].name.clear(); }, "mine: /scenarios/2/name");
+    refuses([](Setting& s) { s.scenarios[2].loads.clear(); }, "mine: /scenarios/2/loads");
+    refuses([](Setting& s) { s.material.poisson_ratio = 0.7; }, "mine: /material/poisson_ratio");
+    refuses([](Setting& s) { s.sides = 101; }, "mine: /sides");
+    refuses([](Setting& s) { s.divisions = 101; }, "mine: /divisions");
+    refuses([](Setting& s) { s.magnitudes = 1001; }, "mine: /magnitudes");
 }
 
 TEST(SettingFile, WritingWhatWasReadGivesAnEqualSetting) {

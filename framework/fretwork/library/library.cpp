@@ -101,6 +101,7 @@ Library::~Library() = default;
 
 Library Library::create(const std::filesystem::path& path, const pattern::NodeLayout& layout,
                         const reduction::Setting& setting) {
+    setting.validate();
     std::error_code ignored;
     if (std::filesystem::exists(path, ignored)) {
         Database database(path, Database::Mode::CreateOrWrite);
@@ -134,6 +135,7 @@ Library Library::open(const std::filesystem::path& path, Access access) {
 Library Library::open_or_create(const std::filesystem::path& path, const pattern::NodeLayout& layout,
                                 const reduction::Setting& setting, std::span<const pattern::Pattern> patterns,
                                 const base::Control& control) {
+    setting.validate();
     // An existing file may be empty. Another process may make the file, or the tables in it, at the same
     // time.
     std::error_code ignored;
@@ -176,6 +178,7 @@ void Library::Impl::replace_setting(detail::Transaction& transaction, const redu
 }
 
 void Library::adopt_setting(const reduction::Setting& wanted) {
+    wanted.validate();
     const auto transaction = impl_->begin_choosing_setting();
     impl_->read_setting();
     if (detail::query_integer(impl_->database,

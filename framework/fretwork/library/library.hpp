@@ -102,8 +102,8 @@ std::string calibration_computation(const CalibrationKey& key);
 /// the file cannot be used (disk full, no permission, locked by another process for longer than ten seconds).
 class Library {
   public:
-    /// Create a library in a new or an empty file. Throws InputError if the file exists and is not empty,
-    /// IoError if it cannot be written.
+    /// Create a library in a new or an empty file. Throws InputError if the setting is invalid or the file
+    /// exists and is not empty, IoError if it cannot be written.
     static Library create(const std::filesystem::path& path, const pattern::NodeLayout& layout,
                           const reduction::Setting& setting);
     /// Open a file. A file of schema 3 is converted to the present schema if it is opened for writing, and is
@@ -112,7 +112,7 @@ class Library {
     static Library open(const std::filesystem::path& path, Access access = Access::ReadOnly);
     /// Open an existing file for writing and check its layout and setting, or create a new file with these
     /// patterns. If not all patterns can be written, no new file is left. An empty file becomes a library
-    /// without patterns.
+    /// without patterns. Throws InputError if the setting is invalid.
     static Library open_or_create(const std::filesystem::path& path, const pattern::NodeLayout& layout,
                                   const reduction::Setting& setting,
                                   std::span<const pattern::Pattern> patterns = {},
@@ -134,7 +134,8 @@ class Library {
     void check_layout(const pattern::NodeLayout& wanted) const;
     /// Replace the library's setting by `wanted` if nothing has been computed with the old setting. Otherwise
     /// check the setting as check_setting() does, and replace only the strength and the section's shape, if
-    /// `wanted` has them. Computed values do not depend on these two.
+    /// `wanted` has them. Computed values do not depend on these two. Throws InputError if `wanted` is
+    /// invalid.
     void adopt_setting(const reduction::Setting& wanted);
 
     /// Add patterns that the library lacks. Returns the number of patterns added. If the call is stopped, no

@@ -49,10 +49,13 @@ std::optional<CurvatureEvaluation> Evaluator::curvature(const Eigen::VectorXd& p
 }
 
 bool Evaluator::can_afford(Evaluation kind) const {
-    if (cost_ + problem_->cost(kind) > budget_.cost) return false;
-    if (std::isinf(budget_.seconds)) return true;
+    return cost_ + problem_->cost(kind) <= budget_.cost && !is_late();
+}
+
+bool Evaluator::is_late() const {
+    if (std::isinf(budget_.seconds)) return false;
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - started_;
-    return elapsed.count() < budget_.seconds;
+    return elapsed.count() >= budget_.seconds;
 }
 
 bool Evaluator::charge(Evaluation kind, const Eigen::VectorXd& point) {

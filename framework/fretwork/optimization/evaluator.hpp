@@ -59,6 +59,9 @@ class Evaluator {
     /// True if the rest of the budget covers one more evaluation of this kind.
     [[nodiscard]] bool can_afford(Evaluation kind) const;
 
+    /// True once the time of the budget is over.
+    [[nodiscard]] bool is_late() const;
+
     /// The cost spent so far, in the problem's unit.
     [[nodiscard]] long cost() const { return cost_; }
     /// The number of evaluations so far.

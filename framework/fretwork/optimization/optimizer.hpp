@@ -23,7 +23,8 @@ enum class Ending {
     Converged,    ///< the method's own criterion was met
     BudgetSpent,  ///< an evaluation was refused because the rest of the budget did not cover it
     Stalled,      ///< the method's progress or iterations ended before its criterion was met
-    /// No start gave a descent: the objective was not finite at the start, or the first step failed.
+    /// No start gave a descent: the objective or its derivatives were not finite at the start, or the first
+    /// step failed.
     Invalid,
     /// An outside program (OutsideCommand) went on after the budget was spent, and was stopped.
     Stopped,

@@ -113,7 +113,6 @@ mechanics::Frame scenario_frame(mechanics::Frame tile, const Scenario& scenario)
 void apply_scenario(const Scenario& scenario, mechanics::Assembly& tile) {
     const auto supports = detail::supports_of(scenario);
     tile.supports.insert(tile.supports.end(), supports.begin(), supports.end());
-    tile.has_moments = false;
     for (const mechanics::NodalLoad& load : detail::loads_of(scenario, scenario.max_magnitude)) {
         tile.loads.row(load.node).head<3>() += load.force;
         tile.loads.row(load.node).tail<3>() += load.moment;
@@ -130,6 +129,7 @@ Response follow_scenario(const LoadedTile& tile, const Scenario& scenario, const
 
 std::vector<Response> compute_responses(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                         const Setting& setting, const ResponseOptions& options) {
+    setting.validate();
     const auto nodes_a_side = static_cast<int>(layout.interface_nodes().size());
     const FreeTile tile{mechanics::refined(pattern_frame(layout, pattern, setting), setting.divisions),
                         setting.sides * nodes_a_side, setting.magnitudes};

@@ -168,7 +168,7 @@ void bind_calibrate(py::module_& m) {
         [](const ModelOrName& model, const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
            const Setting& setting, const std::vector<Response>& responses) {
             check(layout, pattern);
-            setting.validate();
+            CalibrationInput{layout, pattern, setting, responses}.validate();
             const auto task =
                 std::make_shared<CalibrationTask>(model_of(model), layout, pattern, setting, responses);
             auto parameters = [task](const Eigen::VectorXd& point) { return task->parameters_at(point); };

@@ -47,10 +47,13 @@ class CeresResiduals final : public Optimizer {
 
   private:
     [[nodiscard]] RunOutcome run_from(Evaluator& evaluator, const Eigen::VectorXd& start) const {
-        RunOutcome run{Ending::BudgetSpent, start};
+        RunOutcome run{Ending::Invalid, start};
         for (const double smoothing : options_.smoothing) {
-            run.ending = descend(evaluator, smoothing, run.final_point);
-            if (run.ending == Ending::BudgetSpent || run.ending == Ending::Invalid) break;
+            const Ending ending = descend(evaluator, smoothing, run.final_point);
+            // A later stage that cannot begin leaves the point of the stage before it.
+            const bool is_late = ending == Ending::Invalid && run.ending != Ending::Invalid;
+            run.ending = is_late ? Ending::Stalled : ending;
+            if (ending == Ending::BudgetSpent || ending == Ending::Invalid) break;
         }
         return run;
     }
@@ -59,7 +62,7 @@ class CeresResiduals final : public Optimizer {
         const Eigen::VectorXd start = point;
         const auto first = evaluator.residuals(start, smoothing);
         if (!first) return Ending::BudgetSpent;
-        if (!std::isfinite(first->objective)) return Ending::Invalid;
+        if (!std::isfinite(first->objective) || !first->jacobian.allFinite()) return Ending::Invalid;
         bool is_refused = false;
         const auto residuals = static_cast<int>(first->residuals.size());
         const auto linearize = [&](const Eigen::VectorXd& at) -> std::optional<detail::Linearization> {

@@ -11,6 +11,11 @@
 namespace fretwork::optimization {
 namespace {
 
+/// True if a descent can go on from a point with this model.
+bool is_usable(const CurvatureEvaluation& model) {
+    return std::isfinite(model.value) && model.gradient.allFinite() && model.curvature.allFinite();
+}
+
 /// A descent: a point, and the quadratic model of the smoothed objective at this point.
 class GaussNewtonDescent final : public detail::StagedDescent {
   public:
@@ -22,7 +27,10 @@ class GaussNewtonDescent final : public detail::StagedDescent {
             smoothing == options_->smoothing.back() ? options_->tolerance : options_->loose_tolerance;
         const auto model = evaluator_->curvature(point_, smoothing);
         if (!model) return Ending::BudgetSpent;
-        if (!std::isfinite(model->value)) return Ending::Stalled;
+        if (!is_usable(*model)) {
+            model_.value = kNothing;  // this descent is then left out of the next stage
+            return Ending::Stalled;
+        }
         model_ = *model;
         for (int iteration = 0; iteration < options_->largest_iterations; ++iteration) {
             const Eigen::VectorXd step = damped_step();
@@ -30,7 +38,7 @@ class GaussNewtonDescent final : public detail::StagedDescent {
             if (predicted <= tolerance * model_.value) return Ending::Converged;
             const auto trial = evaluator_->curvature(evaluator_->bounds().clamp(point_ + step), smoothing);
             if (!trial) return Ending::BudgetSpent;
-            judge(step, *trial, (model_.value - trial->value) / predicted);
+            judge(step, *trial, is_usable(*trial) ? (model_.value - trial->value) / predicted : -kNothing);
         }
         return Ending::Stalled;
     }

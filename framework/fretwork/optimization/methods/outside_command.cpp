@@ -6,6 +6,7 @@
 #include <fretwork/optimization/methods/outside_command.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -18,6 +19,8 @@ using detail::ChildProcess;
 constexpr const char* kSpent = "spent";
 /// The largest number of requests that a program may send after the answer `spent`.
 constexpr int kMostAfterSpent = 100;
+/// The longest silence of a program after the time of its budget is over.
+constexpr auto kLongestSilence = std::chrono::seconds(1);
 constexpr const char* kWhatIsValid = "; valid are 'value' or 'gradient' with a point, and 'done'";
 
 std::string number_text(double value) {
@@ -56,6 +59,7 @@ class Conversation {
             if (is_spent_ && ++asked_after_spent_ > kMostAfterSpent) return outcome(Ending::Stopped);
             child_.write_line(answer(words, *line));
         }
+        if (is_given_up_) return outcome(Ending::Stopped);
         const std::optional<int> exit_code = child_.finish();
         if (!is_spent_)
             refuse((exit_code ? "ended with exit code " + std::to_string(*exit_code) : "closed its output") +
@@ -64,8 +68,19 @@ class Conversation {
     }
 
   private:
+    using Clock = std::chrono::steady_clock;
+
+    /// The program's next line; none at its end, or if it is given up.
     std::optional<std::string> next_line() {
-        return base::located("optimizer '" + method_.name + "'", "", [&] { return child_.read_line(); });
+        std::optional<Clock::time_point> late_since;
+        const auto gives_up = [&] {
+            if (!evaluator_.is_late()) return false;
+            if (!late_since) late_since = Clock::now();
+            is_given_up_ = Clock::now() - *late_since >= kLongestSilence;
+            return is_given_up_;
+        };
+        return base::located("optimizer '" + method_.name + "'", "",
+                             [&] { return child_.read_line(gives_up); });
     }
 
     [[noreturn]] void refuse(const std::string& complaint) const {
@@ -105,18 +120,19 @@ class Conversation {
 
     std::string value_at(const Eigen::VectorXd& point) {
         const auto value = evaluator_.value(point);
-        return value ? number_text(*value) : refusal(point);
+        return value ? number_text(*value) : refusal(Evaluation::Value);
     }
 
     std::string gradient_at(const Eigen::VectorXd& point) {
         const auto model = evaluator_.gradient(point);
-        if (!model) return refusal(point);
+        if (!model) return refusal(Evaluation::Gradient);
         if (!std::isfinite(model->objective) || !model->gradient.allFinite()) return "inf";
         return line_of(number_text(model->objective), model->gradient);
     }
 
-    std::string refusal(const Eigen::VectorXd& point) {
-        if (!evaluator_.bounds().contain(point)) return "outside";
+    /// The answer to a request that the evaluator has refused.
+    std::string refusal(Evaluation kind) {
+        if (evaluator_.can_afford(kind)) return "outside";
         is_spent_ = true;
         return kSpent;
     }
@@ -145,6 +161,7 @@ class Conversation {
     Evaluator& evaluator_;
     ChildProcess child_;
     bool is_spent_ = false;
+    bool is_given_up_ = false;
     int asked_after_spent_ = 0;
 };
 

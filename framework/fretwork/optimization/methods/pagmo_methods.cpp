@@ -18,15 +18,22 @@ using detail::EvolutionTask;
 /// The smallest population that pagmo accepts.
 constexpr std::size_t kSmallestPopulation = 5;
 
+/// The evaluations of a first population and of all generations after it.
+long evaluations_of(std::size_t population, const PagmoOptions& options) {
+    return static_cast<long>(population) * (1L + options.largest_generations);
+}
+
 Evolution cma_es(const PagmoOptions& options, const EvolutionTask& task) {
     constexpr double kAutomatic = -1.0;
     constexpr double kInitialStep = 0.3;
     constexpr int kLargestDoubling = 12;
     const auto smallest = static_cast<std::size_t>(4.0 + 3.0 * std::log(task.dimension));
+    const std::size_t population = std::max(smallest, kSmallestPopulation)
+                                   << std::min(task.run, kLargestDoubling);
     return {pagmo::algorithm(pagmo::cmaes(static_cast<unsigned>(options.largest_generations), kAutomatic,
                                           kAutomatic, kAutomatic, kAutomatic, kInitialStep, options.tolerance,
                                           options.tolerance, false, true, task.seed)),
-            std::max(smallest, kSmallestPopulation) << std::min(task.run, kLargestDoubling)};
+            population, evaluations_of(population, options)};
 }
 
 Evolution corana_annealing(const PagmoOptions& /*options*/, const EvolutionTask& task) {
@@ -46,10 +53,12 @@ Evolution differential_evolution(const PagmoOptions& options, const EvolutionTas
     constexpr double kWeight = 0.8;
     constexpr double kCrossover = 0.9;
     constexpr unsigned kRandOneExp = 2;
+    const std::size_t population =
+        std::max(10 * static_cast<std::size_t>(task.dimension), kSmallestPopulation);
     return {
         pagmo::algorithm(pagmo::de(static_cast<unsigned>(options.largest_generations), kWeight, kCrossover,
                                    kRandOneExp, options.tolerance, options.tolerance, task.seed)),
-        std::max(10 * static_cast<std::size_t>(task.dimension), kSmallestPopulation)};
+        population, evaluations_of(population, options)};
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ KnownValue find_known_value(const std::string& id, const KnownValueOptions& opti
         known.best_value = report.value;
         known.found_by = std::string(name) + " with " + std::to_string(options.starts) + " starts";
     }
-    known.scale = known.best_value;
+    known.scale = entry.scale.value_or(known.best_value);
     return known;
 }
 
@@ -127,7 +127,8 @@ void improve_known_values(std::vector<KnownValue>& values, const std::filesystem
             throw base::InputError(results.string(), "line " + std::to_string(i + 1),
                                    "best_value is not a number that is 0 or larger");
         if (found >= value->best_value * (1.0 - kRoundOff)) continue;
-        *value = {cells[0], found, found, cells[1] + " in repetition " + cells[2] + " of the comparison"};
+        const double scale = value->scale == value->best_value ? found : value->scale;
+        *value = {cells[0], found, scale, cells[1] + " in repetition " + cells[2] + " of the comparison"};
     }
 }
 

@@ -87,6 +87,20 @@ void CalibrationOptions::validate() const {
     optimization::Budget{.cost = budget}.validate();
 }
 
+void CalibrationInput::validate() const {
+    setting->validate();
+    const auto nodes = static_cast<Eigen::Index>(layout->interface_nodes().size()) * setting->sides;
+    for (const Response& response : *responses) {
+        for (const Response::Sample& sample : response.samples) {
+            const Eigen::Index own = sample.displacements.rows();
+            if (own == nodes) continue;
+            throw base::InputError("a response to '" + response.scenario + "' has " + std::to_string(own) +
+                                   " interface nodes, and a tile of layout '" + layout->name() + "' has " +
+                                   std::to_string(nodes));
+        }
+    }
+}
+
 std::vector<double> parameter_values(const Calibration& calibration, const TileModel& model) {
     std::vector<double> values;
     for (const TileParameter& parameter : model.parameters) {
@@ -103,6 +117,7 @@ std::vector<double> parameter_values(const Calibration& calibration, const TileM
 Calibration calibrate(const TileModel& model, const CalibrationInput& input,
                       const CalibrationOptions& options) {
     options.validate();
+    input.validate();
     const Objective objective(input.responses, input.setting);
     if (objective.sample_count() == 0) {
         throw base::NumericalError(

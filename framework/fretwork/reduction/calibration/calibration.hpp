@@ -66,14 +66,17 @@ struct CalibrationInput {
     base::Borrowed<pattern::Pattern> pattern;         ///< the pattern
     base::Borrowed<Setting> setting;                  ///< the setting of the responses
     base::Borrowed<std::vector<Response>> responses;  ///< responses of the pattern to the setting's scenarios
+    /// Throws InputError if the setting is invalid, or if the responses are not those of a tile of this
+    /// layout and setting: one row for each interface node.
+    void validate() const;
 };
 
 /// Fit the linear displacements of a tile model to a pattern's responses: Eqs. (1) to (11). A model without
 /// parameters is only compared with the responses: by its linear displacements if it is for small
 /// displacements, else by its nonlinear responses. The result depends on the input and the options alone.
-/// Throws InputError if an option is invalid, or if the responses do not fit the setting. Throws
-/// NumericalError if no sample can be fitted, if no start of the search gave a descent, or if a model without
-/// parameters does not converge where the pattern does. Throws base::Stopped.
+/// Throws InputError if an option or the input is invalid, or if the responses do not fit the setting.
+/// Throws NumericalError if no sample can be fitted, if no start of the search gave a descent, or if a model
+/// without parameters does not converge where the pattern does. Throws base::Stopped.
 Calibration calibrate(const TileModel& model, const CalibrationInput& input,
                       const CalibrationOptions& options = {});
 

@@ -159,7 +159,9 @@ class RingHexagon::Impl {
             const CondensedHexagon hexagon(
                 detail::hexagon_blocks(plane, plane_parameters(plane, parts), apothem_));
             const SupportGroup group{free_dofs(scenario, plane), {}};
-            const PlaneStiffness stiffness = global_stiffness(plane, hexagon);
+            const PlaneVector units = units_of(plane);
+            const PlaneStiffness stiffness =
+                units.asDiagonal() * global_stiffness(plane, hexagon) * units.asDiagonal();
             const Eigen::MatrixXd free = stiffness(group.free_dofs, group.free_dofs);
             if (group.free_dofs.empty() || free.ldlt().rcond() > kSmallestConditioning) continue;
             throw base::InputError("scenario '" + scenario.name + "' lets the tile move freely " +
@@ -170,6 +172,17 @@ class RingHexagon::Impl {
   private:
     static constexpr std::array kPlanes = {Plane::InPlane, Plane::OutOfPlane};
     static constexpr double kSmallestConditioning = 1e-13;
+
+    /// The units in which the conditioning of a stiffness does not depend on the size of the tile: 1 m for
+    /// translations, and 1 m over the apothem for rotations.
+    [[nodiscard]] PlaneVector units_of(Plane plane) const {
+        const std::array<int, 3> components = plane_components(plane);
+        PlaneVector result = PlaneVector::Ones();
+        for (Eigen::Index dof = 0; dof < kPlaneDofs; ++dof) {
+            if (components[dof % 3] >= 3) result[dof] = 1.0 / apothem_;
+        }
+        return result;
+    }
     static std::size_t index(Plane plane) { return static_cast<std::size_t>(plane); }
 
     /// The change of a plane's blocks along a direction.

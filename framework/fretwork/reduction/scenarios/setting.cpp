@@ -4,6 +4,8 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/reduction/scenarios/setting.hpp>
 
+#include <array>
+#include <cmath>
 #include <numbers>
 #include <set>
 
@@ -12,15 +14,42 @@ namespace {
 
 void check_interface_node(const Setting& setting, int node, const std::string& source,
                           const std::string& place) {
-    if (node < setting.sides) return;
+    if (node >= 0 && node < setting.sides) return;
     throw base::InputError(source, place,
                            "there is no interface node " + std::to_string(node) + " in a polygon of " +
                                std::to_string(setting.sides) + " sides");
 }
 
+/// Check a force or a moment of a load.
+void check_components(const std::array<double, 3>& components, const base::Limits& limits,
+                      const std::string& source, const std::string& place) {
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        if (base::is_within(components[i], limits)) continue;
+        throw base::InputError(source, place + "/" + std::to_string(i),
+                               "is " + base::format_number(components[i]) + ", where " +
+                                   base::range_text(limits) + " is needed");
+    }
+}
+
+void check_loads(const Setting& setting, const Scenario& scenario, const std::string& source,
+                 const std::string& place) {
+    if (scenario.loads.empty()) throw base::InputError(source, place, "a scenario needs a load");
+    for (std::size_t i = 0; i < scenario.loads.size(); ++i) {
+        const std::string own = place + "/" + std::to_string(i);
+        check_interface_node(setting, scenario.loads[i].interface_node, source, own);
+        check_components(scenario.loads[i].force, base::kForceLimits, source, own + "/force");
+        check_components(scenario.loads[i].moment, base::kMomentLimits, source, own + "/moment");
+    }
+}
+
 void check_scenario(const Setting& setting, std::size_t index, const std::string& source) {
     const Scenario& scenario = setting.scenarios[index];
     const std::string place = "/scenarios/" + std::to_string(index);
+    if (scenario.name.empty()) throw base::InputError(source, place + "/name", "a scenario needs a name");
+    if (!(scenario.weight > 0.0 && std::isfinite(scenario.weight)))
+        throw base::InputError(
+            source, place + "/weight",
+            "is " + base::format_number(scenario.weight) + ", where a number above zero is needed");
     if (!base::is_positive_within(scenario.max_magnitude, base::kForceLimits))
         throw base::InputError(source, place + "/max_magnitude",
                                "is " + base::format_number(scenario.max_magnitude) + ", where " +
@@ -29,10 +58,7 @@ void check_scenario(const Setting& setting, std::size_t index, const std::string
         check_interface_node(setting, scenario.supports[i].interface_node, source,
                              place + "/held/" + std::to_string(i));
     }
-    for (std::size_t i = 0; i < scenario.loads.size(); ++i) {
-        check_interface_node(setting, scenario.loads[i].interface_node, source,
-                             place + "/loads/" + std::to_string(i));
-    }
+    check_loads(setting, scenario, source, place + "/loads");
 }
 
 void check_quantities(const Setting& setting, const std::string& source) {
@@ -90,9 +116,11 @@ void Setting::validate(const std::string& source) const {
         if (!makes_sense) throw base::InputError(source, place, what);
     };
     check_quantities(*this, source);
-    require(sides >= 3, "/sides", "a polygon has at least 3 sides");
-    require(divisions >= 1, "/divisions", "at least 1 is needed");
-    require(magnitudes >= 1, "/magnitudes", "at least 1 is needed");
+    require(material.poisson_ratio > -1.0 && material.poisson_ratio <= 0.5, "/material/poisson_ratio",
+            "a Poisson's ratio lies above -1 and up to 0.5");
+    require(sides >= 3 && sides <= 100, "/sides", "a polygon has 3 to 100 sides");
+    require(divisions >= 1 && divisions <= 100, "/divisions", "a number from 1 to 100 is needed");
+    require(magnitudes >= 1 && magnitudes <= 1000, "/magnitudes", "a number from 1 to 1000 is needed");
     require(!scenarios.empty(), "/scenarios", "at least one is needed");
     std::set<std::string> names;
     for (std::size_t i = 0; i < scenarios.size(); ++i) {

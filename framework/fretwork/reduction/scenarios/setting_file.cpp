@@ -196,7 +196,11 @@ std::string setting_difference(const Setting& wanted, const Setting& present) {
     const Json right = comparable_json(without_stresses(present));
     const Json patch = Json::diff(right, left);
     if (patch.empty()) return "";
-    const Json::json_pointer place(patch.front().at("path").get<std::string>());
+    Json::json_pointer place(patch.front().at("path").get<std::string>());
+    if (place.back() == "-") {  // an element after the last one of an array
+        place.pop_back();
+        place.push_back(std::to_string(right.at(place).size()));
+    }
     return place.to_string() + ": " + value_text(left, place) + ", where the library has " +
            value_text(right, place);
 }

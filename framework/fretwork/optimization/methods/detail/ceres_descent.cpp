@@ -87,7 +87,7 @@ Ending CeresDescent::run_stage(double smoothing) {
                                                    .trust_region_radius = trust_region_radius_},
                                                   point_);
     if (is_refused) return Ending::BudgetSpent;
-    trust_region_radius_ = outcome.trust_region_radius;
+    if (outcome.trust_region_radius > 0.0) trust_region_radius_ = outcome.trust_region_radius;
     value_ = outcome.cost;
     return outcome.converged ? Ending::Converged : Ending::Stalled;
 }

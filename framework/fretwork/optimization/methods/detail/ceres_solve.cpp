@@ -31,13 +31,14 @@ class RememberingCost final : public ceres::CostFunction {
     }
 
     /// Evaluate the point if it is new. False if there are no residuals, as after a spent budget, or if they
-    /// are not finite.
+    /// or their derivatives are not finite. Ceres then takes a shorter step, but would end at an accepted
+    /// point without finite derivatives.
     [[nodiscard]] bool can_evaluate(const Eigen::VectorXd& point) const {
         if (last_point_.size() == 0 || last_point_ != point) {
             last_ = linearize_(point);
             last_point_ = point;
         }
-        return last_ && last_->residuals.allFinite();
+        return last_ && last_->residuals.allFinite() && last_->jacobian.allFinite();
     }
     [[nodiscard]] const std::optional<Linearization>& last() const { return last_; }
 
@@ -123,6 +124,7 @@ CeresOutcome solve_with_ceres(const CeresTask& task, const CeresSettings& settin
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem, &summary);
     if (task.bounds) point = task.bounds->clamp(point);
+    if (summary.iterations.empty()) return {};  // Ceres could not begin
     return {.converged = summary.termination_type == ceres::CONVERGENCE ||
                          summary.termination_type == ceres::USER_SUCCESS,
             .cost = summary.final_cost,

@@ -36,7 +36,7 @@ struct CeresSettings {
 struct CeresOutcome {
     bool converged = false;
     double cost = std::numeric_limits<double>::infinity();  ///< cost at the last point
-    double trust_region_radius = 0.0;                       ///< radius at the end
+    double trust_region_radius = 0.0;                       ///< radius at the end; 0: Ceres did not begin
 };
 
 /// Run Ceres from `point`, and set `point` to the point at which Ceres stops.

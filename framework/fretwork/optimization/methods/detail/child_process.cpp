@@ -97,17 +97,20 @@ ChildProcess::~ChildProcess() {
     ::waitpid(process_, nullptr, 0);
 }
 
-void ChildProcess::wait_for(short event) const {
+bool ChildProcess::wait_for(short event, const std::function<bool()>& gives_up) const {
     pollfd look{socket_, event, 0};
-    do control_.check();
-    while (::poll(&look, 1, kPause) <= 0);
+    for (;;) {
+        control_.check();
+        if (::poll(&look, 1, kPause) > 0) return true;
+        if (gives_up()) return false;
+    }
 }
 
-std::optional<std::string> ChildProcess::read_line() {
+std::optional<std::string> ChildProcess::read_line(const std::function<bool()>& gives_up) {
     std::size_t end = unread_.find('\n');
     while (end == std::string::npos) {
         if (unread_.size() > kLongestLine) throw base::InputError("a line of more than a mebibyte");
-        wait_for(POLLIN);
+        if (!wait_for(POLLIN, gives_up)) return std::nullopt;
         std::array<char, 4096> part{};
         const ssize_t size = ::recv(socket_, part.data(), part.size(), 0);
         if (size < 0 && errno == EINTR) continue;
@@ -125,7 +128,7 @@ std::optional<std::string> ChildProcess::read_line() {
 void ChildProcess::write_line(const std::string& text) {
     const std::string line = text + "\n";
     for (std::size_t sent = 0; sent < line.size();) {
-        wait_for(POLLOUT);
+        (void)wait_for(POLLOUT, [] { return false; });
         const ssize_t size =
             ::send(socket_, line.data() + sent, line.size() - sent, MSG_NOSIGNAL | MSG_DONTWAIT);
         if (size >= 0)

@@ -3,6 +3,7 @@
 
 #include <fretwork/base/control.hpp>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <sys/types.h>
@@ -22,8 +23,9 @@ class ChildProcess {
     ChildProcess& operator=(const ChildProcess&) = delete;
 
     /// The command's next line, without the LF or CR LF at its end; none at the end of the output, where a
-    /// line without LF is dropped. Throws InputError if a line is longer than a mebibyte. Throws Stopped.
-    std::optional<std::string> read_line();
+    /// line without LF is dropped, or once `gives_up`, which is asked while the command is silent, returns
+    /// true. Throws InputError if a line is longer than a mebibyte. Throws Stopped.
+    std::optional<std::string> read_line(const std::function<bool()>& gives_up);
     /// Write a line. A line that the command no longer reads is lost. Throws Stopped.
     void write_line(const std::string& text);
     /// Close the command's input, wait up to a second until the command ends, and kill the rest of its
@@ -32,7 +34,8 @@ class ChildProcess {
     std::optional<int> finish();
 
   private:
-    void wait_for(short event) const;
+    /// Wait for an event on the socket. Returns false if the wait was given up.
+    bool wait_for(short event, const std::function<bool()>& gives_up) const;
 
     base::Control control_;
     int socket_ = -1;

@@ -55,10 +55,13 @@ class PagmoRuns final : public Optimizer {
             for (int i = 0; i < options_.common.starts; ++i) {
                 const unsigned seed = base::derived_seed(options_.common.seed, i);
                 const Evolution evolution = make_(options_, {evaluator.bounds().dimension(), i, seed});
+                const long before = evaluator.evaluations();
                 const pagmo::population first{pagmo::problem(UnitProblem(evaluator)), evolution.population,
                                               seed};
                 const auto champion = evolution.algorithm.evolve(first).champion_x();
-                best.add({Ending::Converged,
+                const bool is_spent = evolution.largest_evaluations &&
+                                      evaluator.evaluations() - before >= *evolution.largest_evaluations;
+                best.add({is_spent ? Ending::Stalled : Ending::Converged,
                           UnitBox(evaluator.problem())
                               .point(Eigen::Map<const Eigen::VectorXd>(champion.data(), champion.size()))});
             }

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <pagmo/algorithm.hpp>
 
 namespace fretwork::optimization::detail {
@@ -20,6 +21,9 @@ struct EvolutionTask {
 struct Evolution {
     pagmo::algorithm algorithm;
     std::size_t population;
+    /// Number of evaluations of a run that spends all its generations. None: the method has a schedule, and
+    /// ends with it.
+    std::optional<long> largest_evaluations{};
 };
 using MakeEvolution = Evolution (*)(const PagmoOptions& options, const EvolutionTask& task);
 
