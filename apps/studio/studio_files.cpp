@@ -15,6 +15,7 @@
 #include <studio/server/words.hpp>
 #include <studio/studio_impl.hpp>
 
+#include <functional>
 #include <utility>
 
 namespace fretwork::studio {
@@ -22,6 +23,24 @@ namespace fretwork::studio {
 namespace fs = std::filesystem;
 using base::Json;
 using simulation::Project;
+
+namespace {
+
+/// Do some work on the server's thread. If it throws, answer with the reason: nothing above catches it.
+template <class Work>
+void do_or_refuse(const std::function<void(HttpAnswer)>& answer, const Work& work) {
+    try {
+        work();
+    } catch (const base::InputError& error) {
+        answer(refused(422, in_words(error)));
+    } catch (const base::Error& error) {
+        answer(refused(503, error.what()));
+    } catch (const fs::filesystem_error& error) {
+        answer(refused(503, in_words(error)));
+    }
+}
+
+}  // namespace
 
 void Studio::Impl::make_new(const Request& request) {
     pages_.in_background(
@@ -182,7 +201,10 @@ void Studio::Impl::forget(const Request& request) {
 }
 
 void Studio::Impl::resume_exports() {
-    for (ExportRequest& request : std::exchange(waiting_exports_, {})) export_file(std::move(request));
+    for (ExportRequest& request : std::exchange(waiting_exports_, {})) {
+        const auto answer = request.answer;
+        do_or_refuse(answer, [&] { export_file(std::move(request)); });
+    }
 }
 
 void Studio::Impl::refuse_waiting_exports(const std::string& reason) {
@@ -220,17 +242,11 @@ HttpAnswer Studio::Impl::page() const {
 }
 
 void Studio::Impl::get(const Target& target, std::function<void(HttpAnswer)> answer) {
-    try {
+    do_or_refuse(answer, [&] {
         if (target.path == "/") return answer(page());
         if (target.path == "/export") return export_file({ExportTarget(target), answer});
         answer({.status = 404, .body = "there is nothing at this address\n"});
-    } catch (const base::InputError& error) {
-        answer(refused(422, in_words(error)));
-    } catch (const base::Error& error) {
-        answer(refused(503, error.what()));
-    } catch (const std::filesystem::filesystem_error& error) {
-        answer(refused(503, in_words(error)));
-    }
+    });
 }
 
 }  // namespace fretwork::studio
