@@ -382,10 +382,28 @@ TEST(StudioMessages, APageThatLeavesDuringAJobHarmsNobody) {
     ASSERT_TRUE(stays.ask("paint", {{"tiles", {0}}, {"pattern", "0-6"}})["ok"].get<bool>());
 }
 
+TEST(StudioMessages, APathThatIsTooMuchToBeSentIsRefused) {
+    const RunningStudio studio(test::studio_project(30, 30));
+    Client client(studio.address());
+    client.hello();
+    const std::string beams = client.binary();
+    ASSERT_EQ(header(beams, 1), 1U);
+    const std::size_t one_step = 32 + 4UL * (6UL * header(beams, 3) + 8UL * 2UL * header(beams, 4));
+    ASSERT_GT(200 * one_step, std::size_t{64} << 20U) << "more than may wait for a page";
+    const Json refused = client.ask("path", {{"steps", 200}});
+    ASSERT_FALSE(refused["ok"].get<bool>());
+    EXPECT_THAT(refused["error"].get<std::string>(),
+                HasSubstr("is 200, where a surface of this size allows " +
+                          std::to_string((std::size_t{48} << 20U) / one_step) + " with the fields"));
+    ASSERT_TRUE(client.ask("show", {{"fields", Json::array()}})["ok"].get<bool>());
+    EXPECT_TRUE(client.ask("path", {{"steps", 20}})["ok"].get<bool>());
+    EXPECT_TRUE(client.ask("cancel")["ok"].get<bool>());
+}
+
 TEST(StudioMessages, JobsAreCancelledWhenThatIsAskedFor) {
     const RunningStudio studio(test::studio_project(20, 16));
     Client client(studio.address());
-    client.hello();
+    ASSERT_TRUE(client.ask("hello", {{"protocol", 1}, {"fields", Json::array()}})["ok"].get<bool>());
     (void)next_solution(client);
     for (int i = 0; i < 3; ++i) ASSERT_TRUE(client.ask("path", {{"steps", 200}}).contains("ok"));
     ASSERT_TRUE(client.ask("solve", {{"model", "full"}})["ok"].get<bool>());
