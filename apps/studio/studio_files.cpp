@@ -16,6 +16,7 @@
 #include <studio/studio_impl.hpp>
 
 #include <functional>
+#include <optional>
 #include <utility>
 
 namespace fretwork::studio {
@@ -171,14 +172,25 @@ Opened Studio::Impl::read_document(const fs::path& path) {
     return kept_.with_changes(document_in(file), file);
 }
 
-/// If the document's file exists, undo leads back to its content.
+/// The document as its file has it; nothing if there is no such file, or it cannot be read: then a warning
+/// says why.
+std::optional<Document> Studio::Impl::find_saved(const std::optional<fs::path>& file) {
+    if (!file || !fs::exists(*file)) return std::nullopt;
+    try {
+        return document_in(*file);
+    } catch (const base::Error& error) {  // the unsaved changes are there all the same
+        warn(one_line(in_words(error)));
+        return std::nullopt;
+    }
+}
+
+/// If the document's file can be read, undo leads back to its content.
 Opened Studio::Impl::recovered(const Recoverable& found) {
     auto place = AutosavePlace::take_over(found.file);
     if (!place) throw base::InputError("another studio shows it now");
     State changed = read_autosave(found.file);
-    const auto& file = found.label.document;
-    if (file && fs::exists(*file))
-        return {Document::recovered(document_in(*file), std::move(changed)), std::move(place)};
+    if (auto saved = find_saved(found.label.document))
+        return {Document::recovered(std::move(*saved), std::move(changed)), std::move(place)};
     return {Document(std::move(changed), next_revision()).named(found.label.name), std::move(place)};
 }
 
