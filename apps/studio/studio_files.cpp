@@ -84,6 +84,10 @@ void Studio::Impl::upload(const Request& request) {
             auto project = std::make_shared<Project>(
                 simulation::parse_project(base::decode_base64(text, shown_name(source)), shown_name(source)));
             // Its library lies on another machine.
+            if (!project->setting && !project->library_path.empty())
+                throw base::InputError(shown_name(source), "/setting",
+                                       "is missing, and the library that has it is not sent along: "
+                                       "open the project where its library is");
             project->library_path.clear();
             project->library_hash.clear();
             return [this, request, project, source] {
@@ -163,7 +167,11 @@ void Studio::Impl::patterns(const Request& request) {
 /// The hash is taken before the file is read: a change in between then counts as a change by another program.
 Document Studio::Impl::document_in(const fs::path& file) const {
     ProjectFile known{file, hash_of_file(file)};
-    const auto project = simulation::read_checked_project(file.string());
+    auto project = simulation::read_checked_project(file.string());
+    if (!project.setting) {
+        const auto library = simulation::open_project_library(file.string(), project, "");
+        project.setting = simulation::setting_of(project, library ? &*library : nullptr);
+    }
     return {make_state(project, folder_of(file)), std::move(known), next_revision()};
 }
 

@@ -3,6 +3,7 @@
 #include "running_studio.hpp"
 
 #include <fretwork/base/files/base64.hpp>
+#include <fretwork/library/library.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
 #include <fretwork/simulation/simulate.hpp>
 #include <studio/solving/live_solver.hpp>
@@ -380,6 +381,27 @@ TEST(StudioMessages, APageThatLeavesDuringAJobHarmsNobody) {
     while (!event.contains("background")) event = stays.event({"solved"});
     EXPECT_EQ(event["model"], "full");
     ASSERT_TRUE(stays.ask("paint", {{"tiles", {0}}, {"pattern", "0-6"}})["ok"].get<bool>());
+}
+
+TEST(StudioMessages, AProjectWithoutASettingHasThatOfItsLibrary) {
+    const RunningStudio studio;
+    Project project = test::studio_project();
+    project.library_path = "own.db";
+    project.library_hash =
+        library::Library::create(studio.folder() / "own.db", project.layout, reduction::made_setting())
+            .content_hash();
+    project.setting.reset();
+    simulation::write_project(project, studio.project_file());
+    Client client(studio.address());
+    client.hello();
+    ASSERT_TRUE(client.ask("open", {{"path", studio.project_file().string()}})["ok"].get<bool>());
+    EXPECT_EQ(client.event({"document"})["setting"]["joints"], "stiff");
+    EXPECT_EQ(simulation::parse_project(text_of(client), "download").setting, reduction::made_setting());
+
+    const std::string sent = base::encode_base64(simulation::project_text(project));
+    const Json refused = client.ask("upload", {{"name", "sent.json"}, {"text_base64", sent}});
+    ASSERT_FALSE(refused["ok"].get<bool>());
+    EXPECT_THAT(refused["error"].get<std::string>(), HasSubstr("library"));
 }
 
 TEST(StudioMessages, APathThatIsTooMuchToBeSentIsRefused) {
