@@ -139,6 +139,17 @@ TEST(StudioExports, EveryKindOfFileShowsTheAnswerAfterEveryKindOfAction) {
     }
 }
 
+TEST(StudioExports, AMixedModelIsShownWithItsFullTiles) {
+    const RunningStudio studio(test::studio_project());
+    Client client(studio.address());
+    client.hello();
+    ASSERT_TRUE(client.ask("set_model", {{"model", "mixed:0.25"}})["ok"].get<bool>());
+    for (const WriterRow& writer : exports::writer_catalogue()) {
+        const Download file = exported(studio, writer);
+        EXPECT_EQ(file.status, 200) << writer.ending << ": " << file.body;
+    }
+}
+
 TEST(StudioExports, WithoutAnAnswerFilesThatWouldShowItAreRefusedWithTheReason) {
     const RunningStudio studio(test::studio_project());
     Client client(studio.address());
