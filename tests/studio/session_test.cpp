@@ -676,6 +676,13 @@ TEST(StudioFiles, TheFacesOfADroppedMeshBecomeTilesAtTheWidthThatIsWanted) {
     double right = 0.0;
     for (const Json& vertex : document["vertices"]) right = std::max(right, vertex[0].get<double>());
     EXPECT_NEAR(right, 0.3, 1e-12);
+    // The middles of the tiles lie at a quarter and at three quarters of the width.
+    const Json painted = client.ask("new", {{"outline", sent(squares)},
+                                            {"tiles", "faces"},
+                                            {"patterns", "field:x/0.3"},
+                                            {"palette", "0-1+1-6,0-6"}});
+    ASSERT_TRUE(painted["ok"].get<bool>()) << painted;
+    EXPECT_EQ(client.event({"document"})["painting"], (Json{0, 1}));
     const std::string dented = "v 0 0 0\nv 1 0 0\nv 0.2 0.2 0\nv 0 1 0\nf 1 2 3 4\n";
     const Json refused = client.ask("new", {{"outline", sent(dented)}, {"tiles", "faces"}});
     EXPECT_FALSE(refused["ok"].get<bool>());
