@@ -865,6 +865,16 @@ TEST(StudioFiles, BarsThatOverlapAreToldWithTheirPlacesAndInTheRemarkOfExports) 
         HasSubstr("Fretwork-Remark"));
 }
 
+TEST(StudioFiles, WhetherBarsOverlapIsToldAgainAfterAChangeThatIsTakenBack) {
+    const RunningStudio studio(test::studio_project(20, 16));  // not solved before the change is taken back
+    Client client(studio.address());
+    client.hello();
+    const Json making = client.event({"making"});
+    ASSERT_TRUE(client.ask("paint", {{"tiles", {1}}, {"pattern", "0-5+5-6"}})["ok"].get<bool>());
+    ASSERT_TRUE(client.ask("undo")["ok"].get<bool>());
+    EXPECT_EQ(client.event({"making"})["words"], making["words"]);
+}
+
 TEST(StudioFiles, UnsavedChangesAreThereAfterARestart) {
     RunningStudio studio(test::studio_project());
     std::string text;
