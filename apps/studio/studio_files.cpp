@@ -15,6 +15,8 @@
 #include <studio/server/words.hpp>
 #include <studio/studio_impl.hpp>
 
+#include <functional>
+#include <optional>
 #include <utility>
 
 namespace fretwork::studio {
@@ -22,6 +24,24 @@ namespace fretwork::studio {
 namespace fs = std::filesystem;
 using base::Json;
 using simulation::Project;
+
+namespace {
+
+/// Do some work on the server's thread. If it throws, answer with the reason: nothing above catches it.
+template <class Work>
+void do_or_refuse(const std::function<void(HttpAnswer)>& answer, const Work& work) {
+    try {
+        work();
+    } catch (const base::InputError& error) {
+        answer(refused(422, in_words(error)));
+    } catch (const base::Error& error) {
+        answer(refused(503, error.what()));
+    } catch (const fs::filesystem_error& error) {
+        answer(refused(503, in_words(error)));
+    }
+}
+
+}  // namespace
 
 void Studio::Impl::make_new(const Request& request) {
     pages_.in_background(
@@ -64,6 +84,10 @@ void Studio::Impl::upload(const Request& request) {
             auto project = std::make_shared<Project>(
                 simulation::parse_project(base::decode_base64(text, shown_name(source)), shown_name(source)));
             // Its library lies on another machine.
+            if (!project->setting && !project->library_path.empty())
+                throw base::InputError(shown_name(source), "/setting",
+                                       "is missing, and the library that has it is not sent along: "
+                                       "open the project where its library is");
             project->library_path.clear();
             project->library_hash.clear();
             return [this, request, project, source] {
@@ -143,7 +167,11 @@ void Studio::Impl::patterns(const Request& request) {
 /// The hash is taken before the file is read: a change in between then counts as a change by another program.
 Document Studio::Impl::document_in(const fs::path& file) const {
     ProjectFile known{file, hash_of_file(file)};
-    const auto project = simulation::read_checked_project(file.string());
+    auto project = simulation::read_checked_project(file.string());
+    if (!project.setting) {
+        const auto library = simulation::open_project_library(file.string(), project, "");
+        project.setting = simulation::setting_of(project, library ? &*library : nullptr);
+    }
     return {make_state(project, folder_of(file)), std::move(known), next_revision()};
 }
 
@@ -152,14 +180,25 @@ Opened Studio::Impl::read_document(const fs::path& path) {
     return kept_.with_changes(document_in(file), file);
 }
 
-/// If the document's file exists, undo leads back to its content.
+/// The document as its file has it; nothing if there is no such file, or it cannot be read: then a warning
+/// says why.
+std::optional<Document> Studio::Impl::find_saved(const std::optional<fs::path>& file) {
+    if (!file || !fs::exists(*file)) return std::nullopt;
+    try {
+        return document_in(*file);
+    } catch (const base::Error& error) {  // the unsaved changes are there all the same
+        warn(one_line(in_words(error)));
+        return std::nullopt;
+    }
+}
+
+/// If the document's file can be read, undo leads back to its content.
 Opened Studio::Impl::recovered(const Recoverable& found) {
     auto place = AutosavePlace::take_over(found.file);
     if (!place) throw base::InputError("another studio shows it now");
     State changed = read_autosave(found.file);
-    const auto& file = found.label.document;
-    if (file && fs::exists(*file))
-        return {Document::recovered(document_in(*file), std::move(changed)), std::move(place)};
+    if (auto saved = find_saved(found.label.document))
+        return {Document::recovered(std::move(*saved), std::move(changed)), std::move(place)};
     return {Document(std::move(changed), next_revision()).named(found.label.name), std::move(place)};
 }
 
@@ -182,7 +221,10 @@ void Studio::Impl::forget(const Request& request) {
 }
 
 void Studio::Impl::resume_exports() {
-    for (ExportRequest& request : std::exchange(waiting_exports_, {})) export_file(std::move(request));
+    for (ExportRequest& request : std::exchange(waiting_exports_, {})) {
+        const auto answer = request.answer;
+        do_or_refuse(answer, [&] { export_file(std::move(request)); });
+    }
 }
 
 void Studio::Impl::refuse_waiting_exports(const std::string& reason) {
@@ -220,17 +262,11 @@ HttpAnswer Studio::Impl::page() const {
 }
 
 void Studio::Impl::get(const Target& target, std::function<void(HttpAnswer)> answer) {
-    try {
+    do_or_refuse(answer, [&] {
         if (target.path == "/") return answer(page());
         if (target.path == "/export") return export_file({ExportTarget(target), answer});
         answer({.status = 404, .body = "there is nothing at this address\n"});
-    } catch (const base::InputError& error) {
-        answer(refused(422, in_words(error)));
-    } catch (const base::Error& error) {
-        answer(refused(503, error.what()));
-    } catch (const std::filesystem::filesystem_error& error) {
-        answer(refused(503, in_words(error)));
-    }
+    });
 }
 
 }  // namespace fretwork::studio

@@ -111,6 +111,7 @@ class Studio::Impl final : public Service {
     /// The document of a file without its unsaved changes.
     [[nodiscard]] Document document_in(const std::filesystem::path& file) const;
     [[nodiscard]] Opened read_document(const std::filesystem::path& path);
+    [[nodiscard]] std::optional<Document> find_saved(const std::optional<std::filesystem::path>& file);
     [[nodiscard]] Opened recovered(const Recoverable& found);
     /// A file that a browser asks for with /export, and the receiver of the answer.
     struct ExportRequest {

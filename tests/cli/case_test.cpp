@@ -50,6 +50,21 @@ TEST_F(CaseCommand, QuestionsPointsThatLieOutside) {
     EXPECT_EQ(std::count(added.err.begin(), added.err.end(), '\n'), 1);
 }
 
+TEST_F(CaseCommand, ACaseThatOthersCombineDoesNotBecomeACombination) {
+    folder_.file("other.json", R"({"format": "fretwork/load-case/1", "name": "other",
+        "loads": [{"side": "right", "force": [0, 0.01, 0]}]})");
+    folder_.file("new_tip.json", R"({"format": "fretwork/load-case/2", "name": "tip",
+        "combines": [{"load_case": "other", "factor": 1}]})");
+    for (const std::string file : {"tip.json", "other.json", "both.json"})
+        ASSERT_EQ(run("fretwork case add p.json " + file).exit_code, 0) << file;
+    const Outcome refused = run("fretwork case add p.json new_tip.json --replace");
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, AllOf(HasSubstr("p.json"), HasSubstr("'tip' is a combination, too")));
+    EXPECT_EQ(run("fretwork case list p.json").exit_code, 0) << "the project can still be read";
+    ASSERT_EQ(run("fretwork case remove p.json both").exit_code, 0);
+    EXPECT_EQ(run("fretwork case add p.json new_tip.json --replace").exit_code, 0) << "nothing combines it";
+}
+
 TEST_F(CaseCommand, RemovesAndRenames) {
     ASSERT_EQ(run("fretwork case add p.json tip.json && fretwork case add p.json both.json").exit_code, 0);
     const Outcome kept = run("fretwork case remove p.json tip");

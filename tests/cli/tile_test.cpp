@@ -162,7 +162,22 @@ TEST(TileCommand, SaysThatNodesPickedByNumberLieElsewhere) {
     ASSERT_EQ(run_command("fretwork case add p.json corner.json", folder.path()).exit_code, 0);
     EXPECT_THAT(run_command(tile_20, folder.path()).err, Not(HasSubstr("by number")));
     EXPECT_THAT(run_command(std::string(kTile) + " --edge-length 15mm", folder.path()).err,
-                HasSubstr("1 of the load cases kept select interface nodes by number"));
+                HasSubstr("1 of the load cases kept select interface nodes or tiles by number"));
+}
+
+TEST(TileCommand, SaysThatLoadsOnTilesOrAreasOfNodesByNumberLieElsewhere) {
+    for (const std::string where : {R"("tiles")", R"("nodes")"}) {
+        const TemporaryFolder folder;
+        folder.file("snow.json", R"({"format": "fretwork/load-case/4", "name": "snow",
+            "loads": [{)" + where + R"(: [0, 1, 2], "per_area": [0, 0, -5]}]})");
+        const std::string tile_20 = std::string(kTile) + " --edge-length 20mm";
+        ASSERT_EQ(run_command(tile_20, folder.path()).exit_code, 0);
+        ASSERT_EQ(run_command("fretwork case add p.json snow.json", folder.path()).exit_code, 0) << where;
+        EXPECT_THAT(run_command(tile_20, folder.path()).err, Not(HasSubstr("by number"))) << where;
+        EXPECT_THAT(run_command(std::string(kTile) + " --edge-length 15mm", folder.path()).err,
+                    HasSubstr("1 of the load cases kept select interface nodes or tiles by number"))
+            << where;
+    }
 }
 
 TEST(TileCommand, RefusesAPaletteThatNothingChoosesFrom) {

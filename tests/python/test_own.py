@@ -74,6 +74,13 @@ class OwnTileModels(unittest.TestCase):
         self.assertLess(fw.compare(full, mine).relative_l2_error, 1e-6)
         self.assertIn(b"VTKFile", fw.export_content(surface, ".vtu", mine, models=[own]))
 
+    def test_its_beams_are_written_as_a_frame(self):
+        own = fw.TileModel("mine", lambda tile: fw.beam_tile(tile.frame(), tile.interface_nodes, "of-the-pattern"))
+        surface = support.surface()
+        for _ in range(5):  # its tiles are built by several threads, which wait for one another
+            mine = fw.surface_frame(surface, support.tip(), model="mine", models=[own])
+        self.assertEqual(len(mine.beams), len(fw.surface_frame(surface, support.tip()).beams))
+
     def test_a_stiffness_of_the_wrong_size_is_refused(self):
         wrong = fw.TileModel("wrong", lambda tile: np.eye(3))
         with self.assertRaisesRegex(fw.InputError, "not 3 x 3"):

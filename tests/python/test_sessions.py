@@ -52,6 +52,13 @@ class Sessions(unittest.TestCase):
         scale = again.largest_displacement
         np.testing.assert_allclose(session.solve().displacements, again.displacements, rtol=0, atol=1e-9 * scale)
 
+    def test_the_subject_of_a_mixed_result_has_its_full_tiles(self):
+        session = fw.Session(support.surface(), support.tip(), model="mixed:0.25")
+        result = session.solve(subject=True)
+        self.assertGreater(len(result.subject.full_tiles), 0)
+        self.assertEqual(list(result.subject.full_tiles), list(session.full_tiles))
+        self.assertEqual(fw.beam_table(support.surface(), result).unknown, 0)
+
     def test_a_change_of_load_keeps_the_factors(self):
         session = fw.Session(support.surface(), support.tip(), model="condensed")
         one = session.solve().displacements

@@ -129,6 +129,15 @@ TEST(ProjectFile, RefusesModelsOfTilesThatAreNotThereOrAreChosenTwice) {
     EXPECT_THAT(complaint({tiling::TileIndex(1), tiling::TileIndex(1)}), HasSubstr("chosen twice"));
 }
 
+TEST(ProjectSurface, RefusesModelsOfTilesThatAreNotThere) {
+    Project project = example();
+    for (const int tile : {6, 1'000'000, -1}) {
+        project.tile_models = {{"full", {tiling::TileIndex(tile)}}};
+        EXPECT_THAT(complaint_of([&] { (void)make_surface(project, nullptr); }),
+                    HasSubstr("there is no tile " + std::to_string(tile) + ": tiles run from 0 to 5"));
+    }
+}
+
 TEST(LoadCaseFile, WritingWhatWasReadGivesTheSameFile) {
     const TemporaryFolder folder;
     const LoadCase load_case = example().load_cases[1];

@@ -213,5 +213,21 @@ TEST(StudioErrors, TheErrorOfASurfaceThatIsBentFarIsEstimated) {
     EXPECT_GT(error["mean"].get<double>(), 0.0);
 }
 
+TEST(StudioErrors, AnErrorIsToldAgainWhenItsLoadCaseIsShownAgain) {
+    Project project = project_to_design();
+    project.load_cases.front() = test::cantilever({0.0, 0.0, -0.3});
+    project.load_cases.push_back(project.load_cases.front());
+    project.load_cases.back().name = "not held";
+    project.load_cases.back().supports.clear();
+    const RunningStudio studio(project);
+    Client client(studio.address());
+    client.hello();
+    const Json error = client.event({"model_error"});
+    ASSERT_TRUE(client.ask("select_load_case", {{"index", 1}})["ok"].get<bool>());
+    (void)client.event({"failed"});
+    ASSERT_TRUE(client.ask("select_load_case", {{"index", 0}})["ok"].get<bool>());
+    EXPECT_EQ(client.event({"model_error"})["largest"], error["largest"]);
+}
+
 }  // namespace THIS_TEST
 }  // namespace fretwork::studio

@@ -6,20 +6,25 @@
 #include <fretwork/exports/writer_catalogue.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
 #include <fretwork/simulation/simulate.hpp>
+#include <studio/server/background.hpp>
 
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <memory>
+#include <vector>
 
 namespace fretwork::studio {
 namespace THIS_TEST {
 
 using base::Json;
 using exports::WriterRow;
+using simulation::Project;
 using test::Client;
 using test::RunningStudio;
+using test::Wire;
 using testing::HasSubstr;
 
 Json load_case_json(double force, const std::string& name = "cantilever") {
@@ -134,6 +139,17 @@ TEST(StudioExports, EveryKindOfFileShowsTheAnswerAfterEveryKindOfAction) {
     }
 }
 
+TEST(StudioExports, AMixedModelIsShownWithItsFullTiles) {
+    const RunningStudio studio(test::studio_project());
+    Client client(studio.address());
+    client.hello();
+    ASSERT_TRUE(client.ask("set_model", {{"model", "mixed:0.25"}})["ok"].get<bool>());
+    for (const WriterRow& writer : exports::writer_catalogue()) {
+        const Download file = exported(studio, writer);
+        EXPECT_EQ(file.status, 200) << writer.ending << ": " << file.body;
+    }
+}
+
 TEST(StudioExports, WithoutAnAnswerFilesThatWouldShowItAreRefusedWithTheReason) {
     const RunningStudio studio(test::studio_project());
     Client client(studio.address());
@@ -171,6 +187,23 @@ TEST(StudioExport, RefusalsAreOneLineAndUnknownKeysAreRefused) {
     EXPECT_THAT(refusal("to=a.svg&view=%0d%0aside"), HasSubstr("\\x0d"));
     refusal("to=a.svg&" + std::string(5000, 'k') + "=1");
     refusal("to=" + std::string(5000, 'n') + ".xyz");
+}
+
+TEST(StudioExports, MoreThanCanWaitAreRefusedWhenTheAnswerComesAndTheServerGoesOn) {
+    Project project = test::studio_project(20, 20);
+    project.load_cases.front() = test::cantilever({0.0, 0.0, -1e-6});  // full beams: solved for a while
+    const RunningStudio studio(project);
+    Client client(studio.address());
+    client.hello();
+    ASSERT_TRUE(client.ask("set_model", {{"model", "full"}})["ok"].get<bool>());
+    std::vector<std::unique_ptr<Wire>> wires;
+    for (std::size_t i = 0; i < Background::kMostWaiting + 8; ++i) {
+        wires.push_back(std::make_unique<Wire>(studio.port()));
+        wires.back()->send(test::get_request("/export?token=" + studio.token() + "&to=file.csv"));
+    }
+    for (const auto& wire : wires)
+        EXPECT_THAT(test::status_of(wire->receive_all()), testing::AnyOf(200, 422));
+    EXPECT_TRUE(client.ask("recoverable")["ok"].get<bool>());
 }
 
 /// The targets of an animated glTF.

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Parts of the server by themselves.
+#include "library/sample.hpp"
 #include "running_studio.hpp"
 
 #include <fretwork/base/files/base64.hpp>
+#include <fretwork/library/library.hpp>
+#include <fretwork/pattern/pattern.hpp>
 #include <fretwork/reduction/scenarios/setting_file.hpp>
 #include <fretwork/tiling/tessellation.hpp>
 #include <studio/document/edits.hpp>
 #include <studio/document/history.hpp>
 #include <studio/document/painting_request.hpp>
+#include <studio/document/pattern_list.hpp>
 #include <studio/server/background.hpp>
 #include <studio/server/outgoing.hpp>
 
@@ -162,6 +166,30 @@ TEST(StudioState, ADocumentWithAnotherStrengthKeepsItsLibraryAndWithAnotherMater
     EXPECT_EQ(library_with(setting), "/folder/library.db");
     setting.material.young_modulus *= 2;
     EXPECT_EQ(library_with(setting), "");
+}
+
+TEST(StudioPatterns, HaveTheErrorsOfALibraryOfTheirOwnLayoutOnly) {
+    const test::TemporaryFolder folder;
+    simulation::Project project = test::studio_project();
+    project.layout = pattern::find_node_layout("spider4");
+    auto library = library::Library::create(folder.path() / "own.db", project.layout, *project.setting);
+    const auto id = pattern_list("spider4", nullptr, {})["patterns"][0]["id"].get<std::string>();
+    library.add_patterns(std::vector{pattern::parse_pattern_id(project.layout, id)});
+    library.store(std::vector{library::PatternData{id, {}, {library::test::sample_calibration(0.25)}, {}}});
+    project.library_path = "own.db";
+    project.library_hash = library.content_hash();
+    const State state = make_state(project, folder.path());
+    auto other = base::Json::parse(pattern::node_layout_text(project.layout));
+    other["name"] = "other";
+    const std::string other_file = folder.file("other.json", other.dump());
+    const auto count_errors = [&](const std::string& layout) {
+        const base::Json list = pattern_list(layout, &state, {});
+        int errors = 0;
+        for (const base::Json& one : list["patterns"]) errors += one["error"].is_null() ? 0 : 1;
+        return errors;
+    };
+    EXPECT_EQ(count_errors("spider4"), 1);
+    EXPECT_EQ(count_errors(other_file), 0);
 }
 
 TEST(StudioBackground, StopsWhatIsUnderWayAndForgetsWhatWaits) {

@@ -75,6 +75,27 @@ TEST_F(StudioRecovery, OffersEveryDocumentThatWasNotSaved) {
     ASSERT_EQ(recoverable(client).size(), 1U) << "what is shown is not offered";
 }
 
+TEST_F(StudioRecovery, WhatWasNotSavedIsThereIfTheFileIsDamaged) {
+    std::string changed;
+    {
+        Client client(studio_.address());
+        open(client);
+        paint(client);
+        changed = text_of(client);
+    }
+    studio_.restart();
+    base::write_file_atomically(file_, R"({"format": "fretwork/project/2", "layout": )");
+    Client client(studio_.address());
+    client.hello();
+    EXPECT_FALSE(client.ask("open", {{"path", file_.string()}})["ok"].get<bool>());
+    const Json found = recoverable(client);
+    ASSERT_EQ(found.size(), 1U);
+    const Json answer = client.ask("recover", {{"key", found[0]["key"]}});
+    ASSERT_TRUE(answer["ok"].get<bool>()) << answer;
+    EXPECT_EQ(text_of(client), changed);
+    EXPECT_THAT(client.event({"warning"})["text"].get<std::string>(), HasSubstr("bridge.json"));
+}
+
 TEST_F(StudioRecovery, AutosavesAreReadStrictly) {
     {
         Client client(studio_.address());

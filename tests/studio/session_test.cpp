@@ -3,6 +3,7 @@
 #include "running_studio.hpp"
 
 #include <fretwork/base/files/base64.hpp>
+#include <fretwork/library/library.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
 #include <fretwork/simulation/simulate.hpp>
 #include <studio/solving/live_solver.hpp>
@@ -382,10 +383,49 @@ TEST(StudioMessages, APageThatLeavesDuringAJobHarmsNobody) {
     ASSERT_TRUE(stays.ask("paint", {{"tiles", {0}}, {"pattern", "0-6"}})["ok"].get<bool>());
 }
 
+TEST(StudioMessages, AProjectWithoutASettingHasThatOfItsLibrary) {
+    const RunningStudio studio;
+    Project project = test::studio_project();
+    project.library_path = "own.db";
+    project.library_hash =
+        library::Library::create(studio.folder() / "own.db", project.layout, reduction::made_setting())
+            .content_hash();
+    project.setting.reset();
+    simulation::write_project(project, studio.project_file());
+    Client client(studio.address());
+    client.hello();
+    ASSERT_TRUE(client.ask("open", {{"path", studio.project_file().string()}})["ok"].get<bool>());
+    EXPECT_EQ(client.event({"document"})["setting"]["joints"], "stiff");
+    EXPECT_EQ(simulation::parse_project(text_of(client), "download").setting, reduction::made_setting());
+
+    const std::string sent = base::encode_base64(simulation::project_text(project));
+    const Json refused = client.ask("upload", {{"name", "sent.json"}, {"text_base64", sent}});
+    ASSERT_FALSE(refused["ok"].get<bool>());
+    EXPECT_THAT(refused["error"].get<std::string>(), HasSubstr("library"));
+}
+
+TEST(StudioMessages, APathThatIsTooMuchToBeSentIsRefused) {
+    const RunningStudio studio(test::studio_project(30, 30));
+    Client client(studio.address());
+    client.hello();
+    const std::string beams = client.binary();
+    ASSERT_EQ(header(beams, 1), 1U);
+    const std::size_t one_step = 32 + 4UL * (6UL * header(beams, 3) + 8UL * 2UL * header(beams, 4));
+    ASSERT_GT(200 * one_step, std::size_t{64} << 20U) << "more than may wait for a page";
+    const Json refused = client.ask("path", {{"steps", 200}});
+    ASSERT_FALSE(refused["ok"].get<bool>());
+    EXPECT_THAT(refused["error"].get<std::string>(),
+                HasSubstr("is 200, where a surface of this size allows " +
+                          std::to_string((std::size_t{48} << 20U) / one_step) + " with the fields"));
+    ASSERT_TRUE(client.ask("show", {{"fields", Json::array()}})["ok"].get<bool>());
+    EXPECT_TRUE(client.ask("path", {{"steps", 20}})["ok"].get<bool>());
+    EXPECT_TRUE(client.ask("cancel")["ok"].get<bool>());
+}
+
 TEST(StudioMessages, JobsAreCancelledWhenThatIsAskedFor) {
     const RunningStudio studio(test::studio_project(20, 16));
     Client client(studio.address());
-    client.hello();
+    ASSERT_TRUE(client.ask("hello", {{"protocol", 1}, {"fields", Json::array()}})["ok"].get<bool>());
     (void)next_solution(client);
     for (int i = 0; i < 3; ++i) ASSERT_TRUE(client.ask("path", {{"steps", 200}}).contains("ok"));
     ASSERT_TRUE(client.ask("solve", {{"model", "full"}})["ok"].get<bool>());
@@ -636,6 +676,13 @@ TEST(StudioFiles, TheFacesOfADroppedMeshBecomeTilesAtTheWidthThatIsWanted) {
     double right = 0.0;
     for (const Json& vertex : document["vertices"]) right = std::max(right, vertex[0].get<double>());
     EXPECT_NEAR(right, 0.3, 1e-12);
+    // The middles of the tiles lie at a quarter and at three quarters of the width.
+    const Json painted = client.ask("new", {{"outline", sent(squares)},
+                                            {"tiles", "faces"},
+                                            {"patterns", "field:x/0.3"},
+                                            {"palette", "0-1+1-6,0-6"}});
+    ASSERT_TRUE(painted["ok"].get<bool>()) << painted;
+    EXPECT_EQ(client.event({"document"})["painting"], (Json{0, 1}));
     const std::string dented = "v 0 0 0\nv 1 0 0\nv 0.2 0.2 0\nv 0 1 0\nf 1 2 3 4\n";
     const Json refused = client.ask("new", {{"outline", sent(dented)}, {"tiles", "faces"}});
     EXPECT_FALSE(refused["ok"].get<bool>());
@@ -816,6 +863,16 @@ TEST(StudioFiles, BarsThatOverlapAreToldWithTheirPlacesAndInTheRemarkOfExports) 
     EXPECT_THAT(
         test::http(studio.port(), test::get_request("/export?token=" + studio.token() + "&to=solid.stl")),
         HasSubstr("Fretwork-Remark"));
+}
+
+TEST(StudioFiles, WhetherBarsOverlapIsToldAgainAfterAChangeThatIsTakenBack) {
+    const RunningStudio studio(test::studio_project(20, 16));  // not solved before the change is taken back
+    Client client(studio.address());
+    client.hello();
+    const Json making = client.event({"making"});
+    ASSERT_TRUE(client.ask("paint", {{"tiles", {1}}, {"pattern", "0-5+5-6"}})["ok"].get<bool>());
+    ASSERT_TRUE(client.ask("undo")["ok"].get<bool>());
+    EXPECT_EQ(client.event({"making"})["words"], making["words"]);
 }
 
 TEST(StudioFiles, UnsavedChangesAreThereAfterARestart) {

@@ -25,6 +25,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <variant>
 
 namespace fretwork::app {
 namespace {
@@ -104,18 +105,23 @@ bool picks_by_number(const simulation::LoadCase& load_case) {
     const auto is_by_number = [](const auto& entry) {
         return std::holds_alternative<simulation::NodesById>(entry.where);
     };
+    const auto is_area_by_number = [](const simulation::LoadCase::AreaLoad& load) {
+        const auto* nodes = std::get_if<simulation::Selection>(&load.where);
+        return nodes == nullptr || std::holds_alternative<simulation::NodesById>(*nodes);  // null: tiles
+    };
     return std::ranges::any_of(load_case.supports, is_by_number) ||
            std::ranges::any_of(load_case.prescribed, is_by_number) ||
-           std::ranges::any_of(load_case.loads, is_by_number);
+           std::ranges::any_of(load_case.loads, is_by_number) ||
+           std::ranges::any_of(load_case.area_loads, is_area_by_number);
 }
 
-/// Numbers of nodes mean other places on other tiles.
+/// Numbers of nodes and tiles mean other places on other tiles.
 void warn_of_numbers(const Project& before, const Project& tiled) {
     if (before.tessellation.interface_nodes == tiled.tessellation.interface_nodes) return;
     const auto count = std::ranges::count_if(before.load_cases, picks_by_number);
     if (count == 0) return;
     warn(std::to_string(count) +
-         " of the load cases kept select interface nodes by number, and these nodes now lie elsewhere");
+         " of the load cases kept select interface nodes or tiles by number, and these now lie elsewhere");
 }
 
 /// Numbers of tiles mean other places on other tiles.

@@ -68,11 +68,12 @@ std::vector<std::optional<EffectiveProperties>> all_properties(const pattern::No
     return properties;
 }
 
-/// By pattern: the distance of its best calibration from its responses. None without a library.
-std::map<std::string, double> calibration_errors(const State* state) {
+/// By pattern: the distance of its best calibration from its responses. None without a library of this
+/// layout: in another layout, the same id is another pattern.
+std::map<std::string, double> calibration_errors(const State* state, const pattern::NodeLayout& layout) {
     std::map<std::string, double> errors;
     const auto library = state != nullptr ? open_library(*state) : std::nullopt;
-    if (!library) return errors;
+    if (!library || library->layout() != layout) return errors;
     for (const library::PatternSummary& summary : library->summaries()) {
         if (summary.best_objective) errors[summary.pattern] = *summary.best_objective;
     }
@@ -92,7 +93,7 @@ Json pattern_list(const std::string& layout_name, const State* state, const base
     const auto patterns = all_patterns(layout, control);
     const auto sameness = pattern::find_sameness(layout, patterns, {.threads = 1, .control = control});
     const auto properties = all_properties(layout, patterns, setting, control);
-    const auto errors = calibration_errors(state);
+    const auto errors = calibration_errors(state, layout);
     Json list = Json::array();
     for (std::size_t i = 0; i < patterns.size(); ++i) {
         const std::string id = pattern::pattern_id(layout, patterns[i]);

@@ -4,19 +4,17 @@
 #include <studio/document/painting_request.hpp>
 #include <studio/files/new_document.hpp>
 #include <studio/server/sent_file.hpp>
+#include <studio/server/sent_outline.hpp>
 #include <studio/solving/first_painting.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace fretwork::studio {
 namespace {
-
-double width_of(const std::vector<geometry::Point2>& points) {
-    const auto [left, right] = std::ranges::minmax(points, {}, &geometry::Point2::x);
-    return right.x - left.x;
-}
 
 /// Adds what the tiling has changed in the drawing.
 void add_remarks(const simulation::NewProject& made, std::vector<std::string>& remarks) {
@@ -38,17 +36,19 @@ void scale(tiling::Tessellation& tessellation, double factor) {
     scale_all(tessellation.interface_nodes);
 }
 
-/// Makes the project. A mesh's faces are read from its file, and scaled as its outline was.
-simulation::NewProject make_from(const SentOutline& sent, const outlines::OutlineFile& file,
+/// Makes the project. A mesh's faces are read from its file, and scaled as its outline was. Then they are
+/// painted: fields and drawings are of the scaled places.
+simulation::NewProject make_from(const SentOutline& sent, const TakenOutline& taken,
                                  simulation::NewProjectOptions options) {
     if (options.tiles == simulation::TilesFrom::Outline)
-        return simulation::make_project(file.parts, options, nullptr);
+        return simulation::make_project(taken.file.parts, options, nullptr);
+    const simulation::PaintingChoice painting = std::exchange(options.painting, {});
     simulation::NewProject made = read_sent(sent.file, [&](const std::filesystem::path& path) {
         options.outline_name = path.string();
-        return simulation::make_project(file.parts, options, nullptr);
+        return simulation::make_project(taken.file.parts, options, nullptr);
     });
-    const double drawn = width_of(made.project.tessellation.vertices);
-    scale(made.project.tessellation, sent.width.value_or(drawn) / drawn);
+    scale(made.project.tessellation, taken.factor);
+    made.painted = simulation::paint(made.project, painting, nullptr);
     return made;
 }
 
@@ -86,17 +86,18 @@ NamedProject make(const NewRequest& wanted, const base::Control& control) {
         return {example_title(wanted.example), make_example(wanted.example, control), {}, true};
     simulation::NewProjectOptions options = wanted.options;
     options.control = control;
-    outlines::OutlineFile file = take_outline(wanted.outline).file;
-    simulation::NewProject made = make_from(wanted.outline, file, options);
-    add_remarks(made, file.remarks);
+    TakenOutline taken = take_outline(wanted.outline);
+    simulation::NewProject made = make_from(wanted.outline, taken, options);
+    std::vector<std::string>& remarks = taken.file.remarks;
+    add_remarks(made, remarks);
     if (const auto remark = simulation::unkept_file_remark(made.project, options.painting, made.painted))
-        file.remarks.push_back(*remark);
+        remarks.push_back(*remark);
     if (wanted.is_to_be_made) {
         const std::string remark = paint_to_be_made(made.project, control);
-        if (!remark.empty()) file.remarks.push_back(remark);
+        if (!remark.empty()) remarks.push_back(remark);
     }
     return {std::filesystem::path(wanted.outline.file.name).stem().string(), std::move(made.project),
-            std::move(file.remarks)};
+            std::move(remarks)};
 }
 
 }  // namespace fretwork::studio

@@ -15,6 +15,8 @@ static_assert(std::endian::native == std::endian::little, "messages are written 
 
 constexpr std::uint32_t kMagic = 0x46575254;  // "FWRT"
 
+constexpr std::size_t kHeaderBytes = 8 * sizeof(std::uint32_t);
+
 using Rows = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
 class Writer {
@@ -98,6 +100,11 @@ std::string solution_message(const simulation::BeamState& state, const FrameStam
         if (fields[f]) writer.add(Eigen::VectorXf(state.forces.col(f).cast<float>()));
     }
     return writer.take();
+}
+
+std::size_t solution_bytes(const simulation::SurfaceBeams& beams, const BeamFields& fields) {
+    const std::size_t values = 6 * beams.nodes.size() + 2 * fields.count() * beams.ends.size();
+    return kHeaderBytes + sizeof(float) * values;
 }
 
 std::string motion_message(const mechanics::NodeValues& nodes, const FrameStamp& stamp,

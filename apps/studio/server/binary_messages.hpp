@@ -5,6 +5,7 @@
 #include <fretwork/simulation/results/surface_beams.hpp>
 
 #include <bitset>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -32,6 +33,8 @@ BeamFields read_beam_fields(const base::JsonReader& json);
 /// The message has all wanted fields, or none if the state has no forces.
 std::string solution_message(const simulation::BeamState& state, const FrameStamp& stamp,
                              const BeamFields& fields);
+/// The number of bytes of a solution_message() with all wanted fields.
+std::size_t solution_bytes(const simulation::SurfaceBeams& beams, const BeamFields& fields);
 /// The message has no beam fields.
 ///
 /// @param node_fields  a row for each node, a column for each field

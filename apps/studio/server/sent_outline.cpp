@@ -42,9 +42,9 @@ TakenOutline take_outline(const SentOutline& sent) {
         for (const outlines::Outline& part : file.parts) taken.sizes.push_back(size_of({&part, 1}));
         taken.file = outlines::take_parts(std::move(file), sent.part);
         if (!sent.width) return taken;
-        const double factor = *sent.width / size_of(taken.file.parts)[0];
+        taken.factor = *sent.width / size_of(taken.file.parts)[0];
         taken.file = outlines::scaled_to_width(std::move(taken.file), *sent.width);
-        for (auto& size : taken.sizes) size = {factor * size[0], factor * size[1]};
+        for (auto& size : taken.sizes) size = {taken.factor * size[0], taken.factor * size[1]};
         return taken;
     });
 }

@@ -23,6 +23,7 @@ struct SentOutline {
 struct TakenOutline {
     outlines::OutlineFile file;                ///< the chosen parts, as wide as is wanted
     std::vector<std::array<double, 2>> sizes;  ///< of all parts at the same scale, m, the largest part first
+    double factor = 1.0;                       ///< by which the drawing was scaled
 };
 
 SentOutline read_sent_outline(const base::JsonReader& json);

@@ -50,7 +50,11 @@ void ErrorWatch::begin() {
 }
 
 void ErrorWatch::look_at(const SolvedPtr& solved) {
-    if (looked_at_ == solved->situation) return;
+    if (looked_at_ == solved->situation) {
+        // Pages drop the report with every change, also with one that is taken back.
+        if (looked_at_ == now_()) pages_.broadcast(report_);
+        return;
+    }
     begin();
     if (is_unchecked(solved->result)) return;  // it comes again when the load rests
     looked_at_ = solved->situation;
@@ -67,9 +71,13 @@ void ErrorWatch::look_at(const SolvedPtr& solved) {
 }
 
 void ErrorWatch::report(const Situation& of, const Json& event) {
-    if (!(looked_at_ == of) || !(of == now_())) return;
+    if (!(looked_at_ == of)) return;
     report_ = {{json_part(event)}};
-    pages_.broadcast(report_);
+    if (of == now_()) pages_.broadcast(report_);
+}
+
+void ErrorWatch::send(ClientId client) {
+    if (looked_at_ == now_()) pages_.send(client, report_);
 }
 
 }  // namespace fretwork::studio

@@ -21,8 +21,8 @@ class ErrorWatch {
     /// Another document is shown.
     void begin();
     void look_at(const SolvedPtr& solved);
-    /// Send a page the last report.
-    void send(ClientId client) { pages_.send(client, report_); }
+    /// Send a page the report on what is shown, if there is one.
+    void send(ClientId client);
 
   private:
     void report(const Situation& of, const base::Json& event);

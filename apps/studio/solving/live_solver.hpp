@@ -13,7 +13,9 @@
 #include <mutex>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <thread>
+#include <vector>
 
 namespace fretwork::studio {
 
@@ -37,7 +39,8 @@ struct SolvedSurface {
     std::int64_t beams_revision = 0;
     std::shared_ptr<const simulation::SurfaceBeams> beams;
     simulation::SurfaceResult result;
-    simulation::BeamState state;  ///< of the beams; with forces if any field was wanted
+    std::vector<int> full_tiles{};  ///< tiles with all of their beams in a mixed model, ascending
+    simulation::BeamState state;    ///< of the beams; with forces if any field was wanted
     std::vector<std::string> warnings{};
 };
 using SolvedPtr = std::shared_ptr<const SolvedSurface>;

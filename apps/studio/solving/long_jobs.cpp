@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/simulation/results/comparison.hpp>
 #include <studio/server/binary_messages.hpp>
+#include <studio/server/outgoing.hpp>
 #include <studio/solving/long_jobs.hpp>
 #include <studio/solving/synced_session.hpp>
 
@@ -57,6 +58,11 @@ Json job_event(const char* name, const LongJob& job, const Json& more) {
 }
 
 }  // namespace
+
+std::size_t most_positions(const LongJob& job, const BeamFields& fields) {
+    constexpr std::size_t kMostBytes = OutgoingQueue::kMostBytes / 4 * 3;
+    return kMostBytes / solution_bytes(*job.beams.beams, fields);
+}
 
 JobWork solve_work() {
     return [](const LongJob& job, const base::Control& control) -> std::vector<Outgoing> {

@@ -5,6 +5,7 @@
 #include <studio/server/background.hpp>
 #include <studio/solving/live_view.hpp>
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -17,6 +18,8 @@ struct LongJob {
     ShownBeams beams;
     std::string model;  ///< as events name it
 };
+/// The largest number of positions with these fields that pages can be sent at once, beside other messages.
+std::size_t most_positions(const LongJob& job, const BeamFields& fields);
 /// Makes the messages to pages.
 using JobWork = std::function<std::vector<Outgoing>(const LongJob&, const base::Control&)>;
 

@@ -6,6 +6,7 @@
 #include <studio/solving/synced_session.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace fretwork::studio {
 namespace {
@@ -20,11 +21,20 @@ bool is_made_alike(const State& one, const State& other) {
 void MakingWatch::begin() {
     looked_at_.reset();
     report_ = {};
+    was_left_ = false;
+}
+
+void MakingWatch::follow(const State& now) {
+    if (looked_at_ && !is_made_alike(*looked_at_, now)) was_left_ = true;
 }
 
 void MakingWatch::look_at(const Document& document) {
     const StatePtr& state = document.now();
-    if (looked_at_ && is_made_alike(*looked_at_, *state)) return;
+    const bool was_left = std::exchange(was_left_, false);
+    if (looked_at_ && is_made_alike(*looked_at_, *state)) {
+        if (was_left) pages_.broadcast(report_);
+        return;
+    }
     thread_.cancel();
     looked_at_ = state;
     report_ = {};
@@ -40,9 +50,13 @@ void MakingWatch::look_at(const Document& document) {
 }
 
 void MakingWatch::report(const StatePtr& state, const base::Json& event) {
-    if (looked_at_ != state || !is_made_alike(*state, *now_())) return;
+    if (looked_at_ != state) return;
     report_ = {{json_part(event)}};
-    pages_.broadcast(report_);
+    if (is_made_alike(*state, *now_())) pages_.broadcast(report_);
+}
+
+void MakingWatch::send(ClientId client) {
+    if (looked_at_ && is_made_alike(*looked_at_, *now_())) pages_.send(client, report_);
 }
 
 }  // namespace fretwork::studio

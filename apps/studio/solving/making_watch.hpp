@@ -20,9 +20,11 @@ class MakingWatch {
 
     /// Another document is shown.
     void begin();
+    /// Another state is shown, and perhaps not for long enough to be looked at.
+    void follow(const State& now);
     void look_at(const Document& document);
-    /// Send a page the last report.
-    void send(ClientId client) { pages_.send(client, report_); }
+    /// Send a page the report on what is shown, if there is one.
+    void send(ClientId client);
 
   private:
     void report(const StatePtr& state, const base::Json& event);
@@ -32,6 +34,8 @@ class MakingWatch {
     std::function<StatePtr()> now_;
     StatePtr looked_at_;  ///< its surface was or is being looked at
     Outgoing report_;     ///< on that surface
+    /// Whether other bars were shown since: then pages have dropped the report.
+    bool was_left_ = false;
     Background thread_;
 };
 

@@ -248,6 +248,7 @@ void bind_checks(py::module_& m) {
         [](const Surface& surface, const LoadCase& load_case, const std::string& model,
            const Models& models) {
             const auto rows = models_or_all(models);
+            const py::gil_scoped_release released;  // tiles are built by several threads
             return surface_frame(surface, {model, rows}, resolve(load_case, surface));
         },
         "surface"_a, "load_case"_a, "model"_a = "full", "models"_a = py::none(),

@@ -57,9 +57,11 @@ SurfaceResult solve_session(SessionObject& self, mechanics::StabilityCheck check
     return run_long(progress, [&](const base::Control& control) {
         SurfaceResult result = use->session.solve(control, check);
         use->rows = result.solution.displacements.rows();
-        if (with_subject)
+        if (with_subject) {
             result.subject =
                 result_subject(use->session.surface(), use->session.load_case(), use->session.options());
+            result.subject->full_tiles = tile_numbers(use->session.full_tiles());
+        }
         return result;
     });
 }

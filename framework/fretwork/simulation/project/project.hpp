@@ -47,7 +47,7 @@ struct Project {
 LoadCase find_load_case(const Project& project, const std::string& name);
 
 /// The name of each tile's own tile model, "" for tiles without one. The vector is empty if no tile has
-/// one.
+/// one. Throws InputError if a tile is not there.
 std::vector<std::string> models_by_tile(const Project& project);
 /// The inverse of models_by_tile(): each model with its tiles, sorted by the models' names.
 std::vector<Project::TileModelChoice> tile_model_choices(const std::vector<std::string>& models);
