@@ -268,7 +268,8 @@ TEST(Session, RefusesMotionsInASolutionThatIsOlderThanAnEditOfTiles) {
     const auto before = session.solve();
     const auto expect_refused = [&](const char* edit) {
         EXPECT_THROW((void)session.beam_motion(TileIndex(3), before.solution), base::InputError) << edit;
-        EXPECT_THROW((void)session.motion_gradient(TileIndex(3), before.solution, NodeValues()), base::InputError)
+        EXPECT_THROW((void)session.motion_gradient(TileIndex(3), before.solution, NodeValues()),
+                     base::InputError)
             << edit;
         EXPECT_THROW((void)session.energy_gradient(before.solution), base::InputError) << edit;
     };

@@ -93,7 +93,10 @@ TEST(Painting, APaletteHasValidPatternsOnceEach) {
                     palette({"0-1+1-6", "0-1"});
                 }),
                 AllOf(HasSubstr("'0-1'"), HasSubstr("no beam ends at interface node n6")));
-    EXPECT_THAT(complaint_of([&] { palette({"0-1+1-6", "1-6+0-1"}); }), HasSubstr("the pattern 0-1+1-6 is named twice"));
+    EXPECT_THAT(complaint_of([&] {
+                    palette({"0-1+1-6", "1-6+0-1"});
+                }),
+                HasSubstr("the pattern 0-1+1-6 is named twice"));
 }
 
 TEST(PaintingFile, ReadsBackWhatWasWritten) {
