@@ -5,7 +5,6 @@
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/base/files/provenance.hpp>
 #include <fretwork/base/files/scratch.hpp>
-#include <fretwork/base/text.hpp>
 #include <fretwork/geometry/plane.hpp>
 
 #include <APIHeaderSection_MakeHeader.hxx>
@@ -30,11 +29,9 @@
 #include <TopoDS_Wire.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <gp_Pln.hxx>
 #include <gp_Vec.hxx>
-#include <system_error>
 #include <vector>
 
 namespace fretwork::step {
@@ -88,17 +85,8 @@ void silence() {
     Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_PrinterOStream));
 }
 
-std::filesystem::path temporary_folder() {
-    std::error_code error;
-    auto folder = std::filesystem::temp_directory_path(error);
-    if (!error) return folder;
-    const char* wanted = std::getenv("TMPDIR");
-    throw base::IoError("the folder for temporary files, TMPDIR, is '" +
-                        base::printable(wanted != nullptr ? wanted : "/tmp") + "': " + error.message());
-}
-
 std::string written(STEPControl_Writer& writer) {
-    const base::Scratch scratch(temporary_folder() / "solid", base::Scratch::Kind::Folder);
+    const base::Scratch scratch(base::temporary_folder() / "solid", base::Scratch::Kind::Folder);
     const std::filesystem::path file = scratch.path() / "solid.step";
     if (writer.Write(file.c_str()) != IFSelect_RetDone)
         throw base::IoError(file.string() + ": OpenCASCADE cannot write it");

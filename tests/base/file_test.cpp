@@ -24,6 +24,12 @@ std::size_t entries(const std::filesystem::path& folder) {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), {}));
 }
 
+TEST(File, HasAnEndingInSmallLetters) {
+    EXPECT_EQ(ending_of("a.b/Chair.SVG"), ".svg");
+    EXPECT_EQ(ending_of("chair"), "");
+    EXPECT_EQ(ending_of("x.tar.Gz"), ".gz");
+}
+
 TEST(File, ReadsBackWhatWasWritten) {
     const TemporaryFolder folder;
     const std::string content("a\0b\r\nc", 6);

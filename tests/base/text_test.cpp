@@ -24,6 +24,11 @@ TEST(FormatNumber, RoundsToDigitsForPeople) {
     EXPECT_EQ(format_number(-0.5, 4), "-0.5");
 }
 
+TEST(Text, GetsSmallLettersInAsciiOnly) {
+    EXPECT_EQ(in_small_letters("Stuhl-2 ÄZ"), "stuhl-2 Äz");
+    EXPECT_EQ(in_small_letters(""), "");
+}
+
 TEST(Text, CountsOneInTheSingular) {
     EXPECT_EQ(counted(0, "tile"), "0 tiles");
     EXPECT_EQ(counted(1, "tile"), "1 tile");

@@ -26,8 +26,6 @@
 #include <fretwork/tiling/painting/painting.hpp>
 #include <studio/document/autosave.hpp>
 
-#include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <string_view>
 #include <vector>
@@ -155,8 +153,7 @@ std::string check_library(const fs::path& path) {
 std::string check_file(const fs::path& path, const std::string& layout) {
     require_regular(path);
     if (is_database(path)) return check_library(path);
-    std::string ending = path.extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string ending = base::ending_of(path);
     if (ending == ".json") return check_json(path, layout);
     std::vector<std::string> known{".json"};
     for (const EndingKind& kind : kEndingKinds) {

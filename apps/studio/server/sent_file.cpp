@@ -5,7 +5,6 @@
 #include <fretwork/base/text.hpp>
 #include <studio/server/sent_file.hpp>
 
-#include <cstdlib>
 #include <system_error>
 
 namespace fretwork::studio {
@@ -15,15 +14,6 @@ namespace fs = std::filesystem;
 
 /// The longest ending that is kept: no kind of file has a longer one, and names have a limit.
 constexpr std::size_t kLongestEnding = 32;
-
-std::filesystem::path folder_for_a_while() {
-    std::error_code error;
-    auto folder = std::filesystem::temp_directory_path(error);
-    if (!error) return folder;
-    const char* wanted = std::getenv("TMPDIR");
-    throw base::IoError("the folder for temporary files, TMPDIR, is '" +
-                        shown_name(wanted != nullptr ? wanted : "/tmp") + "': " + error.message());
-}
 
 std::string shown(const std::string& name) {
     return "'" + shown_name(name) + "'";
@@ -40,7 +30,7 @@ SentFile parse_sent_file(const base::JsonReader& json) {
 FileOnDisk::FileOnDisk(const SentFile& sent)
     : shown_(shown_name(sent.name)),
       ending_(std::filesystem::path(sent.name).extension().string().substr(0, kLongestEnding)),
-      folder_(folder_for_a_while() / "sent", base::Scratch::Kind::Folder) {
+      folder_(base::temporary_folder() / "sent", base::Scratch::Kind::Folder) {
     base::write_file_atomically(path(), sent.content);
 }
 

@@ -29,6 +29,9 @@ std::vector<std::string> split(std::string_view text, char separator);
 /// a line feed at the end of the text comes one more, empty line.
 std::vector<std::string> split_lines(std::string_view text);
 
+/// A text with its ASCII capitals in small letters, whatever the locale.
+std::string in_small_letters(std::string_view text);
+
 /// A text as an entry of a CSV file, quoted if necessary (RFC 4180).
 std::string csv_field(std::string_view text);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/files/file.hpp>
 #include <fretwork/base/named.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/exports/drawings/detail/bent_beams.hpp>
@@ -199,12 +200,6 @@ constexpr std::array<ContentName, 5> kContents = {{{Content::Drawing, "drawing"}
                                                    {Content::Solid, "solid"},
                                                    {Content::Facts, "facts"}}};
 
-std::string lower_ending(const std::filesystem::path& path) {
-    std::string ending = path.extension().string();
-    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return ending;
-}
-
 }  // namespace
 
 std::span<const WriterRow> writer_catalogue() {
@@ -230,7 +225,7 @@ Content parse_content(const std::string& name) {
 }
 
 const WriterRow& find_writer(const std::filesystem::path& path, std::optional<Content> content) {
-    const std::string ending = lower_ending(path);
+    const std::string ending = base::ending_of(path);
     std::vector<std::string> endings;
     std::vector<std::string> contents;
     for (const WriterRow& writer : kWriters) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/files/file.hpp>
 #include <fretwork/base/named.hpp>
 #include <fretwork/base/stopwatch.hpp>
 #include <fretwork/mechanics/decks/calculix_file.hpp>
@@ -7,8 +8,6 @@
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/solve.hpp>
 
-#include <algorithm>
-#include <cctype>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -151,9 +150,7 @@ void SolveOptions::validate() const {
 }
 
 LabelledFrame read_structure(const std::filesystem::path& path) {
-    std::string ending = path.extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-    if (ending == ".inp") return read_calculix(path);
+    if (base::ending_of(path) == ".inp") return read_calculix(path);
     LabelledFrame input{read_frame(path), {}, path.string()};
     input.labels.resize(input.frame.nodes.size());
     std::iota(input.labels.begin(), input.labels.end(), 0);

@@ -6,7 +6,6 @@
 #include <fretwork/geometry/box.hpp>
 #include <fretwork/outlines/detail/outline_readers.hpp>
 #include <fretwork/outlines/detail/remarks.hpp>
-#include <fretwork/outlines/detail/small_letters.hpp>
 #include <fretwork/outlines/outline.hpp>
 #include <fretwork/outlines/outline_check.hpp>
 
@@ -97,7 +96,7 @@ OutlineFile scaled_to_width(OutlineFile file, double width) {
 }
 
 OutlineFile read_outline_file(const std::filesystem::path& path) {
-    const std::string ending = detail::in_small_letters(path.extension().string());
+    const std::string ending = base::ending_of(path);
     for (const Reader& reader : kReaders) {
         if (reader.ending != ending) continue;
         const auto has_name = [&](const base::Error& error) {

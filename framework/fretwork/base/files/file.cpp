@@ -2,6 +2,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/detail/open_file.hpp>
 #include <fretwork/base/files/file.hpp>
+#include <fretwork/base/text.hpp>
 
 #include <algorithm>
 #include <cerrno>
@@ -45,6 +46,10 @@ std::string read_to_end(int descriptor, const std::filesystem::path& path, std::
 }
 
 }  // namespace
+
+std::string ending_of(const std::filesystem::path& path) {
+    return in_small_letters(path.extension().string());
+}
 
 std::string read_text_file(const std::filesystem::path& path) {
     // With O_NONBLOCK, a named pipe without a writer opens at once, and is empty. Without the flag, reading

@@ -13,6 +13,9 @@ namespace fretwork::base {
 /// unreadable, larger than the memory, or a pipe with more than 1 GiB.
 std::string read_text_file(const std::filesystem::path& path);
 
+/// The ending of a file's name with its dot, in small letters: ".svg" for "Chair.SVG"; "" if it has none.
+std::string ending_of(const std::filesystem::path& path);
+
 /// Follow a chain of symbolic links from `path` to its end. The file at the end need not exist yet.
 std::filesystem::path link_target(std::filesystem::path path);
 

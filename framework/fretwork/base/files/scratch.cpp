@@ -2,8 +2,10 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/detail/open_file.hpp>
 #include <fretwork/base/files/scratch.hpp>
+#include <fretwork/base/text.hpp>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <string_view>
@@ -81,6 +83,15 @@ Scratch::~Scratch() {
     std::error_code ignored;
     if (!path_.empty()) fs::remove_all(path_, ignored);
     if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+fs::path temporary_folder() {
+    std::error_code error;
+    fs::path folder = fs::temp_directory_path(error);
+    if (!error) return folder;
+    const char* wanted = std::getenv("TMPDIR");
+    throw IoError("the folder for temporary files, TMPDIR, is '" +
+                  printable(wanted != nullptr ? wanted : "/tmp") + "': " + error.message());
 }
 
 }  // namespace fretwork::base

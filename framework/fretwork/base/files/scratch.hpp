@@ -37,4 +37,7 @@ class Scratch {
     int descriptor_ = -1;
 };
 
+/// The folder for temporary files. Throws IoError that names TMPDIR if it is no folder.
+std::filesystem::path temporary_folder();
+
 }  // namespace fretwork::base

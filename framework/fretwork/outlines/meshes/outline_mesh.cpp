@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/files/file.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/outlines/detail/outline_readers.hpp>
-#include <fretwork/outlines/detail/small_letters.hpp>
 #include <fretwork/outlines/meshes/mesh_text.hpp>
 
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
@@ -132,7 +132,7 @@ namespace fretwork::outlines {
 
 MeshFile read_space_mesh(const std::filesystem::path& path) {
     using namespace detail;
-    const std::string ending = in_small_letters(path.extension().string());
+    const std::string ending = base::ending_of(path);
     if (ending != ".obj" && ending != ".ply" && ending != ".off")
         throw base::InputError(path.string(), "",
                                "a mesh is an .obj, .ply or .off file, and this ends in '" + ending + "'");

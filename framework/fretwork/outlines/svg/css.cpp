@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/text.hpp>
-#include <fretwork/outlines/detail/small_letters.hpp>
 #include <fretwork/outlines/svg/css.hpp>
 
 #include <algorithm>
@@ -67,7 +66,7 @@ bool is_for_screens(std::string_view media) {
 }
 
 CssDeclaration declaration_of(std::string_view name, std::string_view value) {
-    CssDeclaration declaration{in_small_letters(trimmed(name)), std::string(trimmed(value))};
+    CssDeclaration declaration{base::in_small_letters(trimmed(name)), std::string(trimmed(value))};
     const std::size_t mark = declaration.value.rfind('!');
     if (mark != std::string::npos &&
         trimmed(std::string_view(declaration.value).substr(mark + 1)) == "important") {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/quantity.hpp>
-#include <fretwork/outlines/detail/small_letters.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/outlines/svg/css.hpp>
 
 #include <algorithm>
@@ -220,7 +220,7 @@ std::optional<std::string> from_components(std::string_view inside) {
 }  // namespace
 
 std::optional<std::string> css_colour(std::string_view text) {
-    const std::string small = in_small_letters(text);
+    const std::string small = base::in_small_letters(text);
     if (small.starts_with('#')) return from_hex(std::string_view(small).substr(1));
     const std::size_t open = small.find('(');
     if (open != std::string::npos && small.ends_with(')') &&

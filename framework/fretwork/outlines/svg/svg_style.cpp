@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/text.hpp>
-#include <fretwork/outlines/detail/small_letters.hpp>
 #include <fretwork/outlines/svg/css.hpp>
 #include <fretwork/outlines/svg/svg_style.hpp>
 #include <fretwork/outlines/svg/svg_text.hpp>
@@ -62,7 +61,7 @@ bool paints(pugi::xml_node server, const SvgDocument& document) {
 
 SvgStyle::Paint paint_of(std::string_view text, SvgStyle::Paint outer, const SvgDocument& document) {
     using Paint = SvgStyle::Paint;
-    const std::string value = in_small_letters(text);
+    const std::string value = base::in_small_letters(text);
     if (value.empty() || value == "inherit" || value == "unset") return outer;
     if (value == "none" || value == "transparent" || has_alpha_zero(value)) return Paint::None;
     if (!value.starts_with("url(")) return Paint::Some;
@@ -75,7 +74,7 @@ SvgStyle::Paint paint_of(std::string_view text, SvgStyle::Paint outer, const Svg
 
 /// The colour that a property states; the inherited colour if the property states none.
 std::string colour_of(std::string_view text, const std::string& outer, const std::string& current) {
-    const std::string value = in_small_letters(text);
+    const std::string value = base::in_small_letters(text);
     if (value.empty() || value == "inherit" || value == "unset") return outer;
     if (value == "currentcolor") return current;
     return css_colour(value).value_or("");
@@ -119,7 +118,7 @@ double font_size_of(std::string_view text, double outer) {
 bool names_english(std::string_view list) {
     for (std::string word : base::split(list, ',')) {
         std::erase(word, ' ');
-        word = in_small_letters(word);
+        word = base::in_small_letters(word);
         if (word == "en" || word.starts_with("en-")) return true;
     }
     return false;
