@@ -123,7 +123,6 @@ TEST(Search, NotesNoPointThatIsWorseThanItsStart) {
     Search search(trials, options, time, report);
     Solved start{trials.uniform(0), {}};
     start.trial.objective = 0.5;
-    search.forget_best();
     search.begin_at(start);
     Solved worse{trials.uniform(1), {}};
     worse.trial.objective = 0.75;

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace fretwork::design {
 namespace {
@@ -121,7 +122,7 @@ class Designer {
     void put_in_front(std::optional<Solved> painted, std::vector<Solved>& starts) {
         if (!painted) return;
         painted->trial.objective = trials_.objective_of(painted->trial.displacements);
-        if (painted->trial.objective >= starts.front().trial.objective) return;
+        if (!search_.is_better(*painted, starts.front())) return;
         if (search_.keeps_mass(painted->point)) best_ = painted->point;  // in case the search is stopped
         starts.insert(starts.begin(), std::move(*painted));
     }
@@ -231,8 +232,8 @@ class Designer {
         if (known == starts.end()) return;
         trials_.set_aims(defect(known->trial, checked_->check));
         for (Solved& start : starts) start.trial.objective = trials_.objective_of(start.trial.displacements);
-        std::ranges::stable_sort(starts, {}, [](const Solved& start) { return start.trial.objective; });
-        search_.forget_best();
+        std::ranges::stable_sort(starts, std::bind_front(&Search::is_better, &search_));
+        search_.forget_solved();
     }
 
     /// The displacements, reduced minus full model.
@@ -292,7 +293,7 @@ class Designer {
             if (!solved.trial.is_found) return;
             trials_.set_aims(defect(solved.trial, checked_->check));
             solved.trial.objective = trials_.objective_of(solved.trial.displacements);
-            search_.forget_best();
+            search_.forget_solved();
             search_.begin_at(solved);
             const Solved found =
                 has_gained ? search_.improve(std::move(solved), reserve())

@@ -193,12 +193,10 @@ std::vector<NamedPattern> within_number_of_pairs(const pattern::NodeLayout& layo
                                                  const DesignOptions& options) {
     if (options.max_patterns == 0 || kept.size() + 2 <= options.max_patterns) return palette;
     const pattern::Mirror mirror(layout);
-    const auto is_kept = [&](const pattern::Pattern& own) {
-        return std::ranges::find(kept, pattern::pattern_id(layout, own)) != kept.end();
-    };
+    const auto is_kept = [&](const std::string& id) { return std::ranges::find(kept, id) != kept.end(); };
     std::erase_if(palette, [&](const NamedPattern& own) {
-        const auto image = mirror.image(own.pattern);
-        return !image || (*image != own.pattern && !(is_kept(own.pattern) && is_kept(*image)));
+        const pattern::Pattern image = mirror.image(own.pattern).value();
+        return image != own.pattern && !(is_kept(own.id) && is_kept(pattern::pattern_id(layout, image)));
     });
     if (palette.empty())
         throw base::InputError("a pattern and its mirror image are two of at most " +

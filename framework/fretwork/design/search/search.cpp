@@ -93,6 +93,12 @@ bool Search::keeps_mass(const Point& point) const {
     return options_.max_mass <= 0.0 || trials_.mass_of(point) <= options_.max_mass;
 }
 
+bool Search::is_better(const Solved& own, const Solved& other) const {
+    const bool is_light = keeps_mass(own.point);
+    if (is_light != keeps_mass(other.point)) return is_light;
+    return own.trial.objective < other.trial.objective;
+}
+
 void Search::begin_at(const Solved& start) {
     best_ = keeps_mass(start.point) ? start.trial.objective : -1.0;
     best_point_.reset();
@@ -229,6 +235,14 @@ Trial Search::solve(const Point& point) {
     return trial;
 }
 
+bool Search::return_to(Solved& solved) {
+    if (trials_.is_at(solved.point)) return true;
+    Trial again = solve(solved.point);
+    if (!again.is_found) return false;
+    solved.trial = std::move(again);
+    return true;
+}
+
 Solved Search::improve(Solved start, double reserve) {
     return descend(std::move(start), reserve, {kLeastGain, 0.0});
 }
@@ -246,14 +260,9 @@ Solved Search::descend(Solved start, double reserve, const Demand& demand) {
             end_ = DesignEnd::NoSwapImproves;
             return current;
         }
-        if (!trials_.is_at(current.point)) {
-            Trial again = solve(current.point);
-            // The path from another point may miss its equilibrium: it stays as it was found.
-            if (!again.is_found) {
-                end_ = DesignEnd::NoSwapImproves;
-                return current;
-            }
-            current.trial = std::move(again);
+        if (!return_to(current)) {
+            end_ = DesignEnd::NoSwapImproves;
+            return current;
         }
         const double before = time_.seconds();
         const Step taken = step(current, radius, round, demand);
@@ -310,11 +319,7 @@ Solved Search::improve_from_others(Solved best, const std::vector<Solved>& start
         const double gain = is_small() ? kLeastGain : kWorthwhileGain;
         Solved found = descend(start, reserve, {gain, is_small() ? 0.0 : best.trial.objective});
         report_.starts.push_back(std::sqrt(found.trial.objective));
-        // A painting above max_mass does not replace one that keeps it, however near to the target it is.
-        const bool is_light = keeps_mass(found.point);
-        const bool was_light = keeps_mass(best.point);
-        if (!found.trial.is_found || (was_light && !is_light)) return false;
-        if (is_light == was_light && found.trial.objective >= best.trial.objective) return false;
+        if (!found.trial.is_found || !is_better(found, best)) return false;
         best = std::move(found);
         return true;
     };

@@ -88,14 +88,11 @@ class Search {
 
     /// The reason why the last improve() ended.
     [[nodiscard]] DesignEnd end() const { return end_; }
-    /// The best point that note() has taken since the last begin_at() or forget_best(), if any.
+    /// The best point that note() has taken since the last begin_at(), if any.
     [[nodiscard]] const std::optional<Point>& best_point() const { return best_point_; }
-    /// Forget the best point. Called after Trials::set_aims(), which changes the objective of every point.
-    void forget_best() {
-        best_ = -1.0;
-        best_point_.reset();
-        seen_.clear();
-    }
+    /// Forget the objectives of solved paintings. Called after Trials::set_aims(), which changes all of them,
+    /// and before begin_at().
+    void forget_solved() { seen_.clear(); }
     /// True if solutions and time for one more step are left, but for `reserve` seconds.
     [[nodiscard]] bool may_go_on(double reserve) const;
     /// True if enough solutions are left for one more point. A point takes one solution for each load case.
@@ -112,6 +109,9 @@ class Search {
 
     /// True if a painting keeps DesignOptions::max_mass, or if there is no such limit.
     [[nodiscard]] bool keeps_mass(const Point& point) const;
+    /// True if a solved point is better than another one: it alone keeps DesignOptions::max_mass, or else its
+    /// objective is smaller.
+    [[nodiscard]] bool is_better(const Solved& own, const Solved& other) const;
 
   private:
     void try_one_uniform(std::size_t pattern, std::vector<Solved>& found);
@@ -134,6 +134,9 @@ class Search {
     Solved descend(Solved start, double reserve, const Demand& demand);
     [[nodiscard]] bool is_seen(const Point& point) const;
     Trial solve(const Point& point);
+    /// Solve a point again if another point was solved since. Returns false, and leaves the point as it was,
+    /// if it is not found again: the path from another point may miss its equilibrium.
+    bool return_to(Solved& solved);
     [[nodiscard]] bool is_small() const;
     /// True if all paintings can be ranked by a table of pairs.
     [[nodiscard]] bool can_rank_all() const;

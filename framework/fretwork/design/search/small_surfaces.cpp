@@ -30,11 +30,7 @@ bool Search::can_rank_all() const {
 }
 
 std::vector<Point> Search::promising(Solved& best) {
-    if (!trials_.is_at(best.point)) {
-        Trial again = solve(best.point);
-        if (!again.is_found) return {};
-        best.trial = std::move(again);
-    }
+    if (!return_to(best)) return {};
     std::vector<std::size_t> columns = all_;
     std::ranges::sort(columns);
     const base::Control silent = options_.control.silent();

@@ -147,7 +147,7 @@ class Trials {
   private:
     [[nodiscard]] std::vector<std::size_t> painting(const Point& point) const;
     [[nodiscard]] std::size_t member_pattern(const TileGroup::Member& member, std::size_t pattern) const {
-        return member.is_mirrored ? parts_.mirrored[pattern] : pattern;
+        return member.is_mirrored ? image_of(pattern) : pattern;
     }
     /// The index of the first unknown of the bars' section.
     [[nodiscard]] Eigen::Index first_of_section() const { return first_unknown(parts_.cases.size()); }

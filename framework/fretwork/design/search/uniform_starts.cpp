@@ -4,6 +4,7 @@
 #include <fretwork/design/search/uniform_guess.hpp>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 
 namespace fretwork::design::detail {
@@ -82,8 +83,7 @@ std::vector<Solved> Search::try_uniform(const std::vector<std::size_t>& palette,
         try_one_uniform(palette[next], found);
         is_tried[next] = true;
     }
-    std::ranges::stable_sort(found, {}, [](const Solved& solved) { return solved.trial.objective; });
-    std::ranges::stable_partition(found, [this](const Solved& solved) { return keeps_mass(solved.point); });
+    std::ranges::stable_sort(found, std::bind_front(&Search::is_better, this));
     return found;
 }
 
