@@ -50,6 +50,11 @@ struct DofSet {
     constexpr bool& operator[](Dof dof) { return contains[static_cast<std::size_t>(dof)]; }
     /// True if a component is in the set.
     [[nodiscard]] constexpr bool operator[](Dof dof) const { return contains[static_cast<std::size_t>(dof)]; }
+    /// Add the components of another set.
+    constexpr DofSet& operator|=(const DofSet& other) {
+        for (std::size_t d = 0; d < contains.size(); ++d) contains[d] = contains[d] || other.contains[d];
+        return *this;
+    }
     friend bool operator==(const DofSet&, const DofSet&) = default;
 };
 

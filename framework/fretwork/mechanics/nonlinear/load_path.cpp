@@ -187,7 +187,7 @@ class LoadPath::Impl {
     /// Take a step. If the step passes a limit load or a change of stability, come nearer to it first.
     Termination take(Arc& arc, PathStep step, double target) {
         if (step.state.load_rate < 0.0) return pass_limit(arc, std::move(step), target);
-        if (changes_stability(step) && may_end_stability(step)) {
+        if (may_end_stability(step)) {
             return arc.come_nearer(step.length) ? Termination::Converged
                                                 : pass_change(arc, std::move(step), target);
         }
@@ -206,8 +206,9 @@ class LoadPath::Impl {
         }
     }
 
-    /// True if one end of the step is stable, so that stability may be lost or gained for good on the step.
+    /// True if stability may be lost or gained for good on the step: it changes, and one end is stable.
     [[nodiscard]] bool may_end_stability(const PathStep& step) const {
+        if (!changes_stability(step)) return false;
         return point_.outcome.positive_definite() || step.state.point.outcome.positive_definite();
     }
 
@@ -254,8 +255,7 @@ class LoadPath::Impl {
                 continue;
             }
             // Stability may be lost before the load reaches its limit.
-            if (changes_stability(*step) && may_end_stability(*step))
-                return take(arc, std::move(*step), target);
+            if (may_end_stability(*step)) return take(arc, std::move(*step), target);
             span -= step->length;
             rise = step->state.load_rate;
             arc.plan_next(*step);

@@ -147,19 +147,18 @@ Eigen::MatrixXd Newton::tangent_product(const Eigen::MatrixXd& x, double sign) c
     return result;
 }
 
-Eigen::MatrixXd Newton::solve_plainly(Eigen::MatrixXd right_sides, const base::Control& control) const {
-    factors_.solve(right_sides, control);
+Eigen::MatrixXd Newton::solve_plainly(Eigen::MatrixXd right_sides) const {
+    factors_.solve(right_sides, options_.control);
     return right_sides;
 }
 
-std::optional<Eigen::MatrixXd> Newton::solve_refined(const Eigen::MatrixXd& right_sides, Side side,
-                                                     const base::Control& control) {
+std::optional<Eigen::MatrixXd> Newton::solve_refined(const Eigen::MatrixXd& right_sides, Side side) {
     const double sign = side == Side::Tangent ? 1.0 : -1.0;
     Eigen::MatrixXd x = Eigen::MatrixXd::Zero(right_sides.rows(), right_sides.cols());
     Eigen::MatrixXd step = right_sides;
     for (std::optional<double> last;;) {
-        control.check();
-        factors_.solve(step, control);
+        options_.control.check();
+        factors_.solve(step, options_.control);
         double share = 0.0;  // largest ratio of a step to its solution
         for (Eigen::Index c = 0; c < x.cols(); ++c) {
             if (system_.has_skew_part()) step.col(c) = solve_skew(step.col(c), sign);

@@ -62,16 +62,14 @@ class Newton {
     /// Solve with the tangent of the last *evaluation* up to rounding, one column for each right side.
     /// Solutions are refined with the current factors, which may belong to another tangent. Nothing if the
     /// two tangents differ too much. Throws Stopped.
-    [[nodiscard]] std::optional<Eigen::MatrixXd> solve_refined(const Eigen::MatrixXd& right_sides, Side side,
-                                                               const base::Control& control);
+    [[nodiscard]] std::optional<Eigen::MatrixXd> solve_refined(const Eigen::MatrixXd& right_sides, Side side);
     /// Solve without refinement. Pre: the factors belong to the tangent of the last evaluation, which has no
     /// skew part.
-    [[nodiscard]] Eigen::MatrixXd solve_plainly(Eigen::MatrixXd right_sides,
-                                                const base::Control& control) const;
+    [[nodiscard]] Eigen::MatrixXd solve_plainly(Eigen::MatrixXd right_sides) const;
     /// Blocks of the inverse of the symmetric part of the last factorization (sparse::Ldlt::inverse_blocks).
-    [[nodiscard]] std::vector<Eigen::MatrixXd> inverse_blocks(std::span<const std::vector<int>> cliques,
-                                                              const base::Control& control) const {
-        return factors_.inverse_blocks(cliques, control);
+    [[nodiscard]] std::vector<Eigen::MatrixXd> inverse_blocks(
+        std::span<const std::vector<int>> cliques) const {
+        return factors_.inverse_blocks(cliques, options_.control);
     }
 
     /// The number of linear solves since the last call. The call resets the count.

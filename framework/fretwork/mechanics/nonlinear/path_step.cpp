@@ -165,10 +165,7 @@ std::optional<PathStep> PathStepper::step_to(const PathState& from, Arrival arri
     unknowns_.unwind(from.point.configuration, trial);
     PathStep step;
     step.move = unknowns_.step_between(from.point.configuration, trial);
-    const double turned =
-        std::max(unknowns_.largest_rotation(step.move),
-                 std::abs(load_factor - from.point.load_factor) * unknowns_.largest_prescribed_rotation());
-    const double turn_bound = bound_relative_turn(system_, from.point, turned, trial);
+    const double turn_bound = bound_relative_turn(system_, from.point, step.move, load_factor, trial);
     if (turn_bound > std::numbers::pi) return {};
     Eigen::VectorXd rate = newton_.solve_tangent(system_.load_rate());
     const double forward = unknowns_.product(rate, step.move) >= 0.0 ? 1.0 : -1.0;

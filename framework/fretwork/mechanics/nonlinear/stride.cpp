@@ -117,6 +117,14 @@ double bound_relative_turn(const NonlinearSystem& system, const PathPoint& from,
     return turn.largest_change > 0.5 * std::numbers::pi ? 2.0 * std::numbers::pi : turn.largest;
 }
 
+double bound_relative_turn(const NonlinearSystem& system, const PathPoint& from, const Eigen::VectorXd& move,
+                           double load_factor, const Configuration& to) {
+    const Unknowns& unknowns = system.unknowns();
+    const double prescribed =
+        std::abs(load_factor - from.load_factor) * unknowns.largest_prescribed_rotation();
+    return bound_relative_turn(system, from, std::max(unknowns.largest_rotation(move), prescribed), to);
+}
+
 bool is_jump(const Unknowns& unknowns, const Eigen::VectorXd& made, const Eigen::VectorXd& rates) {
     const Eigen::ArrayXd unit = unknowns.weights().array().sqrt();
     const Eigen::ArrayXd moved = unit * made.array();

@@ -24,6 +24,11 @@ struct PathPoint {
 double bound_relative_turn(const NonlinearSystem& system, const PathPoint& from, double turned,
                            const Configuration& to);
 
+/// The same bound for a step with the largest rotation of a free node in `move`, and of a prescribed one in
+/// the change of the load factor.
+double bound_relative_turn(const NonlinearSystem& system, const PathPoint& from, const Eigen::VectorXd& move,
+                           double load_factor, const Configuration& to);
+
 /// True if a step is longer than the rates at its two ends predict: it may have jumped to another path.
 /// @param made   the absolute change of each unknown in the step
 /// @param rates  for each unknown, the larger absolute rate of the two ends, times the step of the load

@@ -51,13 +51,12 @@ Index EquilibriumTangent::Impl::nodes() const {
 MatrixXd EquilibriumTangent::Impl::solve(const MatrixXd& right_sides, nonlinear::Newton::Side side,
                                          const base::Control& control) {
     parts_.options.control = control;
-    if (is_exact_ && !parts_.system.has_skew_part()) return parts_.newton.solve_plainly(right_sides, control);
+    if (is_exact_ && !parts_.system.has_skew_part()) return parts_.newton.solve_plainly(right_sides);
     if (!is_exact_) {
-        if (auto refined = parts_.newton.solve_refined(right_sides, side, control))
-            return std::move(*refined);
+        if (auto refined = parts_.newton.solve_refined(right_sides, side)) return std::move(*refined);
         factorize(control);
     }
-    auto found = parts_.newton.solve_refined(right_sides, side, control);
+    auto found = parts_.newton.solve_refined(right_sides, side);
     if (!found) throw base::NumericalError("the tangent of the equilibrium is nearly singular");
     return std::move(*found);
 }
@@ -248,7 +247,7 @@ std::vector<MatrixXd> EquilibriumTangent::Impl::flexibilities(std::span<const st
             }
         }
     }
-    const std::vector<MatrixXd> blocks = parts_.newton.inverse_blocks(cliques, control);
+    const std::vector<MatrixXd> blocks = parts_.newton.inverse_blocks(cliques);
     std::vector<MatrixXd> result;
     for (std::size_t i = 0; i < elements.size(); ++i) {
         const auto nodes = element(elements[i]).nodes();

@@ -67,10 +67,7 @@ class Tracer {
         if (iterations < 0) return false;
         Eigen::VectorXd move = unknowns_.step_between(point_.configuration, trial);
         if (unknowns_.product(tangent, move) <= 0.25 * arc_ * arc_) return false;
-        const double turned =
-            std::max(unknowns_.largest_rotation(move),
-                     std::abs(factor - point_.load_factor) * unknowns_.largest_prescribed_rotation());
-        const double turn_bound = nonlinear::bound_relative_turn(system_, point_, turned, trial);
+        const double turn_bound = nonlinear::bound_relative_turn(system_, point_, move, factor, trial);
         if (turn_bound > std::numbers::pi) return false;
         direction_ = std::move(move);
         point_.configuration = std::move(trial);

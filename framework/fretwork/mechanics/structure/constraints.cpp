@@ -11,10 +11,7 @@ Constraints constraints_of(const Assembly& assembly) {
     Constraints constraints;
     constraints.held.resize(assembly.nodes.size());
     constraints.values = NodeValues::Zero(static_cast<Eigen::Index>(assembly.nodes.size()), kDofsPerNode);
-    for (const Support& support : assembly.supports) {
-        auto& held = constraints.held[support.node].contains;
-        for (std::size_t d = 0; d < kDofsPerNode; ++d) held[d] = held[d] || support.fixed.contains[d];
-    }
+    for (const Support& support : assembly.supports) constraints.held[support.node] |= support.fixed;
     for (const PrescribedDisplacement& given : assembly.prescribed) {
         constraints.held[given.node][given.dof] = true;
         constraints.values(given.node.value, static_cast<Eigen::Index>(given.dof)) = given.value;

@@ -139,11 +139,7 @@ void draw_beams(SvgCanvas& canvas, const Surface& surface, const Projection& pro
 
 std::vector<mechanics::Support> supports_of_nodes(const Conditions& conditions) {
     std::map<mechanics::NodeIndex, mechanics::DofSet> held;
-    for (const mechanics::Support& support : conditions.supports) {
-        auto& components = held[support.node].contains;
-        for (std::size_t c = 0; c < components.size(); ++c)
-            components[c] = components[c] || support.fixed.contains[c];
-    }
+    for (const mechanics::Support& support : conditions.supports) held[support.node] |= support.fixed;
     std::vector<mechanics::Support> supports;
     for (const auto& [node, fixed] : held) supports.push_back({node, fixed});
     return supports;

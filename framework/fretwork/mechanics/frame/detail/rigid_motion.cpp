@@ -77,12 +77,7 @@ std::optional<FreeMotion> free_motion(const Frame& frame, const std::vector<std:
 
 std::vector<DofSet> held_dofs(const Frame& frame) {
     std::vector<DofSet> held(frame.nodes.size());
-    for (const Support& support : frame.supports) {
-        for (std::size_t d = 0; d < kDofsPerNode; ++d) {
-            auto& dofs = held[support.node];
-            dofs.contains[d] = dofs.contains[d] || support.fixed.contains[d];
-        }
-    }
+    for (const Support& support : frame.supports) held[support.node] |= support.fixed;
     for (const PrescribedDisplacement& given : frame.prescribed) {
         held[given.node][given.dof] = true;
     }
