@@ -141,7 +141,6 @@ void bind_calibrate(py::module_& m) {
         [](const ModelOrName& model, const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
            const Setting& setting, const std::vector<Response>& responses, const py::kwargs& named) {
             check(layout, pattern);
-            setting.validate();
             const TileModel row = model_of(model);
             py::dict others(named.attr("copy")());
             const std::vector<optimization::OptimizerRow> rows = taken_optimizers(others);

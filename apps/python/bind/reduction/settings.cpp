@@ -134,7 +134,6 @@ void bind_responses(py::module_& m) {
         [](const pattern::NodeLayout& layout, const pattern::Pattern& pattern, const Setting& setting,
            const py::kwargs& named) {
             check(layout, pattern);
-            setting.validate();
             return Keywords<ResponseOptions>(named).run(
                 [&](const auto& options) { return compute_responses(layout, pattern, setting, options); });
         },

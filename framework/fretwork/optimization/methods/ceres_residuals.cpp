@@ -4,7 +4,6 @@
 #include <fretwork/optimization/methods/detail/option_checks.hpp>
 #include <fretwork/optimization/methods/detail/starts.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 

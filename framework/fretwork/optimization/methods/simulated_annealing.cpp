@@ -76,9 +76,7 @@ class Annealing {
         shares_[variable] = bounded(wanted);
         const auto energy = energy_of(wanted);
         const double chance = random_.uniform();
-        const bool is_taken =
-            energy && (*energy <= energy_ || chance < std::exp(-(*energy - energy_) / temperature_));
-        if (is_taken && !is_rejected(wanted)) {
+        if (energy && (*energy <= energy_ || chance < std::exp(-(*energy - energy_) / temperature_))) {
             energy_ = *energy;
             accepted_[variable] += 1.0;
         } else {
@@ -92,15 +90,12 @@ class Annealing {
         return options_.bounds == AnnealingBounds::Reflect ? reflected(share) : std::clamp(share, 0.0, 1.0);
     }
 
-    /// True if a move to a share, not yet bounded, is rejected without an evaluation.
-    [[nodiscard]] bool is_rejected(double wanted) const {
-        return options_.bounds == AnnealingBounds::Reject && (wanted < 0.0 || wanted > 1.0);
-    }
-
-    /// The objective at the moved point, or infinity if the move is rejected; nothing once the budget is
-    /// spent. `wanted` is the share before it is bounded.
+    /// The objective at the moved point, or NaN, which no comparison accepts, if the move is rejected;
+    /// nothing once the budget is spent. `wanted` is the share before it is bounded.
     std::optional<double> energy_of(double wanted) {
-        if (is_rejected(wanted)) return std::numeric_limits<double>::infinity();
+        const bool is_outside = wanted < 0.0 || wanted > 1.0;
+        if (is_outside && options_.bounds == AnnealingBounds::Reject)
+            return std::numeric_limits<double>::quiet_NaN();
         return evaluator_.value(point());
     }
 

@@ -90,15 +90,7 @@ void CalibrationOptions::validate() const {
 void CalibrationInput::validate() const {
     setting->validate();
     const auto nodes = static_cast<Eigen::Index>(layout->interface_nodes().size()) * setting->sides;
-    for (const Response& response : *responses) {
-        for (const Response::Sample& sample : response.samples) {
-            const Eigen::Index own = sample.displacements.rows();
-            if (own == nodes) continue;
-            throw base::InputError("a response to '" + response.scenario + "' has " + std::to_string(own) +
-                                   " interface nodes, and a tile of layout '" + layout->name() + "' has " +
-                                   std::to_string(nodes));
-        }
-    }
+    check_fit(*responses, *setting, nodes);
 }
 
 std::vector<double> parameter_values(const Calibration& calibration, const TileModel& model) {

@@ -26,14 +26,16 @@ std::vector<const Response::Sample*> used_samples(const Response& response, cons
     return used;
 }
 
-void check_fit(const std::vector<Response>& responses, const Setting& setting) {
+}  // namespace
+
+void check_fit(const std::vector<Response>& responses, const Setting& setting,
+               std::optional<Eigen::Index> nodes) {
     const bool as_many = responses.size() == setting.scenarios.size();
     for (std::size_t i = 0; i < setting.scenarios.size(); ++i) {
         if (as_many && responses[i].scenario == setting.scenarios[i].name) continue;
         throw base::InputError("the responses lack scenario '" + setting.scenarios[i].name +
                                "' in its place");
     }
-    std::optional<Eigen::Index> nodes;
     for (const Response& response : responses) {
         for (const Response::Sample& sample : response.samples) {
             const Eigen::Index own = sample.displacements.rows();
@@ -47,8 +49,6 @@ void check_fit(const std::vector<Response>& responses, const Setting& setting) {
         }
     }
 }
-
-}  // namespace
 
 Objective::Objective(const std::vector<Response>& responses, const Setting& setting,
                      const ErrorMetric& metric)

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include <numbers>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,12 @@ struct ErrorMetric {
     double smallest_translation = 0.0003;                       ///< eps_trans, m
     double smallest_rotation = 0.1 * std::numbers::pi / 180.0;  ///< eps_rot, rad
 };
+
+/// Check that responses fit a setting: one for each scenario, in order, all with the same interface nodes.
+/// Throws InputError.
+/// @param nodes  number of interface nodes; none: that of the first sample with as many on each side
+void check_fit(const std::vector<Response>& responses, const Setting& setting,
+               std::optional<Eigen::Index> nodes = {});
 
 /// The derivatives of E, with its norms smoothed, with respect to a model's unit displacements.
 struct DisplacementGradient {

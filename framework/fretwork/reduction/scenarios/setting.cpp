@@ -118,9 +118,11 @@ void Setting::validate(const std::string& source) const {
     check_quantities(*this, source);
     require(material.poisson_ratio > -1.0 && material.poisson_ratio <= 0.5, "/material/poisson_ratio",
             "a Poisson's ratio lies above -1 and up to 0.5");
-    require(sides >= 3 && sides <= 100, "/sides", "a polygon has 3 to 100 sides");
-    require(divisions >= 1 && divisions <= 100, "/divisions", "a number from 1 to 100 is needed");
-    require(magnitudes >= 1 && magnitudes <= 1000, "/magnitudes", "a number from 1 to 1000 is needed");
+    require(sides >= 3 && sides <= kMostSides, "/sides", "a polygon has 3 to 100 sides");
+    require(divisions >= 1 && divisions <= kMostBeamDivisions, "/divisions",
+            "a number from 1 to 100 is needed");
+    require(magnitudes >= 1 && magnitudes <= kMostMagnitudes, "/magnitudes",
+            "a number from 1 to 1000 is needed");
     require(!scenarios.empty(), "/scenarios", "at least one is needed");
     std::set<std::string> names;
     for (std::size_t i = 0; i < scenarios.size(); ++i) {

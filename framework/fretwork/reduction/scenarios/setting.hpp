@@ -36,6 +36,13 @@ struct TileMaterial {
     mechanics::Material material;  ///< material of each beam
 };
 
+/// The largest number of sides of the polygon of a setting.
+inline constexpr int kMostSides = 100;
+/// The largest number of elements of each beam of a setting.
+inline constexpr int kMostBeamDivisions = 100;
+/// The largest number of magnitudes of a scenario of a setting.
+inline constexpr int kMostMagnitudes = 1000;
+
 /// All inputs of a response besides its pattern: material, section, tile size, scenarios and discretization.
 /// A setting also has the strength of the material.
 struct Setting {

@@ -56,12 +56,13 @@ Scenario read_scenario_entry(const JsonReader& json) {
 }
 
 void read_choices(const JsonReader& json, Setting& setting) {
-    if (const auto sides = json.find("sides")) setting.sides = static_cast<int>(sides->integer(3, 100));
+    if (const auto sides = json.find("sides"))
+        setting.sides = static_cast<int>(sides->integer(3, kMostSides));
     if (const auto count = json.find("divisions")) {
-        setting.divisions = static_cast<int>(count->integer(1, 100));
+        setting.divisions = static_cast<int>(count->integer(1, kMostBeamDivisions));
     }
     if (const auto count = json.find("magnitudes")) {
-        setting.magnitudes = static_cast<int>(count->integer(1, 1000));
+        setting.magnitudes = static_cast<int>(count->integer(1, kMostMagnitudes));
     }
     if (const auto branch = json.find("branch")) {
         setting.sample_policy =
