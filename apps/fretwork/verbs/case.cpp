@@ -42,14 +42,6 @@ void check_on(const Project& project, const LoadCase& load_case) {
                               simulation::make_surface(project, nullptr), {});
 }
 
-/// Throws if a load case combines what is no plain load case: such a project could not be read again.
-void check_combinations(const Project& project, const std::string& file) {
-    base::located(file, "", [&] {
-        for (const LoadCase& load_case : project.load_cases)
-            (void)simulation::combined(load_case, project.load_cases);
-    });
-}
-
 LoadCase& case_of(Project& project, const CaseOptions& options) {
     return *base::located(options.project, "", [&] {
         return &base::find_named(options.name, project.load_cases, &LoadCase::name, "load case");
@@ -83,7 +75,8 @@ void add_to_project(const CaseOptions& options) {
     } else {
         project.load_cases.push_back(load_case);
     }
-    check_combinations(project, options.project);
+    // A project with a combination of combinations could not be read again.
+    base::located(options.project, "", [&] { simulation::check_combinations(project.load_cases); });
     simulation::write_project(project, options.project);
     tell(load_case, project, options);
 }

@@ -97,11 +97,6 @@ std::size_t read_index(const JsonReader& json, std::size_t last) {
     return json.integer(0, static_cast<long long>(last));
 }
 
-/// Checks that each combination names only other load cases that exist and are no combinations.
-void check_combinations(const std::vector<LoadCase>& cases) {
-    for (const LoadCase& load_case : cases) (void)simulation::combined(load_case, cases);
-}
-
 /// A message has the newest format of files, unless it names another. Marks are left out: a page may send a
 /// load case back with the marks that the server has added.
 LoadCase read_load_case(const JsonReader& json) {
@@ -129,7 +124,7 @@ Edited set_load_case(const State& state, const JsonReader& request) {
         return edit;
     else
         cases[index] = std::move(load_case);
-    check_combinations(cases);
+    simulation::check_combinations(cases);
     edit.state.load_cases = std::make_shared<const std::vector<LoadCase>>(std::move(cases));
     return edit;
 }
@@ -142,7 +137,7 @@ Edited remove_load_case(const State& state, const JsonReader& request) {
     const std::size_t index = read_index(json, cases.size() - 1);
     Edited edit{state, "remove load case " + cases[index].name};
     cases.erase(cases.begin() + index);
-    check_combinations(cases);
+    simulation::check_combinations(cases);
     edit.state.load_cases = std::make_shared<const std::vector<LoadCase>>(std::move(cases));
     return edit;
 }

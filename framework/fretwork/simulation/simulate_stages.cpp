@@ -171,8 +171,7 @@ void check(const Surface& surface, const StagePlan& plan, const SimulationOption
         options.estimate_error)
         throw base::InputError(
             "load stages are followed by full and corotational tiles, without load steps and estimates of "
-            "the "
-            "discretization error");
+            "the discretization error");
     if (options.estimate_model_error && options.model != kMixedTiles)
         throw base::InputError("through load stages, the error of " + std::string(kMixedTiles) +
                                " tiles is estimated, not that of " + options.model);

@@ -26,8 +26,7 @@ LoadStage read_stage(const JsonReader& json) {
     if (const auto keep = json.find("keep")) stage.keep = read_supports(*keep);
     if (const auto prescribed = json.find("prescribed")) stage.prescribed = read_prescribed(*prescribed);
     if (const auto free = json.find("free")) stage.free = read_supports(*free);
-    if (stage.loads.empty() && stage.keep.empty() && stage.prescribed.empty() && stage.free.empty())
-        json.fail("changes nothing: it needs one of loads, prescribed, keep, free");
+    if (stage.is_empty()) json.fail("changes nothing: it needs one of loads, prescribed, keep, free");
     return stage;
 }
 

@@ -29,6 +29,10 @@ struct LoadStage {
     std::vector<LoadCase::Support> keep{};
     /// Prescribed or kept components that are released. Supports stay; a support that was moved is refused.
     std::vector<LoadCase::Support> free{};
+    /// True if there is no entry of any kind.
+    [[nodiscard]] bool is_empty() const {
+        return loads.empty() && prescribed.empty() && keep.empty() && free.empty();
+    }
 };
 
 /// Parse load stages:

@@ -47,4 +47,8 @@ LoadCase combined(const LoadCase& load_case, std::span<const LoadCase> cases) {
     return sum;
 }
 
+void check_combinations(std::span<const LoadCase> cases) {
+    for (const LoadCase& load_case : cases) (void)combined(load_case, cases);
+}
+
 }  // namespace fretwork::simulation

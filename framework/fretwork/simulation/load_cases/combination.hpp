@@ -16,4 +16,8 @@ const LoadCase& load_case_of(const std::string& name, std::span<const LoadCase> 
 /// is the load case itself, or is also a combination.
 LoadCase combined(const LoadCase& load_case, std::span<const LoadCase> cases);
 
+/// Check that each load case combines only others that exist and are no combinations. Throws InputError as
+/// combined().
+void check_combinations(std::span<const LoadCase> cases);
+
 }  // namespace fretwork::simulation

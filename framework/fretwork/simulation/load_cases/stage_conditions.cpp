@@ -26,7 +26,7 @@ void for_entries(const LoadStage& stage, const std::string& list, const std::vec
 
 /// As parse_stages() does: what it would refuse in the file of a result is refused before the work.
 void check_entries(const LoadStage& stage) {
-    if (stage.loads.empty() && stage.keep.empty() && stage.prescribed.empty() && stage.free.empty())
+    if (stage.is_empty())
         throw base::InputError("load stage '" + stage.name + "'", "",
                                "changes nothing: it needs one of loads, prescribed, keep, free");
 }

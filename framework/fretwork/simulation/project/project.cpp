@@ -5,7 +5,6 @@
 #include <fretwork/simulation/load_cases/combination.hpp>
 #include <fretwork/simulation/project/project.hpp>
 
-#include <iterator>
 #include <map>
 #include <string>
 #include <utility>
@@ -28,10 +27,10 @@ std::vector<std::string> models_by_tile(const Project& project) {
     models.resize(project.tessellation.tiles.size());
     for (const Project::TileModelChoice& choice : project.tile_models) {
         for (const tiling::TileIndex tile : choice.tiles) {
-            if (tile.value < 0 || tile.value >= std::ssize(models))
+            if (!project.tessellation.tiles.has(tile))
                 throw base::InputError("tile_models", "",
                                        "there is no tile " + std::to_string(tile.value) +
-                                           ": tiles run from 0 to " + std::to_string(std::ssize(models) - 1));
+                                           ": tiles run from 0 to " + std::to_string(models.size() - 1));
             models[tile] = choice.model;
         }
     }

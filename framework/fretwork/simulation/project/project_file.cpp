@@ -145,9 +145,7 @@ void read_load_cases(const JsonReader& json, Project& project) {
         }
         project.load_cases.push_back(std::move(load_case));
     }
-    json.located([&] {
-        for (const LoadCase& load_case : project.load_cases) (void)combined(load_case, project.load_cases);
-    });
+    json.located([&] { check_combinations(project.load_cases); });
 }
 
 void read_tile_models(const JsonReader& json, Project& project) {
