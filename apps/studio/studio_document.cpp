@@ -154,9 +154,9 @@ void Studio::Impl::show(Opened next) {
 
 void Studio::Impl::follow_change(const State& before) {
     designs_.follow(document_->now());
-    making_.follow(*document_->now());
     kept_.keep(*document_);
     pages_.broadcast(changed_event(before, *document_->now(), document_->status()));
+    making_.follow(before);
     solve_live();
 }
 

@@ -17,6 +17,7 @@
 
 #include <functional>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 namespace fretwork::studio {
@@ -169,8 +170,8 @@ Document Studio::Impl::document_in(const fs::path& file) const {
     ProjectFile known{file, hash_of_file(file)};
     auto project = simulation::read_checked_project(file.string());
     if (!project.setting) {
-        const auto library = simulation::open_project_library(file.string(), project, "");
-        project.setting = simulation::setting_of(project, library ? &*library : nullptr);
+        if (const auto library = simulation::open_project_library(file.string(), project, ""))
+            project.setting = library->setting();
     }
     return {make_state(project, folder_of(file)), std::move(known), next_revision()};
 }
@@ -183,7 +184,8 @@ Opened Studio::Impl::read_document(const fs::path& path) {
 /// The document as its file has it; nothing if there is no such file, or it cannot be read: then a warning
 /// says why.
 std::optional<Document> Studio::Impl::find_saved(const std::optional<fs::path>& file) {
-    if (!file || !fs::exists(*file)) return std::nullopt;
+    std::error_code ignored;
+    if (!file || !fs::exists(*file, ignored)) return std::nullopt;
     try {
         return document_in(*file);
     } catch (const base::Error& error) {  // the unsaved changes are there all the same

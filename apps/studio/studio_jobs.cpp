@@ -4,7 +4,6 @@
 #include <studio/document/edits.hpp>
 #include <studio/studio_impl.hpp>
 
-#include <limits>
 #include <string>
 
 namespace fretwork::studio {
@@ -14,9 +13,9 @@ constexpr long long kMostModes = 50;
 constexpr long long kMostSteps = 200;
 
 /// Refuses a number of steps or modes whose positions are too much to be sent to pages at once.
-void check_size(const base::JsonReader& number, const LongJob& job, const BeamFields& fields) {
+void check_size(const base::JsonReader& number, long long wanted, const LongJob& job,
+                const BeamFields& fields) {
     const auto most = static_cast<long long>(most_positions(job, fields));
-    const long long wanted = number.integer(0, std::numeric_limits<int>::max());
     if (wanted > most)
         number.fail("is " + std::to_string(wanted) + ", where a surface of this size allows " +
                     std::to_string(most) + (fields.any() ? " with the fields that are shown" : ""));
@@ -45,7 +44,7 @@ void Studio::Impl::path(const Request& request) {
     request.json.allow_only({"id", "do", "steps"});
     const auto steps = request.json.at("steps").integer(2, kMostSteps);
     const LongJob job = make_job(request, *document().now()->model);
-    check_size(request.json.at("steps"), job, job.input.fields);
+    check_size(request.json.at("steps"), steps, job, job.input.fields);
     jobs_.add(job, path_work(static_cast<int>(steps)));
     pages_.answer(request);
 }
@@ -63,7 +62,7 @@ void Studio::Impl::find_modes(const Request& request, simulation::ModeKind kind)
     const auto count = static_cast<int>(request.json.at("count").integer(1, kMostModes));
     const char* name = kind == simulation::ModeKind::Buckling ? "buckling" : "modes";
     const LongJob job = make_job(request, name);
-    check_size(request.json.at("count"), job, {});  // modes have no fields
+    check_size(request.json.at("count"), count, job, {});  // modes have no fields
     jobs_.add(job, modes_work(kind, count));
     pages_.answer(request);
 }

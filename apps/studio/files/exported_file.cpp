@@ -94,9 +94,8 @@ HttpAnswer exported(const Target& target, const Situation& situation, const Solv
         scene.load_case = load_case;
         if (solved) {
             scene.results.push_back({solved->model, solved->result});
-            auto& subject = scene.results.front().result.subject;
-            subject = simulation::result_subject(scene.surface, load_case, options);
-            subject->full_tiles = solved->full_tiles;
+            scene.results.front().result.subject =
+                simulation::result_subject(scene.surface, load_case, options, solved->full_tiles);
         }
     }
     if (writer.moves()) add_load_path(target, options, scene);

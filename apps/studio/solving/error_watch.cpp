@@ -22,8 +22,7 @@ Json error_of(const SolvedSurface& live, const base::Control& control) {
     simulation::Session session(surface, load_case, simulation::estimating_options(surface, options));
     const simulation::SurfaceResult turned = session.solve(control);
     simulation::SurfaceResult result = live.result;
-    result.subject = simulation::result_subject(surface, load_case, options);
-    result.subject->full_tiles = simulation::tile_numbers(session.full_tiles());
+    result.subject = simulation::result_subject(surface, load_case, options, live.full_tiles);
     const auto error = simulation::estimate_model_error(session, turned, result.model_doubt.value(), surface,
                                                         result, control);
     if (!error) return nullptr;

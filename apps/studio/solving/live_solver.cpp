@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/simulation/results/model_doubt.hpp>
-#include <fretwork/simulation/results/result_subject.hpp>
 #include <studio/server/progress.hpp>
 #include <studio/server/words.hpp>
 #include <studio/solving/live_solver.hpp>
@@ -196,7 +195,7 @@ std::shared_ptr<SolvedSurface> LiveSolver::shown_as(const SolverInput& input,
     shown->beams_revision = beams_revision_;
     shown->beams = beams_;
     shown->state = simulation::beam_state(*session_, result.solution, *beams_, wanted_sections(input));
-    shown->full_tiles = simulation::tile_numbers((*session_).full_tiles());
+    shown->full_tiles = (*session_).full_tiles();
     shown->result = std::move(result);
     return shown;
 }

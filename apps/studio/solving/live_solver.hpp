@@ -39,8 +39,9 @@ struct SolvedSurface {
     std::int64_t beams_revision = 0;
     std::shared_ptr<const simulation::SurfaceBeams> beams;
     simulation::SurfaceResult result;
-    std::vector<int> full_tiles{};  ///< tiles with all of their beams in a mixed model, ascending
-    simulation::BeamState state;    ///< of the beams; with forces if any field was wanted
+    /// The tiles with all of their beams in a mixed model, ascending.
+    std::vector<tiling::TileIndex> full_tiles{};
+    simulation::BeamState state;  ///< of the beams; with forces if any field was wanted
     std::vector<std::string> warnings{};
 };
 using SolvedPtr = std::shared_ptr<const SolvedSurface>;

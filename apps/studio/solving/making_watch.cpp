@@ -6,7 +6,6 @@
 #include <studio/solving/synced_session.hpp>
 
 #include <algorithm>
-#include <utility>
 
 namespace fretwork::studio {
 namespace {
@@ -21,20 +20,17 @@ bool is_made_alike(const State& one, const State& other) {
 void MakingWatch::begin() {
     looked_at_.reset();
     report_ = {};
-    was_left_ = false;
 }
 
-void MakingWatch::follow(const State& now) {
-    if (looked_at_ && !is_made_alike(*looked_at_, now)) was_left_ = true;
+void MakingWatch::follow(const State& before) {
+    const State& now = *now_();
+    if (looked_at_ && is_made_alike(*looked_at_, now) && !is_made_alike(before, now))
+        pages_.broadcast(report_);
 }
 
 void MakingWatch::look_at(const Document& document) {
     const StatePtr& state = document.now();
-    const bool was_left = std::exchange(was_left_, false);
-    if (looked_at_ && is_made_alike(*looked_at_, *state)) {
-        if (was_left) pages_.broadcast(report_);
-        return;
-    }
+    if (looked_at_ && is_made_alike(*looked_at_, *state)) return;
     thread_.cancel();
     looked_at_ = state;
     report_ = {};

@@ -20,8 +20,9 @@ class MakingWatch {
 
     /// Another document is shown.
     void begin();
-    /// Another state is shown, and perhaps not for long enough to be looked at.
-    void follow(const State& now);
+    /// Pages were told of a change. They dropped the report if other bars were shown before: if it is on the
+    /// bars that are shown now, they get it again.
+    void follow(const State& before);
     void look_at(const Document& document);
     /// Send a page the report on what is shown, if there is one.
     void send(ClientId client);
@@ -34,8 +35,6 @@ class MakingWatch {
     std::function<StatePtr()> now_;
     StatePtr looked_at_;  ///< its surface was or is being looked at
     Outgoing report_;     ///< on that surface
-    /// Whether other bars were shown since: then pages have dropped the report.
-    bool was_left_ = false;
     Background thread_;
 };
 

@@ -125,6 +125,9 @@ void Session::set_prescribed(std::size_t entry, const LoadCase::PrescribedDispla
     set_load_case(edited);
 }
 
+void Session::require_since_edit(const mechanics::Solution& solution) const {
+    answering().require_since_edit(solution);
+}
 std::vector<TileDeformation> Session::tile_deformations(const mechanics::Solution& solution) const {
     return answering().tile_deformations(solution);
 }

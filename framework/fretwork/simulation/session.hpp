@@ -96,6 +96,10 @@ class Session {
     /// supports.
     void set_prescribed(std::size_t entry, const LoadCase::PrescribedDisplacement& displacement);
 
+    /// Throws InputError if tiles were edited after the last solve(), or if the solution has other nodes than
+    /// the session's last one.
+    void require_since_edit(const mechanics::Solution& solution) const;
+
     /// The tiles that have all of their beams in a mixed model after solve(), ascending; none for other
     /// models.
     [[nodiscard]] std::vector<tiling::TileIndex> full_tiles() const;

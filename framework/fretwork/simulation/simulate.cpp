@@ -27,14 +27,13 @@ class Simulation {
 
   private:
     void add_subject(SurfaceResult& result) const {
-        result.subject = result_subject(surface_, load_case_, options_);
-        result.subject->full_tiles = full_tiles_;
+        result.subject = result_subject(surface_, load_case_, options_, full_tiles_);
     }
 
     SurfaceResult solve() {
         Session session(surface_, load_case_, options_);
         SurfaceResult result = session.solve(control_);
-        full_tiles_ = tile_numbers(session.full_tiles());
+        full_tiles_ = session.full_tiles();
         if (options_.estimate_where_doubtful && result.solution.converged() &&
             is_nonlinear(surface_, options_) && !is_reference(surface_, options_))
             add_doubt(session, result);
@@ -52,7 +51,7 @@ class Simulation {
         plain.estimate_model_error = false;
         Session session(surface_, load_case_, estimating_options(surface_, options_));
         const SurfaceResult turned = session.solve(control_);
-        full_tiles_ = tile_numbers(session.full_tiles());
+        full_tiles_ = session.full_tiles();
         SurfaceResult result = begins_with_own_solution(surface_, options_)
                                    ? turned
                                    : Session(surface_, load_case_, plain).solve(control_);
@@ -73,7 +72,7 @@ class Simulation {
     const LoadCase& load_case_;
     const SimulationOptions& options_;
     const base::Control& control_;
-    std::vector<int> full_tiles_;
+    std::vector<tiling::TileIndex> full_tiles_;
 };
 
 }  // namespace

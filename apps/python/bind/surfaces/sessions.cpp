@@ -56,12 +56,9 @@ SurfaceResult solve_session(SessionObject& self, mechanics::StabilityCheck check
     const auto use = self.use();
     return run_long(progress, [&](const base::Control& control) {
         SurfaceResult result = use->session.solve(control, check);
-        use->rows = result.solution.displacements.rows();
-        if (with_subject) {
-            result.subject =
-                result_subject(use->session.surface(), use->session.load_case(), use->session.options());
-            result.subject->full_tiles = tile_numbers(use->session.full_tiles());
-        }
+        if (with_subject)
+            result.subject = result_subject(use->session.surface(), use->session.load_case(),
+                                            use->session.options(), use->session.full_tiles());
         return result;
     });
 }
@@ -130,48 +127,39 @@ SessionClass bind_session(py::module_& m) {
     return type;
 }
 
-/// After an edit of tiles, results that the session gave before are refused.
-void edit_tiles(SessionObject& self, const auto& edit) {
-    const auto use = self.use();
-    edit(use->session);
-    use->rows = -1;
-}
-
 void bind_edits(SessionClass& type) {
     type.def(
             "paint",
             [](SessionObject& self, const Tiles& tiles, const std::string& pattern) {
-                edit_tiles(self, [&](Session& session) { session.paint(tiles, pattern); });
+                self.use()->session.paint(tiles, pattern);
             },
             "tiles"_a, "pattern"_a, "Paint tiles with a pattern, given by its id.")
         .def(
             "turn",
             [](SessionObject& self, const Tiles& tiles, int vertices) {
-                edit_tiles(self, [&](Session& session) { session.turn(tiles, vertices); });
+                self.use()->session.turn(tiles, vertices);
             },
             "tiles"_a, "vertices"_a, "Turn the patterns of tiles.")
         .def(
             "set_tile_model",
             [](SessionObject& self, const Tiles& tiles, const std::string& model) {
-                edit_tiles(self, [&](Session& session) { session.set_tile_model(tiles, model); });
+                self.use()->session.set_tile_model(tiles, model);
             },
             "tiles"_a, "model"_a, "Give tiles a tile model of their own; '' removes it.")
         .def(
             "set_model",
-            [](SessionObject& self, const std::string& model) {
-                edit_tiles(self, [&](Session& session) { session.set_model(model); });
-            },
+            [](SessionObject& self, const std::string& model) { self.use()->session.set_model(model); },
             "model"_a)
         .def(
             "set_setting",
             [](SessionObject& self, const reduction::Setting& setting) {
-                edit_tiles(self, [&](Session& session) { session.set_setting(setting); });
+                self.use()->session.set_setting(setting);
             },
             "setting"_a, "Change the material, the section or the scenarios.")
         .def(
             "set_calibrations",
             [](SessionObject& self, std::vector<std::vector<reduction::Calibration>> given) {
-                edit_tiles(self, [&](Session& session) { session.set_calibrations(std::move(given)); });
+                self.use()->session.set_calibrations(std::move(given));
             },
             "calibrations"_a, "Change the calibrations, for each pattern of the surface in turn.")
         .def(

@@ -63,15 +63,12 @@ void bind_refinement(py::module_& m) {
            const py::object& progress) {
             const auto use = session.use();
             return run_long(progress, [&](const base::Control& control) {
-                RefinedStress refined = refine_stress(use->session, full_tiles, control);
-                use->rows = refined.result.solution.displacements.rows();
-                return refined;
+                return refine_stress(use->session, full_tiles, control);
             });
         },
         "session"_a, "full_tiles"_a = std::vector<tiling::TileIndex>{}, "progress"_a = py::none(),
         "Refine the stress of a session of reduced tiles. The session keeps its new tile models. "
-        "`full_tiles` "
-        "(numbers) are in full from the start.");
+        "`full_tiles` (numbers) are in full from the start.");
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <fretwork/reduction/calibration/model_response.hpp>
 #include <fretwork/simulation/results/surface_beams.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -13,9 +12,6 @@ namespace fretwork::exports {
 namespace {
 
 using simulation::Surface;
-
-/// Nodes of a result and of a surface that are nearer than this are the same, m.
-constexpr double kSamePlace = 1e-9;
 
 /// Each tile as the closed line through its interface nodes.
 LineSet tile_loops(const Surface& surface) {
@@ -32,14 +28,6 @@ LineSet tile_loops(const Surface& surface) {
         }
     }
     return set;
-}
-
-/// True if the nodes of a result are the nodes of these lines. Equal numbers do not suffice: a model with
-/// nodes of its own in each tile may have as many of them as the patterns.
-bool has_nodes_of(const simulation::SurfaceResult& result, const LineSet& lines) {
-    return std::ranges::equal(result.nodes, lines.nodes, [](const auto& node, const Eigen::Vector3d& place) {
-        return (node.rest_position - place).norm() <= kSamePlace;
-    });
 }
 
 /// The nodes of an assembly of beams between which lines are drawn: not those of hinges.
@@ -126,7 +114,8 @@ void require_same_surface(const Surface& surface, const simulation::SurfaceResul
     if (result.nodes.size() < places.size()) fail("it has too few nodes");
     for (std::size_t i = 0; i < places.size(); ++i) {
         const Eigen::Vector3d place(places[i].x, places[i].y, 0.0);
-        if (!result.nodes[i].is_interface || (result.nodes[i].rest_position - place).norm() > kSamePlace) {
+        if (!result.nodes[i].is_interface ||
+            (result.nodes[i].rest_position - place).norm() > simulation::kSamePlace) {
             fail("its node " + std::to_string(i) + " is not the interface node of that number");
         }
     }
@@ -148,7 +137,7 @@ LineSet surface_lines(const Surface& surface) {
 LineSet result_lines(const Surface& surface, const simulation::SurfaceResult& result) {
     require_same_surface(surface, result);
     LineSet set = surface_lines(surface);
-    if (!has_nodes_of(result, set)) set = tile_loops(surface);
+    if (!simulation::has_nodes_at(result, set.nodes)) set = tile_loops(surface);
     set.displacements = result.solution.displacements.topRows(set.nodes.size());
     return set;
 }

@@ -43,6 +43,8 @@ class Session::Impl {
     void set_load_case(const LoadCase& load_case);
     /// Refuse questions about the last solution. Tiles, and where the next solution starts, stay as they are.
     void forget_solution() { are_tiles_solved_ = is_at_equilibrium_ = false; }
+    /// Throws InputError if tiles were edited after the last solve(), or as require_nodes().
+    void require_since_edit(const mechanics::Solution& solution) const;
 
     SurfaceResult solve(const base::Control& control, mechanics::StabilityCheck check,
                         const mechanics::FirstIterate& first_iterate = {});
@@ -85,8 +87,6 @@ class Session::Impl {
                                                     const mechanics::Solution& solution) const;
     /// Throws InputError if the solution has other nodes than the assembly.
     void require_nodes(const mechanics::Solution& solution) const;
-    /// Throws InputError if tiles were edited after the last solve(), or as require_nodes().
-    void require_since_edit(const mechanics::Solution& solution) const;
     [[nodiscard]] mechanics::NodeValues rest_forces(const mechanics::NodeValues& motions) const;
     [[nodiscard]] mechanics::NodeValues at_held(const mechanics::NodeValues& rows) const;
     [[nodiscard]] Sensitivity linear_sensitivity(const mechanics::NodeValues& gradient,

@@ -4,29 +4,15 @@
 #include <fretwork/simulation/results/surface_linear_range.hpp>
 #include <fretwork/simulation/results/surface_modes.hpp>
 
-#include <algorithm>
+#include <utility>
 
 namespace fretwork::simulation::detail {
 namespace {
 
-/// True if the nodes of a result are the nodes of the full model. Equal numbers do not suffice: a model with
-/// nodes of its own in each tile may have as many of them as the patterns.
-bool has_nodes_of(const SurfaceResult& result, const SurfaceBeams& full) {
-    constexpr double kSamePlace = 1e-9;  // m
-    return std::ranges::equal(result.nodes, full.nodes, [](const auto& node, const Eigen::Vector3d& place) {
-        return (node.rest_position - place).norm() <= kSamePlace;
-    });
-}
-
-/// The shape of a mode of the full model, with a row for each node of the result. If the result is of another
-/// model, it has other inner nodes, and their rows are zero.
-mechanics::NodeValues shape_of_result(const mechanics::NodeValues& shape, const SurfaceBeams& full,
-                                      const SurfaceResult& result) {
-    const auto all = std::ssize(result.nodes);
-    const auto own = has_nodes_of(result, full) ? all : static_cast<Eigen::Index>(full.interface_nodes);
-    mechanics::NodeValues rows = mechanics::NodeValues::Zero(all, mechanics::kDofsPerNode);
-    rows.topRows(own) = shape.topRows(own);
-    return rows;
+/// The number of a result's first nodes that are nodes of the full model: all, or the interface nodes.
+Eigen::Index common_nodes(const SurfaceResult& result, const SurfaceBeams& full) {
+    return has_nodes_at(result, full.nodes) ? std::ssize(result.nodes)
+                                            : static_cast<Eigen::Index>(full.interface_nodes);
 }
 
 }  // namespace
@@ -36,8 +22,14 @@ void add_wanted(const Surface& surface, const LoadCase& load_case, const Simulat
     const auto modes = [&](ModeKind kind, int count) {
         if (count == 0) return std::vector<mechanics::Mode>{};
         auto found = surface_modes(surface, load_case, kind, count, {.control = control});
-        const SurfaceBeams full = surface_beams(surface);
-        for (mechanics::Mode& mode : found) mode.shape = shape_of_result(mode.shape, full, result);
+        // Modes are those of the full model. Inner nodes of another model rest in the drawing.
+        const Eigen::Index common = common_nodes(result, surface_beams(surface));
+        for (mechanics::Mode& mode : found) {
+            mechanics::NodeValues rows =
+                mechanics::NodeValues::Zero(std::ssize(result.nodes), mechanics::kDofsPerNode);
+            rows.topRows(common) = mode.shape.topRows(common);
+            mode.shape = std::move(rows);
+        }
         return found;
     };
     result.vibration_modes = modes(ModeKind::Vibration, options.vibration_modes);

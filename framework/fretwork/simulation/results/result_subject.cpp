@@ -104,7 +104,8 @@ bool has_same_stages(const ResultSubject& left, const ResultSubject& right) {
 }  // namespace
 
 ResultSubject result_subject(const Surface& surface, const LoadCase& load_case,
-                             const SimulationOptions& options) {
+                             const SimulationOptions& options,
+                             std::span<const tiling::TileIndex> full_tiles) {
     SurfaceIdentity identity = surface_identity(surface);
     return {.model = model_text(surface, options),
             .is_reference = is_reference(surface, options),
@@ -113,7 +114,8 @@ ResultSubject result_subject(const Surface& surface, const LoadCase& load_case,
             .tessellation_hash = std::move(identity.tessellation_hash),
             .painting_hash = std::move(identity.painting_hash),
             .setting_hash = std::move(identity.setting_hash),
-            .joints = surface.setting.joints};
+            .joints = surface.setting.joints,
+            .full_tiles = tile_numbers(full_tiles)};
 }
 
 std::vector<int> tile_numbers(std::span<const tiling::TileIndex> tiles) {

@@ -18,8 +18,11 @@ namespace fretwork::simulation {
 /// The tessellation's hash covers its polygons, its interface nodes and the node layout, but not each tile's
 /// first vertex. The painting's hash covers each tile's pattern and first vertex. The setting's hash covers
 /// all values but the strength and the section's shape.
+///
+/// @param full_tiles  the tiles with all of their beams in the result of a mixed model, ascending
 ResultSubject result_subject(const Surface& surface, const LoadCase& load_case,
-                             const SimulationOptions& options);
+                             const SimulationOptions& options,
+                             std::span<const tiling::TileIndex> full_tiles = {});
 
 /// The numbers of tiles, for ResultSubject::full_tiles and SurfaceResult::buckled_tiles.
 std::vector<int> tile_numbers(std::span<const tiling::TileIndex> tiles);

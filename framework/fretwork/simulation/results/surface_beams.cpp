@@ -225,6 +225,12 @@ SurfaceBeams surface_beams(const Surface& surface) {
     return beams;
 }
 
+bool has_nodes_at(const SurfaceResult& result, std::span<const Eigen::Vector3d> places) {
+    return std::ranges::equal(result.nodes, places, [](const auto& node, const Eigen::Vector3d& place) {
+        return (node.rest_position - place).norm() <= kSamePlace;
+    });
+}
+
 std::vector<mechanics::BeamSection> beam_sections(const SurfaceBeams& beams,
                                                   const reduction::Setting& setting) {
     std::vector<mechanics::BeamSection> sections;

@@ -32,6 +32,12 @@ struct SurfaceBeams {
 /// tiles have no beams.
 SurfaceBeams surface_beams(const Surface& surface);
 
+/// The distance below which two nodes at rest are the same node, m.
+inline constexpr double kSamePlace = 1e-9;
+/// True if the nodes of a result lie at these places, in this order. Equal numbers do not suffice: a model
+/// with nodes of its own in each tile may have as many of them as the patterns.
+bool has_nodes_at(const SurfaceResult& result, std::span<const Eigen::Vector3d> places);
+
 /// For each beam, an object that computes section forces from the motions of the beam's ends.
 std::vector<mechanics::BeamSection> beam_sections(const SurfaceBeams& beams,
                                                   const reduction::Setting& setting);
