@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pattern/small_layouts.hpp"
+#include "stops.hpp"
 
 #include <fretwork/base/control.hpp>
 #include <fretwork/base/files/file.hpp>
@@ -93,9 +94,8 @@ TEST(CensusOfALargeLayout, LeavesGraphColumnsEmpty) {
 }
 
 TEST(CensusOfALargeLayout, CanBeStoppedInAColumn) {
-    std::stop_source source;
-    source.request_stop();
-    const base::Control control{.stop = source.get_token()};
+    const fretwork::test::StopAtLook stop(0);
+    const base::Control control = stop.control();
     const CoverRule cover{{{"edge", Pattern::Bits().set(0)}}, "the pattern lacks"};
     EXPECT_THROW(detail::count_graphs_that_keep(cover, 64, control), base::Stopped);
     const CapacityRule capacity{{{"node", std::vector<int>(64, 1)}}, 6, ""};

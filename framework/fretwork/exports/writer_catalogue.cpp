@@ -216,8 +216,8 @@ std::string_view content_name(Content content) {
 
 std::string_view unit_of(const WriterRow& writer) {
     if (writer.ending == ".png" || writer.ending == ".html") return "none";
-    const bool is_drawn = writer.ending == ".svg" || writer.ending == ".txt";
-    return is_drawn || !writer.shows_results() ? "millimetre" : "metre";
+    const bool is_in_millimetres = writer.ending == ".svg" || writer.ending == ".txt";
+    return is_in_millimetres || !writer.shows_results() ? "millimetre" : "metre";
 }
 
 Content parse_content(const std::string& name) {

@@ -4,6 +4,7 @@
 #include <fretwork/fabrication/detail/bar_angles.hpp>
 #include <fretwork/fabrication/detail/fillets.hpp>
 #include <fretwork/fabrication/detail/length_text.hpp>
+#include <fretwork/fabrication/detail/patches.hpp>
 #include <fretwork/fabrication/facts.hpp>
 #include <fretwork/fabrication/shape.hpp>
 #include <fretwork/geometry/plane.hpp>
@@ -171,11 +172,9 @@ class FactFinder {
             const Point2& place = shape_.pieces[p].outer.front().place;
             warn("disconnected piece at " + place_text(place), place);
         }
-        std::vector<bool> used(plan_.nodes.size());
-        for (const Bar& bar : plan_.bars)
-            for (const TessellationNodeIndex node : bar.nodes) used[node] = true;
+        const auto nodes = nodes_with_bars(plan_);
         const auto corners = std::ranges::count_if(
-            plan_.coincidences, [&](const BarPlan::Coincidence& one) { return used[one.taken]; });
+            plan_.coincidences, [&](const BarPlan::Coincidence& one) { return nodes.contains(one.taken); });
         if (corners > 0)
             warn(std::to_string(corners) +
                  " nodes of neighbouring tiles, or of the border, lie at one place: the material is "

@@ -118,25 +118,26 @@ class SheetCutter {
         }
     }
 
-    /// From the first tile of a side to the second.
-    [[nodiscard]] Point2 outward_of(const tiling::SharedSide& side) const {
+    /// A place on a side, with the two parts that meet there.
+    [[nodiscard]] SeamPlace on_seam(const tiling::SharedSide& side, const Point2& place) const {
         const auto& vertices = surface_.tessellation.vertices;
-        return left_of(unit(vertices[side.to] - vertices[side.from]));
-    }
-
-    /// Only the two tiles of the side are at an end where the frame goes from one to the other.
-    void add_seam_ends(const tiling::SharedSide& side) {
-        const tiling::Tessellation& tessellation = surface_.tessellation;
+        const Point2 outward = left_of(unit(vertices[side.to] - vertices[side.from]));  // from the first tile
         const std::size_t first = part_of_tile_[side.tiles[0]];
         const std::size_t second = part_of_tile_[side.tiles[1]];
+        return {place, first < second ? outward : -1.0 * outward, std::min(first, second),
+                std::max(first, second)};
+    }
+
+    /// Add the ends of a side that lie on the rim. Ends with more than two tiles stay as they are: a cut
+    /// could remove the frame of a third tile.
+    void add_seam_ends(const tiling::SharedSide& side) {
+        const tiling::Tessellation& tessellation = surface_.tessellation;
         for (const tiling::VertexIndex vertex : {side.from, side.to}) {
             const auto is_there = [&](const tiling::Tile& tile) {
                 return std::ranges::find(tile.vertices, vertex) != tile.vertices.end();
             };
             if (std::ranges::count_if(tessellation.tiles, is_there) > 2) continue;
-            seam_ends_.push_back({tessellation.vertices[vertex],
-                                  first < second ? outward_of(side) : -1.0 * outward_of(side),
-                                  std::min(first, second), std::max(first, second)});
+            seam_ends_.push_back(on_seam(side, tessellation.vertices[vertex]));
         }
     }
 
@@ -145,15 +146,11 @@ class SheetCutter {
         const tiling::Tessellation& tessellation = surface_.tessellation;
         const Point2& from = tessellation.vertices[side.to];
         const Point2& to = tessellation.vertices[side.from];
-        const Point2 outward = outward_of(side);
-        const std::size_t first = part_of_tile_[side.tiles[0]];
-        const std::size_t second = part_of_tile_[side.tiles[1]];
         for (const auto node : side.nodes | std::views::reverse) {
             const Point2& place = tessellation.interface_nodes[node];
             require_room(place, {from, to}, node);
             require_no_hole(place, node);
-            connectors_.push_back({connectors_.size() + 1, place, first < second ? outward : -1.0 * outward,
-                                   std::min(first, second), std::max(first, second)});
+            connectors_.push_back({on_seam(side, place), connectors_.size() + 1});
         }
     }
 
@@ -205,9 +202,9 @@ class SheetCutter {
     }
 
     /// The side of a part at a connector or an end of a seam; none: other parts meet there.
-    static std::optional<ConnectorSide> side_of(const auto& on_seam, std::size_t part) {
-        if (on_seam.knob_part == part) return ConnectorSide::Knob;
-        if (on_seam.socket_part == part) return ConnectorSide::Socket;
+    static std::optional<ConnectorSide> side_of(const SeamPlace& seam, std::size_t part) {
+        if (seam.knob_part == part) return ConnectorSide::Knob;
+        if (seam.socket_part == part) return ConnectorSide::Socket;
         return std::nullopt;
     }
 
@@ -226,7 +223,7 @@ class SheetCutter {
             add_side(cut, connector, *side, making);
             add_box(connector.place, 1.5 * size_.plate);
         }
-        for (const SeamEnd& end : seam_ends_) {
+        for (const SeamPlace& end : seam_ends_) {
             const auto side = side_of(end, number);
             if (!side) continue;
             cut_frame(cut, end, *side, frame, making);
@@ -349,7 +346,7 @@ class SheetCutter {
     ConnectorSize size_;
     base::IndexVector<TileIndex, std::size_t> part_of_tile_;
     std::vector<Connector> connectors_;
-    std::vector<SeamEnd> seam_ends_;
+    std::vector<SeamPlace> seam_ends_;
 };
 
 }  // namespace

@@ -55,7 +55,7 @@ void add_side(ConnectorCut& cut, const Connector& connector, ConnectorSide side,
     }
 }
 
-void cut_frame(ConnectorCut& cut, const SeamEnd& end, ConnectorSide side, double radius,
+void cut_frame(ConnectorCut& cut, const SeamPlace& end, ConnectorSide side, double radius,
                const ConnectorMaking& making) {
     const Disc disc{end.place, radius};
     cut.beyond.push_back(side == ConnectorSide::Knob

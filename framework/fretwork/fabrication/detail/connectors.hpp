@@ -9,21 +9,17 @@
 
 namespace fretwork::fabrication::detail {
 
-/// A connector at an interface node on a seam.
-struct Connector {
-    std::size_t number = 0;
-    geometry::Point2 place;
-    geometry::Point2 normal;  ///< of length 1, from the part with the knob to that with the socket
-    std::size_t knob_part = 0;
-    std::size_t socket_part = 0;
-};
-
-/// An end of a seam at the rim, where frames of two parts meet.
-struct SeamEnd {
+/// A place on the seam between two parts.
+struct SeamPlace {
     geometry::Point2 place;
     geometry::Point2 normal;  ///< of length 1, from the part with knobs to that with sockets
     std::size_t knob_part = 0;
     std::size_t socket_part = 0;
+};
+
+/// A connector at an interface node on a seam.
+struct Connector : SeamPlace {
+    std::size_t number = 0;
 };
 
 /// Lengths of a connector, m, as multiples of the width of the bars.
@@ -57,8 +53,8 @@ enum class ConnectorSide { Knob, Socket };
 void add_side(ConnectorCut& cut, const Connector& connector, ConnectorSide side,
               const ConnectorMaking& making);
 
-/// Remove what a part's frame has beyond the seam, within a disc around an end of the seam.
-void cut_frame(ConnectorCut& cut, const SeamEnd& end, ConnectorSide side, double radius,
+/// Remove what a part's frame has beyond the seam, within a disc around an end of the seam at the rim.
+void cut_frame(ConnectorCut& cut, const SeamPlace& end, ConnectorSide side, double radius,
                const ConnectorMaking& making);
 
 /// The place at which a connector's number is engraved on a side.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/random.hpp>
 #include <fretwork/fabrication/detail/seams.hpp>
-#include <fretwork/geometry/box_grid.hpp>
 #include <fretwork/geometry/plane.hpp>
+#include <fretwork/geometry/point_grid.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -160,18 +160,15 @@ std::vector<Crossing> crossings_of(const tiling::Tessellation& tessellation,
             crossings.push_back({{first, second}, place, end <= room, {}});
         }
     }
-    std::vector<Box> places;
-    for (const Crossing& one : crossings)
-        places.push_back({one.place.x, one.place.y, one.place.x, one.place.y});
-    const geometry::BoxGrid grid(places);
-    constexpr double kWider = 1.01;  // rounding loses no crossing
+    geometry::PointGrid before(2.0 * room);
     for (std::size_t i = 0; i < crossings.size(); ++i) {
-        for (const std::size_t j : grid.meeting(geometry::grown(places[i], kWider * 2.0 * room))) {
-            if (j >= i) break;  // ascending
-            if (0.5 * distance(crossings[i].place, crossings[j].place) > room) continue;
-            crossings[i].close.push_back(j);
-            crossings[j].close.push_back(i);
-        }
+        std::vector<std::size_t>& close = crossings[i].close;
+        before.visit_around(crossings[i].place, [&](std::size_t j) {
+            if (0.5 * distance(crossings[i].place, crossings[j].place) <= room) close.push_back(j);
+        });
+        std::ranges::sort(close);  // costs are summed in this order
+        for (const std::size_t j : close) crossings[j].close.push_back(i);
+        before.add(crossings[i].place);
     }
     return crossings;
 }

@@ -8,13 +8,6 @@
 namespace fretwork::outlines::detail {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view kSpace = " \t\r\n\f";
-    const auto first = text.find_first_not_of(kSpace);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
-}
-
 /// A sheet without /* comments */ and without the <!-- --> that hide it from old programs.
 std::string without_comments(std::string_view text) {
     std::string kept;
@@ -87,6 +80,13 @@ std::string key_of(const CssSelector& selector) {
 }
 
 }  // namespace
+
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view kSpace = " \t\r\n\f";
+    const auto first = text.find_first_not_of(kSpace);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
+}
 
 std::vector<CssDeclaration> parse_css_declarations(std::string_view text) {
     const std::string plain = without_comments(text);

@@ -13,6 +13,9 @@
 /// level 3).
 namespace fretwork::outlines::detail {
 
+/// A text without the space at its ends.
+std::string_view trimmed(std::string_view text);
+
 /// A declaration, such as `fill: none !important`.
 struct CssDeclaration {
     std::string name;   ///< name of the property, in lower case

@@ -99,12 +99,8 @@ class SelectorParser {
         skip_space();
         while (next_ < end && std::string_view("~|^$*=").find(here()) != std::string_view::npos)
             attribute.sign += text_[next_++];
-        skip_space();
-        std::size_t value_end = end;
-        while (value_end > next_ && std::isspace(static_cast<unsigned char>(text_[value_end - 1])))
-            --value_end;
-        for (; next_ < value_end; ++next_)
-            if (here() != '"' && here() != '\'') attribute.value += here();
+        for (const char c : trimmed(text_.substr(next_, std::max(end, next_) - next_)))
+            if (c != '"' && c != '\'') attribute.value += c;
         next_ = end + 1;
         compound.attributes.push_back(std::move(attribute));
     }

@@ -14,7 +14,6 @@ namespace {
 constexpr std::size_t kMostParts = 300'000;
 constexpr std::size_t kMostStates = 200'000;
 constexpr std::size_t kMostGroups = 16;
-constexpr unsigned kTermsBetweenChecks = 4096;
 
 std::optional<CountsBySize> count(const ConflictRule& rule, int edge_count, const base::Control& control) {
     std::vector<Word128> conflicts;
@@ -32,13 +31,13 @@ std::optional<CountsBySize> count(const ConflictRule& rule, int edge_count, cons
 /// one group, plus the sets that miss two, ..
 std::optional<CountsBySize> count(const CoverRule& rule, int edge_count, const base::Control& control) {
     if (rule.groups.size() > kMostGroups) return std::nullopt;
+    control.check();
     Pattern::Bits all;
     for (int e = 0; e < edge_count; ++e) all.set(e);
     // By the number of edges outside of the missed groups: the number of terms to add, less the number of
     // terms to subtract, modulo 2^128.
     CountsBySize terms(edge_count + 1);
     for (unsigned missed = 0; missed < 1u << rule.groups.size(); ++missed) {
-        if (missed % kTermsBetweenChecks == 0) control.check();
         Pattern::Bits left = all;
         for_each_bit(Word64{missed}, [&](int group) { left &= ~rule.groups[group].edges; });
         GraphCount& term = terms[left.count()];
