@@ -154,6 +154,15 @@ class Sessions(unittest.TestCase):
             session.set_load_case(support.tip(-0.002))  # which leaves the tiles as they are
             self.assertEqual(len(session.tile_deformations(result)), len(session.surface.tessellation))
 
+    def test_results_of_before_an_edit_of_tiles_are_refused_after_a_new_solve(self):
+        session = fw.Session(support.surface(), support.tip(), model="corotational")
+        result = session.solve()
+        session.paint([3], support.OTHER)
+        session.solve()
+        for use in (fw.smooth_stress, fw.Session.energy_gradient, fw.Session.tile_deformations):
+            with self.assertRaises(fw.InputError):
+                use(session, result)
+
 
 class Comparisons(unittest.TestCase):
     def test_corotational_tiles_are_near_the_full_model(self):

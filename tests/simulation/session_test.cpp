@@ -289,6 +289,30 @@ TEST(Session, RefusesMotionsInASolutionThatIsOlderThanAnEditOfTiles) {
     EXPECT_EQ(session.energy_gradient(after.solution).rows(), after.solution.displacements.rows());
 }
 
+TEST(Session, KnowsASolutionOfOtherTilesAfterANewSolve) {
+    for (const char* model : {"corotational", "condensed", "mixed:0.2"}) {
+        Session session(sample_surface(3, 2), cantilever({0.0, 0.0, -0.02}), {.model = model, .threads = 1});
+        const auto before = session.solve();
+        EXPECT_NO_THROW(session.require_since_edit(before.solution)) << model;
+        session.paint(tiles({3}), "1-6+3-6");
+        const auto after = session.solve();
+        EXPECT_THROW(session.require_since_edit(before.solution), base::InputError) << model;
+        EXPECT_THROW((void)session.energy_gradient(before.solution), base::InputError) << model;
+        EXPECT_NO_THROW(session.require_since_edit(after.solution)) << model;
+        session.set_load_case(cantilever({0.0, 0.0, -0.01}));
+        (void)session.solve();
+        EXPECT_NO_THROW(session.require_since_edit(after.solution)) << model << ": no tile is another";
+    }
+}
+
+TEST(Session, TakesASolutionThatOtherTilesHaveToo) {
+    Session session(sample_surface(3, 2), cantilever({0.0, 0.0, 0.0}), condensed());
+    const auto at_rest = session.solve();
+    session.paint(tiles({3}), "1-6+3-6");
+    (void)session.solve();
+    EXPECT_NO_THROW(session.require_since_edit(at_rest.solution));
+}
+
 TEST(Session, RefusesDeformationsInASolutionWithOtherNodes) {
     Session session(sample_surface(3, 2), cantilever({0.0, 0.0, -0.02}), condensed());
     const auto few = session.solve();

@@ -96,8 +96,9 @@ class Session {
     /// supports.
     void set_prescribed(std::size_t entry, const LoadCase::PrescribedDisplacement& displacement);
 
-    /// Throws InputError if tiles were edited after the last solve(), or if the solution has other nodes than
-    /// the session's last one.
+    /// Throws InputError if tiles were edited after solve() gave the solution, or if the solution has other
+    /// nodes than the session's last one. It knows its solutions by their displacements, and takes those of
+    /// other sessions on trust.
     void require_since_edit(const mechanics::Solution& solution) const;
 
     /// The tiles that have all of their beams in a mixed model after solve(), ascending; none for other
@@ -147,7 +148,7 @@ class Session {
     /// The gradient of the elastic energy with respect to displacements and rotation vectors (N, N m), one
     /// row for each node of a solution since the session's last edit. Its first three columns equal the
     /// internal forces; in a nonlinear solution, the other three differ from the internal moments, because
-    /// rotation vectors are not spins. Throws InputError if tiles were edited after the last solve().
+    /// rotation vectors are not spins. Throws as require_since_edit().
     [[nodiscard]] mechanics::NodeValues energy_gradient(const mechanics::Solution& solution) const;
 
     /// The deformation of each tile in a solution of this session; zero for tiles made of beams. Throws
