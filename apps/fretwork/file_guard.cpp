@@ -61,7 +61,7 @@ std::vector<NamedFile> named_files(const Program& program) {
 /// may be such links.
 void check_link(const NamedFile& file) {
     const fs::path target = base::link_target(file.path);
-    if (file.role == FileRole::Update || target.extension() == file.path.extension()) return;
+    if (file.role == FileRole::Update || base::ending_of(target) == base::ending_of(file.path)) return;
     throw base::InputError(file.path.string(), "",
                            "is a link to " + target.string() + ", whose name has another ending");
 }
@@ -70,7 +70,7 @@ void check_link(const NamedFile& file) {
 void check_ending(const NamedFile& file) {
     if (file.kind.endings.empty() || (file.role == FileRole::Update && is_there(file.path))) return;
     for (const std::string& ending : words(file.kind.endings)) {
-        if (file.path.string().ends_with(ending)) return;
+        if (base::in_small_letters(file.path.string()).ends_with(ending)) return;
     }
     throw base::InputError(file.path.string(), "",
                            "is to be " + std::string(file.kind.name) + ", whose name ends in " +

@@ -32,7 +32,8 @@ struct Options {
 
 /// Refuse a path without the ending of a STEP file, and an existing file that is no STEP file.
 void require_replaceable(const std::filesystem::path& path) {
-    if (path.extension() != ".step" && path.extension() != ".stp")
+    const std::string ending = base::ending_of(path);
+    if (ending != ".step" && ending != ".stp")
         throw base::InputError(path.string(), "", "has another ending than .step and .stp");
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored)) return;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/files/file.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/outlines/coloured_drawing.hpp>
@@ -37,7 +38,7 @@ std::vector<Entry> entries_of(const std::string& palette) {
 }
 
 bool is_file(const std::string& text) {
-    return std::filesystem::path(text).extension() == ".json";
+    return base::ending_of(text) == ".json";
 }
 
 class PaintingReader {

@@ -249,6 +249,13 @@ TEST(FileGuard, RefusesEndingsOfOtherKindsAndEmptyNames) {
     }
 }
 
+TEST(FileGuard, TakesEndingsInCapitals) {
+    const TemporaryFolder folder;
+    ExitCode exit_code = ExitCode::Done;
+    Program program(exit_code);
+    EXPECT_NO_THROW(program.parse({(folder.path() / "PATTERN.SVG").string(), "--out", "0-1+1-6", "draw"}));
+}
+
 TEST(FileGuard, RefusesToReplaceAFileOfAnotherKind) {
     const TemporaryFolder folder;
     (void)folder.file("p.json", R"({"load_cases": [], "format" : "fretwork/project/1"})");

@@ -16,7 +16,6 @@
 #include <fretwork/simulation/stages.hpp>
 
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 
 namespace fretwork::app {
@@ -96,7 +95,7 @@ ExitCode run(const BeamsOptions& options) {
     if (!options.strength.empty()) table.strength = parse_strength(options.strength);
     const bool is_known = !table.rows.empty();
     if (!options.out.empty()) {
-        const bool is_csv = std::filesystem::path(options.out).extension() == ".csv";
+        const bool is_csv = base::ending_of(options.out) == ".csv";
         base::write_file_atomically(options.out, is_csv ? simulation::beam_table_csv(table, surface)
                                                         : simulation::beam_table_json(table, surface));
     }

@@ -61,7 +61,7 @@ LoadCase chosen_load_case(const Project& project, const SimulateOptions& options
             return of_project(options, [&] { return simulation::find_load_case(project, name_or_file); });
     }
     const std::filesystem::path path(name_or_file);
-    if (path.extension() == ".json" || path.has_parent_path())
+    if (base::ending_of(path) == ".json" || path.has_parent_path())
         return simulation::combined(simulation::read_load_case(path), project.load_cases);
     return of_project(options, [&] { return simulation::find_load_case(project, name_or_file); });
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/files/file.hpp>
 #include <fretwork/base/text.hpp>
 #include <studio/files/folder_listing.hpp>
 
@@ -54,7 +55,7 @@ std::vector<ListedEntry> entries_of(const fs::path& folder, const std::vector<st
         std::error_code unknown;
         const bool is_folder = at->is_directory(unknown);
         const bool fits =
-            endings.empty() || std::ranges::find(endings, at->path().extension().string()) != endings.end();
+            endings.empty() || std::ranges::find(endings, base::ending_of(at->path())) != endings.end();
         if (is_folder || (fits && at->is_regular_file(unknown)))
             entries.push_back({name, is_folder, time_of(*at)});
     }

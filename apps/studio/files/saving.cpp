@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/files/file.hpp>
 #include <fretwork/base/json_reader.hpp>
 #include <studio/files/saving.hpp>
 
@@ -8,7 +9,7 @@
 namespace fretwork::studio {
 
 void require_file_of_kind(const std::filesystem::path& path, const std::string& kind) {
-    if (path.extension() != ".json")
+    if (base::ending_of(path) != ".json")
         throw base::InputError(path.string(), "", "is not a name for a " + kind + ", which ends with .json");
     if (!std::filesystem::exists(path)) return;
     const auto format = base::JsonReader::from_file(path).find("format");
