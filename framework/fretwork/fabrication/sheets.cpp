@@ -38,10 +38,10 @@ std::string part_name(std::size_t part) {
 
 /// A motion: a quarter turn or none, then a shift.
 struct Motion {
-    bool turned = false;
+    bool is_turned = false;
     Point2 shift;
     [[nodiscard]] Point2 operator()(const Point2& point) const {
-        return (turned ? left_of(point) : point) + shift;
+        return (is_turned ? left_of(point) : point) + shift;
     }
 };
 
@@ -314,9 +314,9 @@ class SheetCutter {
                                   .pieces = {},
                                   .engraved = {},
                                   .labels = {}});
-            Motion motion{nests[p].turned, {}};
-            const Point2 corner =
-                motion.turned ? Point2{-boxes[p].ymax, boxes[p].xmin} : Point2{boxes[p].xmin, boxes[p].ymin};
+            Motion motion{nests[p].is_turned, {}};
+            const Point2 corner = motion.is_turned ? Point2{-boxes[p].ymax, boxes[p].xmin}
+                                                   : Point2{boxes[p].xmin, boxes[p].ymin};
             motion.shift = nests[p].corner - corner;
             append_moved(sheets[nests[p].sheet], {"", parts[p].pieces, parts[p].engraved, parts[p].labels},
                          motion);

@@ -188,7 +188,7 @@ std::string property_chart(const Library& library, const base::Control& control)
     return exports::property_chart_svg({library.layout(), library.setting()}, patterns);
 }
 
-void check_wishes(const LibraryOptions& options) {
+void check_export_options(const LibraryOptions& options) {
     const bool uses_patterns = !options.meshes.empty() || !options.svg.empty() || !options.stiffness.empty();
     if (options.csv.empty() && options.chart.empty() && !uses_patterns) {
         throw base::InputError("library export", "",
@@ -202,7 +202,7 @@ void check_wishes(const LibraryOptions& options) {
 }
 
 void write_files(const LibraryOptions& options) {
-    check_wishes(options);
+    check_export_options(options);
     LongWork work;
     const Library library = open_library(options);
     const base::Control control = work.control();

@@ -23,7 +23,7 @@ constexpr double kLeastGain = 0.005;
 constexpr double kWorthwhileGain = 0.02;
 /// The number of solved paintings from which the search starts, with the first one; then the largest number
 /// of starts from the best painting, and the share of its groups that is painted at random.
-constexpr std::size_t kOtherStarts = 3;
+constexpr std::size_t kMostStarts = 3;
 constexpr std::uint64_t kMostKicks = 100;
 constexpr double kKickedShare = 0.2;
 /// The share on small surfaces, where search_nearby() covers changes of two groups.
@@ -323,7 +323,7 @@ Solved Search::improve_from_others(Solved best, const std::vector<Solved>& start
         best = std::move(found);
         return true;
     };
-    for (std::size_t i = 1; i < std::min(starts.size(), kOtherStarts) && has_budget(); ++i)
+    for (std::size_t i = 1; i < std::min(starts.size(), kMostStarts) && has_budget(); ++i)
         (void)try_from(starts[i]);
     if (is_small()) best = search_nearby(std::move(best), reserve, last_solution);
     for (; kicks_ < kMostKicks && has_budget(); ++kicks_) {

@@ -30,17 +30,17 @@ struct Prices {
 
 /// A factorization of the unknowns' effects, in units of their largest steps. If unknowns have nearly the
 /// same effect, as thickness and a factor on the loads have, it gives the smallest steps.
-using StepFactors = Eigen::CompleteOrthogonalDecomposition<MatrixXd>;
+using StepDecomposition = Eigen::CompleteOrthogonalDecomposition<MatrixXd>;
 constexpr double kSameEffect = 1e-6;
 
-StepFactors step_factors_of(const SwapTable& table) {
-    StepFactors factors;
+StepDecomposition step_decomposition_of(const SwapTable& table) {
+    StepDecomposition factors;
     factors.setThreshold(kSameEffect);
     factors.compute(table.by_unknowns * table.largest_steps.asDiagonal());
     return factors;
 }
 
-MatrixXd basis_of(const StepFactors& factors, Index rows) {
+MatrixXd basis_of(const StepDecomposition& factors, Index rows) {
     return factors.householderQ() * MatrixXd::Identity(rows, factors.rank());
 }
 
@@ -51,8 +51,8 @@ class Sweeper {
         for (std::size_t g = 0; g < table.groups(); ++g)
             squares_.col(static_cast<Index>(g)) = table.responses[g].colwise().squaredNorm().transpose();
         if (table.by_unknowns.cols() > 0) {
-            factors_ = step_factors_of(table);
-            unknowns_ = basis_of(factors_, table.by_unknowns.rows());
+            decomposition_ = step_decomposition_of(table);
+            unknowns_ = basis_of(decomposition_, table.by_unknowns.rows());
         }
     }
 
@@ -151,7 +151,7 @@ class Sweeper {
     void step_factors(Choice& choice, VectorXd& residual) const {
         if (choice.steps.size() == 0) return;
         const VectorXd wanted =
-            choice.steps - VectorXd(table_.largest_steps.cwiseProduct(factors_.solve(residual)));
+            choice.steps - VectorXd(table_.largest_steps.cwiseProduct(decomposition_.solve(residual)));
         const VectorXd bounded = wanted.cwiseMin(table_.largest_steps).cwiseMax(-table_.largest_steps);
         residual += table_.by_unknowns * (bounded - choice.steps);
         choice.steps = bounded;
@@ -160,7 +160,7 @@ class Sweeper {
     const SwapTable& table_;
     const SweepOptions& options_;
     MatrixXd squares_;
-    StepFactors factors_;
+    StepDecomposition decomposition_;
     MatrixXd unknowns_;  ///< an orthonormal basis of by_unknowns
     mutable long scored_ = 0;
 };
@@ -257,7 +257,7 @@ void keep_best(std::vector<Choice>& choices, std::size_t count) {
 
 MatrixXd unknown_basis(const SwapTable& table) {
     if (table.by_unknowns.cols() == 0) return {};
-    return basis_of(step_factors_of(table), table.by_unknowns.rows());
+    return basis_of(step_decomposition_of(table), table.by_unknowns.rows());
 }
 
 MatrixXd left_by_unknowns(const MatrixXd& basis, const MatrixXd& residuals) {
@@ -267,7 +267,7 @@ MatrixXd left_by_unknowns(const MatrixXd& basis, const MatrixXd& residuals) {
 
 VectorXd best_steps(const SwapTable& table, const VectorXd& residual) {
     if (table.by_unknowns.cols() == 0) return VectorXd();
-    const VectorXd shares = -step_factors_of(table).solve(residual);
+    const VectorXd shares = -step_decomposition_of(table).solve(residual);
     return table.largest_steps.cwiseProduct(shares.cwiseMin(1.0).cwiseMax(-1.0));
 }
 

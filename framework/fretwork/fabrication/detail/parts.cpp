@@ -168,9 +168,13 @@ std::vector<Nest> nested(const std::vector<Box>& boxes, const Bed& bed) {
     const double across = bed.width - 2.0 * bed.margin + kRounding;
     const double up = bed.height - 2.0 * bed.margin + kRounding;
     for (std::size_t i = 0; i < boxes.size(); ++i)
-        nests[i].turned = boxes[i].width() > across || boxes[i].height() > up;
-    const auto width = [&](std::size_t i) { return nests[i].turned ? boxes[i].height() : boxes[i].width(); };
-    const auto height = [&](std::size_t i) { return nests[i].turned ? boxes[i].width() : boxes[i].height(); };
+        nests[i].is_turned = boxes[i].width() > across || boxes[i].height() > up;
+    const auto width = [&](std::size_t i) {
+        return nests[i].is_turned ? boxes[i].height() : boxes[i].width();
+    };
+    const auto height = [&](std::size_t i) {
+        return nests[i].is_turned ? boxes[i].width() : boxes[i].height();
+    };
     std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return height(a) > height(b); });
     struct Row {
         std::size_t sheet;

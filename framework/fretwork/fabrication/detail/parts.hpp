@@ -32,7 +32,7 @@ base::IndexVector<TileIndex, std::size_t> parts_of_tiles(const tiling::Tessellat
 struct Nest {
     std::size_t sheet = 0;
     geometry::Point2 corner;
-    bool turned = false;
+    bool is_turned = false;
 };
 /// Put boxes into rows on sheets, the highest box first. Pre: every box fits the bed.
 std::vector<Nest> nested(const std::vector<geometry::Box>& boxes, const Bed& bed);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kMostCorrections = 15;
 /// The ratio of a correction to the correction before it above which the iteration does not converge.
-constexpr double kLargestContraction = 2.0;
+constexpr double kLargestGrowth = 2.0;
 
 /// The largest deviation of a move from the mean of the directions at its ends, as a share of each component.
 /// A component that moves less than kOwnShare of the largest counts as moving by this share. With a larger
@@ -51,7 +51,7 @@ int correct_across(NonlinearSystem& system, Newton& newton, const Eigen::VectorX
         move += load_step * rate;
         const double size = unknowns.size_of(move);
         if (!std::isfinite(load_step) || !std::isfinite(size)) return -1;
-        if (iteration > 1 && size > kLargestContraction * last_size) return -1;
+        if (iteration > 1 && size > kLargestGrowth * last_size) return -1;
         last_size = size;
         load_factor += load_step;
         unknowns.prescribe(load_factor, trial);

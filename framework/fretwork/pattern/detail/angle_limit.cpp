@@ -56,7 +56,7 @@ AngleLimit::AngleLimit(double radians) {
     upper_ = to_exact(square + margin);
 }
 
-bool AngleLimit::is_above(const ExactVector& left, const ExactVector& right) const {
+bool AngleLimit::exceeds_angle(const ExactVector& left, const ExactVector& right) const {
     const ExactNumber dot = hexagon_dot(left, right);
     const ExactNumber square = dot * CGAL::abs(dot);
     const ExactNumber lengths = hexagon_dot(left, left) * hexagon_dot(right, right);

@@ -52,7 +52,7 @@ bool cross(const PlacedEdge& left, const PlacedEdge& right) {
 
 }  // namespace
 
-bool DistanceLimit::is_above(const PlacedEdge& left, const PlacedEdge& right) const {
+bool DistanceLimit::exceeds_distance(const PlacedEdge& left, const PlacedEdge& right) const {
     // Coordinates are below 2, and a rounded share moves the nearest point by less than the edge's length. So
     // the error of this distance is far below the margin, also for very short edges.
     constexpr double kMargin = 1e-6;

@@ -13,7 +13,7 @@ class DistanceLimit {
   public:
     explicit DistanceLimit(double distance) : distance_(distance) {}
     /// True if the two centre lines come closer than the limit.
-    [[nodiscard]] bool is_above(const PlacedEdge& left, const PlacedEdge& right) const;
+    [[nodiscard]] bool exceeds_distance(const PlacedEdge& left, const PlacedEdge& right) const;
 
   private:
     double distance_;

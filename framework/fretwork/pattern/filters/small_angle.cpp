@@ -55,7 +55,7 @@ Rule make_small_angle(const NodeLayout& layout, double value, const FabricationS
     for (const auto& [node, departures] : departures_by_node(layout)) {
         for (std::size_t i = 0; i < departures.size(); ++i) {
             for (std::size_t j = i + 1; j < departures.size(); ++j) {
-                if (limit.is_above(departures[i].direction, departures[j].direction))
+                if (limit.exceeds_angle(departures[i].direction, departures[j].direction))
                     table.add(departures[i].edge, departures[j].edge);
             }
         }

@@ -35,7 +35,8 @@ Rule make_tight_clearance(const NodeLayout& layout, double value, const Fabricat
     for (std::size_t e = 0; e < layout.candidate_edges().size(); ++e) {
         for (std::size_t other = e + 1; other < placed.size(); ++other) {
             if (share_a_node(placed[e], placed[other])) continue;
-            if (limit.is_above(placed[e], placed[other])) table.add(placed[e].edge, placed[other].edge);
+            if (limit.exceeds_distance(placed[e], placed[other]))
+                table.add(placed[e].edge, placed[other].edge);
         }
     }
     constexpr double kPerMetre = 1000.0;

@@ -56,14 +56,14 @@ void Session::Impl::paint(std::span<const TileIndex> tiles, const std::string& w
     }
     for (const TileIndex tile : tiles) surface_.tessellation.tiles[tile].pattern = static_cast<int>(entry);
     invalidate_tiles(tiles);
-    weigh_anew();
+    update_masses();
 }
 
 void Session::Impl::turn(std::span<const TileIndex> tiles, int vertices) {
     require_tiles(surface_, tiles);
     for (const TileIndex tile : tiles) tiling::turn(surface_.tessellation.tiles[tile], vertices);
     invalidate_tiles(tiles);
-    weigh_anew();
+    update_masses();
 }
 
 void Session::Impl::set_tile_model(std::span<const TileIndex> tiles, const std::string& name) {
@@ -103,7 +103,7 @@ void Session::Impl::set_setting(const reduction::Setting& setting) {
     }
     builder_.forget();
     invalidate_all_tiles();
-    weigh_anew();
+    update_masses();
 }
 
 void Session::Impl::set_calibrations(std::vector<std::vector<reduction::Calibration>> calibrations) {
@@ -139,7 +139,7 @@ void Session::Impl::invalidate_all_tiles() {
     forget_solution();
 }
 
-void Session::Impl::weigh_anew() {
+void Session::Impl::update_masses() {
     tile_masses_.reset();
     if (!load_case_.gravity.isZero(0)) conditions_ = resolved(load_case_);
 }

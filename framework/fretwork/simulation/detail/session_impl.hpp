@@ -65,7 +65,7 @@ class Session::Impl {
     [[nodiscard]] Conditions resolved(const LoadCase& load_case);
     void invalidate_tiles(std::span<const tiling::TileIndex> tiles);
     void invalidate_all_tiles();
-    void weigh_anew();
+    void update_masses();
 
     void update_tiles(const base::Control& control);
     void build_all(const base::Control& control);
