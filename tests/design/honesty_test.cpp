@@ -288,6 +288,19 @@ TEST(DesignHonesty, WarnsOfAPaintingThatIsTooHeavy) {
         "no painting that was checked weighs at most 0.01 kg: the one that was written weighs 0.0123 kg");
 }
 
+TEST(DesignHonesty, WarnsOfALoadThatIsTooSmallUnlessItsFactorIsFree) {
+    DesignReport report;
+    report.uniform_tried = 4;
+    report.wanted_of_softest = 12.0;
+    DesignOptions options;
+    const auto texts = plain_texts(design_warnings(report, options));
+    ASSERT_EQ(texts.size(), 1U);
+    EXPECT_THAT(texts.front(),
+                HasSubstr("12 times the displacement of the softest of the 4 single patterns"));
+    options.free_factor = true;
+    EXPECT_TRUE(design_warnings(report, options).empty()) << "the search has chosen another load";
+}
+
 /// Bars of 2 mm in hexagons of 26 mm: a clearance that only the sparse patterns keep.
 TEST(DesignHonesty, LeavesOutPatternsThatDoNotKeepTheClearance) {
     const simulation::Project project = small_project();

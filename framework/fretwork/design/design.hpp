@@ -168,8 +168,9 @@ struct DesignReport {
     std::vector<CaseShape> shapes{};
     std::vector<CaseShape> uniform_shapes{};  ///< shapes of the best single pattern
     Gamut gamut{};                            ///< wanted curvatures and reached curvatures
-    /// The largest wanted displacement, divided by the largest displacement of the softest uniform painting.
-    /// A value far above one means that the load is too small for the target.
+    /// The largest wanted displacement, divided by the largest displacement of the softest uniform painting
+    /// under the given loads, before any unknown is searched. A value far above one means that the load is
+    /// too small for the target.
     double wanted_of_softest = 0.0;
     double wanted_of_stiffest = 0.0;  ///< the same ratio for the stiffest uniform painting
     bool nothing_moves = false;       ///< true if the load cases displace no uniform painting

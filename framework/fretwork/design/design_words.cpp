@@ -39,12 +39,14 @@ DesignWarning too_small(const DesignReport& report, bool factor_may_help) {
             short_number(100.0 * *report.reach_of_ten_loads) + " % of what is wanted only"};
 }
 
-/// A load that does not fit the target.
+/// A load that does not fit the target. The survey is of the given loads: it says nothing of those that the
+/// search chooses.
 std::optional<DesignWarning> load_warning(const DesignReport& report, const DesignOptions& options) {
     if (report.nothing_moves)
         return DesignWarning{
             "nothing moves under the load case: it has no load that acts, and moves no support"};
-    const bool factor_may_help = has_loads(report) && !options.free_factor;
+    if (options.free_factor || options.free_prescribed) return std::nullopt;
+    const bool factor_may_help = has_loads(report);
     if (report.wanted_of_softest > kLoadTooSmall) return too_small(report, factor_may_help);
     if (report.wanted_of_stiffest > 0.0 && report.wanted_of_stiffest < kLoadTooLarge)
         return DesignWarning{

@@ -150,12 +150,13 @@ void add_reach(const DesignReport& report, std::vector<std::string>& lines) {
     if (report.nothing_moves) lines.emplace_back("Nothing moves under the load case.");
     if (report.wanted_of_softest > 1.0)
         lines.push_back("The target asks for " + base::format_number(report.wanted_of_softest, 3) +
-                        " times the displacement of the softest single pattern.");
+                        " times the displacement of the softest single pattern under the given loads.");
     if (report.reach_of_ten_loads)
         lines.push_back("Ten times the load displaces the softest single pattern by " +
                         percent(*report.reach_of_ten_loads) + " of what is wanted.");
     if (report.wanted_of_stiffest > 0.0 && report.wanted_of_stiffest < 1.0)
-        lines.push_back("The stiffest single pattern is displaced by more than is wanted.");
+        lines.push_back(
+            "Under the given loads, the stiffest single pattern is displaced by more than is wanted.");
 }
 
 }  // namespace
