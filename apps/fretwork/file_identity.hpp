@@ -18,12 +18,13 @@ bool is_device(const std::filesystem::path& path);
 // its "fretwork/K/N" as its kind, a table the start of its header.
 inline constexpr std::string_view kLibraryContent = "library";  ///< or another database of SQLite
 inline constexpr std::string_view kDrawnContent =
-    "drawn";  ///< drawings, meshes and decks: they say who made them
+    "drawn";  ///< drawings, meshes and decks, which name this program
 inline constexpr std::string_view kListContent = "list";    ///< begins with the id of a pattern
 inline constexpr std::string_view kOtherContent = "other";  ///< no content of this program
 
-/// The kind of a file's content. Empty if there is no regular file, or if it is empty. A frame counts as
-/// "frame" only if this program would write the same bytes, because people write frames, too.
+/// The kind of a file's content. The kind is empty if there is no regular file, or if the file is empty or
+/// cannot be read. The kind of a frame is "frame" only if this program would write the same bytes, and
+/// "other" otherwise, because people write frames, too.
 std::string content_of(const std::filesystem::path& path);
 
 /// Whether a content is a table.

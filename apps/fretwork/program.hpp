@@ -23,13 +23,14 @@ class Program final : public CLI::App {
 };
 
 /// The verb with this name among those of a program or of another verb. Throws InputError that suggests the
-/// nearest name.
+/// nearest name, lists all names, or says that `app` has no verbs of its own.
 const CLI::App& find_verb(const CLI::App& app, const std::string& wanted);
 
 /// Refuse a command line whose files do not go together, before anything is computed: an output that is an
-/// input or another output (also by way of links or another spelling), that has the ending of another kind of
-/// file, or whose folder is missing or not writable. An existing file is replaced only if it is empty or has
-/// the same kind of content. Throws InputError that names the file.
+/// input or another output (also by way of links or another spelling), whose name lacks the ending of its
+/// kind of file, that is a link to a file with another ending, or whose folder is missing or not writable. An
+/// existing file is replaced only if it is empty or has the same kind of content. Throws InputError that
+/// names the file.
 void check_files(const Program& program);
 
 }  // namespace fretwork::app

@@ -8,8 +8,8 @@ namespace fretwork::app {
 /// How a command ends. Bad input and wrong usage are exceptions, and become exit code 2 in `main`.
 enum class ExitCode { Done = 0, DidNotSucceed = 1, BadInput = 2 };
 
-/// Each adds one verb to the command line: its options, its help with an example, and what it does when it is
-/// chosen. The verb writes how it ended to `exit_code` (Done if it writes nothing).
+/// Each of these functions adds one verb to the command line: its options, its help with an example, and its
+/// action. The verb writes how it ended to `exit_code` (Done if it writes nothing).
 void add_enumerate(CLI::App& app, ExitCode& exit_code);
 void add_calibrate(CLI::App& app, ExitCode& exit_code);
 void add_library(CLI::App& app, ExitCode& exit_code);

@@ -28,17 +28,18 @@ struct CommandText {
     std::vector<CommandText> verbs;
 };
 
+/// A command with its options and its verbs, at all levels.
 /// @param parents  the words before the name of `app`
 CommandText command_tree(const CLI::App& app, std::vector<std::string> parents = {});
 
-/// A command and all verbs below it, each before its own verbs.
+/// A command and all verbs below it, each before its own verbs. The pointers lead into `command`.
 std::vector<const CommandText*> all_commands(const CommandText& command);
 
-/// The manual page of section 1, for man and groff.
+/// The program's manual page in section 1, for man and groff.
 std::string man_page(const CommandText& program);
 
 // The files with which a shell completes verbs, options, and values from a short list (OptionText::choices).
-// It completes all other words as names of files.
+// The shell completes all other words as names of files.
 std::string bash_completion(const CommandText& program);
 std::string zsh_completion(const CommandText& program);
 std::string fish_completion(const CommandText& program);

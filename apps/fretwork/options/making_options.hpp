@@ -9,9 +9,11 @@
 
 namespace fretwork::app {
 
+/// Add these options to a verb. The verb writes the texts of the options to `texts`, which must live as long
+/// as the verb.
 void add_making_options(CLI::App& verb, typed::MakingChoice& texts);
 
-/// Throw InputError if an option is given that no writer uses.
+/// Throw InputError if an option is given that none of `writers` uses.
 void refuse_ignored_making(const CLI::App& verb, std::span<const exports::WriterRow* const> writers);
 
 }  // namespace fretwork::app

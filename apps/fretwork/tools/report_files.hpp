@@ -9,8 +9,8 @@ namespace fretwork::app {
 /// Throws InputError with the place of an unknown key, a missing key or a value out of range.
 void check_beam_table(const std::string& text, const std::string& source);
 
-/// Check facts for making, "fretwork/facts/2" or 3, which `fretwork export --content facts` writes. Throws as
-/// check_beam_table().
+/// Check facts for making, "fretwork/facts/2" or "fretwork/facts/3", which `fretwork export --content facts`
+/// writes. Throws as check_beam_table().
 void check_facts(const std::string& text, const std::string& source);
 
 }  // namespace fretwork::app

@@ -26,17 +26,17 @@ struct Wanted {
 /// The node and the degree of freedom that move most as stability is lost.
 std::string component_text(const mechanics::Result& result, const mechanics::StabilityLoss& loss);
 
-/// One line for each loss of stability, critical load and frequency, and for each reason why there are fewer
-/// than wanted.
+/// Print one line for each loss of stability, buckling load and natural frequency. If fewer modes of a kind
+/// were found than wanted, a further line says why.
 void print_losses_and_modes(const mechanics::Result& result, const Wanted& wanted);
 
 void print_solution(const mechanics::Result& result, const Wanted& wanted);
 
-/// A line about a result that is no equilibrium under the full load: how far it came, why it ends there, and
-/// what helps.
+/// Print one line about a result that is no equilibrium under the full load. If the result is from the Newton
+/// solver, the line says where its path ends, why, and what helps.
 void print_failure(const mechanics::Result& result, mechanics::Branch branch);
 
-/// The estimated discretization error as a share, or null if it is not known.
+/// The estimated relative discretization error (DiscretizationError::share), or null if it is not known.
 base::Json discretization_json(const mechanics::Result& result);
 /// A line about the estimated difference from the solution with infinitely fine divisions.
 std::string discretization_text(const mechanics::DiscretizationError& error);

@@ -9,10 +9,10 @@ namespace fretwork::app {
 
 // The output of the verbs tile and retile.
 
-/// Measures of the tiles, and what the project keeps.
+/// Measures of the tiles, and the library, the setting and the load cases of the project.
 base::Json tiling_json(const tiling::TessellationReport& report, const simulation::Project& project);
 
-/// The same for people, in a few lines.
+/// Print measures of the tiles for people, and the numbers of unpainted tiles and of load cases.
 void print_tiling(const tiling::TessellationReport& report, const simulation::Project& project);
 
 }  // namespace fretwork::app

@@ -17,7 +17,7 @@ struct DesignFound {
     design::DesignOptions options;  ///< those of the request
 };
 
-/// The document with the painting, and with the loads if the design was free to change them.
+/// The document with the painting of a design, and with the design's load cases if they differ.
 Edited with_design(const State& state, const design::DesignReport& report);
 
 /// The event `designed`.

@@ -10,7 +10,7 @@
 
 namespace fretwork::studio {
 
-/// A project's file, and the SHA-256 of what lay in it.
+/// A project's file, and the SHA-256 of its content; no hash: there was no such file.
 struct ProjectFile {
     std::filesystem::path path;
     std::optional<std::string> hash;
@@ -21,12 +21,13 @@ std::optional<std::string> hash_of_file(const std::filesystem::path& path);
 /// The document of a server: its history, its file, and the selected load case.
 class Document {
   public:
+    /// A document without a file, which is not saved.
     Document(State state, std::int64_t revision);
-    /// One that was read from a file.
+    /// A document that was read from a file.
     Document(State state, ProjectFile file, std::int64_t revision);
     /// A document whose unsaved changes were found. Undo leads back to the content of its file.
     static Document recovered(Document saved, State changed);
-    /// This document with a name, which is used until it has a file.
+    /// This document with a name, which is used until the document has a file. An empty name changes nothing.
     Document named(std::string name) &&;
     /// This document, marked as saved, because it is an example or a file that was sent.
     Document found_elsewhere() &&;
@@ -41,6 +42,7 @@ class Document {
     [[nodiscard]] DocumentStatus status() const;
     [[nodiscard]] const History& history() const { return history_; }
 
+    /// Add an edited state. If it has more load cases than before, the last one is selected.
     void add(Edited edited);
     /// False if there is nothing to undo, or to redo.
     bool undo();
@@ -62,7 +64,8 @@ class Document {
     bool is_recovered_ = false;
 };
 
-/// The folder to which paths in a project are relative.
+/// The folder to which paths in a project are relative: the folder of its file or, without a file, the
+/// working directory.
 std::filesystem::path folder_of(const std::optional<std::filesystem::path>& project);
 
 }  // namespace fretwork::studio

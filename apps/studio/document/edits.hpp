@@ -10,10 +10,11 @@
 
 namespace fretwork::studio {
 
+/// Whether read_model() accepts the name of a mixed model.
 enum class Mixed { Refused, Taken };
 
 /// The name of a tile model of the catalogue or, with Mixed::Taken, `mixed:SHARE`. Throws InputError that
-/// names the models.
+/// suggests the nearest name, or lists all names.
 std::string read_model(const base::JsonReader& json, Mixed mixed);
 
 /// A document after an edit, or the same state if the edit changes nothing; nothing if `name` is not an edit.

@@ -18,7 +18,7 @@ base::Json numbers_json(const std::vector<Index>& indices) {
     return list;
 }
 
-/// Pairs of coordinates.
+/// The coordinates of points, as pairs [x, y].
 inline base::Json points_json(std::span<const geometry::Point2> places) {
     base::Json list = base::Json::array();
     for (const geometry::Point2& place : places) list.push_back({place.x, place.y});

@@ -17,10 +17,11 @@ class ExportTarget {
 
     /// Whether the file shows the solution (the answer to the load). Files for cutting and printing do not.
     [[nodiscard]] bool shows_answer() const;
-    /// The file, with its remarks. Safe to call from any thread.
+    /// The file, with its remarks. Throws InputError, for example if a value in the address is invalid, and
+    /// Stopped. Safe to call from any thread.
     ///
-    /// @param folder  paths in a project are relative to it
-    /// @param solved  may be null
+    /// @param folder  the folder to which paths in a project are relative
+    /// @param solved  the solution of the situation; null: the file shows no solution
     [[nodiscard]] HttpAnswer file_of(const Situation& situation, const std::filesystem::path& folder,
                                      const SolvedPtr& solved, const base::Control& control) const;
 

@@ -34,8 +34,9 @@ struct ConflictRule {
     std::string self_phrase;
 };
 
-/// Each resource (such as the valence of a node) bears a load from each chosen edge, up to a limit. Pruning:
-/// adding edges to a pattern that breaks the rule does not mend it. Cost: one addition per edge.
+/// Each chosen edge loads resources (such as the nodes at its ends). The total load of each resource is at
+/// most the limit. Pruning: adding edges to a pattern that breaks the rule does not mend it. Cost: one
+/// addition per edge.
 struct CapacityRule {
     /// A resource that edges load, such as a node.
     struct Resource {
@@ -54,22 +55,22 @@ struct EdgeGroup {
     Pattern::Bits edges;  ///< the edges of the group
 };
 
-/// At least one edge of each group is chosen. Pruning: the search turns back once no edge of a group is
-/// available any more. Cost: one AND per group.
+/// At least one edge of each group is chosen. Pruning: the search turns back once a group has neither a
+/// chosen nor an available edge. Cost: one AND per group.
 struct CoverRule {
     std::vector<EdgeGroup> groups;  ///< the groups, each with at least one edge in a pattern
     /// Words for messages: "no beam ends at", as in "no beam ends at interface node n6".
     std::string phrase;
 };
 
-/// The fan in the hexagon has a graph property. Boost.Graph defines the property; the search uses an
-/// equivalent bit-parallel test. Pruning: if both properties are required, the search turns back once some
-/// loose end (an inner node where one beam ends) meets no available edge. Cost: a few graph searches with
-/// bit sets.
+/// The fan in the hexagon has a graph property. A verdict tests the property by Boost.Graph; the search uses
+/// an equivalent bit-parallel test. Pruning: if both properties are required, the search turns back once some
+/// loose end (an inner node where one beam ends) meets no available edge. Cost: a few graph searches with bit
+/// sets.
 struct GraphRule {
     /// The property that the fan's graph must have.
     enum class Property {
-        Connected,  ///< the graph has one component
+        Connected,  ///< the graph, without unused nodes, has at most one component
         /// The graph, with a further node outside that is connected to all interface nodes, has no
         /// articulation point.
         WithoutArticulation

@@ -9,16 +9,19 @@
 
 namespace fretwork::python {
 
-/// Long work of the framework, called from Python: without the GIL, with progress, and stopped by Ctrl-C (or
-/// any other signal whose handler raises) within 50 ms.
+/// Long work of the framework, called from Python: without the GIL, with progress, and stopped within 50 ms
+/// by Ctrl-C, by any other signal whose handler raises, or by an error of the progress function. Signals stop
+/// only calls on the main thread of Python.
 ///
-/// Python runs the handlers of signals only on its main thread, when this thread asks. The calling thread
-/// asks every ten milliseconds. The framework's other threads read a flag that SIGINT raises, because the
-/// calling thread may be waiting for them.
+/// Python runs the handlers of signals only on its main thread, when this thread asks. If the main thread
+/// makes the call, it asks every ten milliseconds. The framework's other threads read a flag that SIGINT
+/// raises, because the calling thread may be waiting for them.
 class LongCall {
   public:
-    /// @param progress  called with the task, the steps that are done, and all of them; None: nobody listens;
-    ///                  True: a bar
+    /// @param progress  called with the task, the number of steps done, and the number of all steps; None: no
+    ///                  reports; True: a bar
+    ///
+    /// Throws TypeError if `progress` is anything else.
     explicit LongCall(py::object progress);
     LongCall(const LongCall&) = delete;
     LongCall& operator=(const LongCall&) = delete;
@@ -26,8 +29,8 @@ class LongCall {
 
     [[nodiscard]] base::Control control() const;
 
-    /// Calls work(control), which returns something, without the GIL. Throws what Python raised meanwhile, in
-    /// place of Stopped.
+    /// Calls work(control) without the GIL, and returns its result, which must not be void. If Python raised
+    /// an error meanwhile, this error is thrown in place of Stopped, and also if the work has returned.
     template <class Work>
     auto run(const Work& work) {
         try {

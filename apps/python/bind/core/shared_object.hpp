@@ -11,13 +11,14 @@
 namespace fretwork::python {
 
 /// An object that one thread may use at a time, and that can be closed. Calls run without the GIL, so two
-/// threads could race; the second one gets an error instead.
+/// threads could race; the second thread gets an error instead.
 template <class T>
 class SharedObject {
   public:
     SharedObject(T object, std::string name) : object_(std::move(object)), name_(std::move(name)) {}
 
-    /// The object for the time of one call.
+    /// Access to the object during one call. The constructor throws Error if another call uses the object.
+    /// Access throws Error after close().
     class Use {
       public:
         explicit Use(SharedObject& shared) : shared_(shared) {

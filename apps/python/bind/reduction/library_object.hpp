@@ -12,7 +12,8 @@ namespace fretwork::python {
 using LibraryObject = SharedObject<library::Library>;
 using LibraryPointer = std::shared_ptr<LibraryObject>;
 
-/// Calls work(pointer), where the pointer is null without a library. The library is in use meanwhile.
+/// Returns work(pointer), where the pointer is null if there is no library. The library is in use meanwhile.
+/// Throws Error if another call uses the library, or if the library is closed.
 template <class Work>
 auto with_library(const LibraryPointer& library, const Work& work) {
     if (!library) return work(static_cast<const library::Library*>(nullptr));

@@ -13,11 +13,14 @@
 
 namespace fretwork::python {
 
+/// The objective at a point.
 using ValueFunction = std::function<double(const Eigen::VectorXd&)>;
+/// The objective and its gradient at a point.
 using GradientFunction = std::function<std::pair<double, Eigen::VectorXd>(const Eigen::VectorXd&)>;
+/// The residuals and their Jacobian at a point. The objective is the squared norm of the residuals.
 using ResidualFunction = std::function<std::pair<Eigen::VectorXd, Eigen::MatrixXd>(const Eigen::VectorXd&)>;
 
-/// A problem of Python functions.
+/// A problem of Python functions. Throws InputError unless all bounds are finite and lower < upper.
 std::shared_ptr<optimization::Problem> make_problem(std::string name, Eigen::VectorXd lower,
                                                     Eigen::VectorXd upper, ValueFunction value,
                                                     std::optional<GradientFunction> gradient,

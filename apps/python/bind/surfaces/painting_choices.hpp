@@ -36,8 +36,8 @@ using PaintingGiven =
                  simulation::PaintFromFile, simulation::PaintAtRandom, simulation::PaintByField,
                  simulation::PaintByColours>;
 
-/// Takes what goes with a text (`palette`, `property`, `range`, `dither`) out of the keywords of a call.
-/// Throws InputError if they do not go together.
+/// The choice that Python gives. For a text, the keywords `palette`, `property`, `range` and `dither` are
+/// taken out of `named`. Throws InputError if the text is invalid, or if the keywords do not fit the text.
 simulation::PaintingChoice painting_choice(const PaintingGiven& given, py::dict& named);
 
 }  // namespace fretwork::python

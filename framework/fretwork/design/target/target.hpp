@@ -29,7 +29,7 @@ struct NodesGoal {
 /// u and v (0 to 1 across the surface).
 struct FormulaGoal {
     simulation::Selection where;  ///< the nodes
-    /// Expressions or numbers, m; a component without one is free.
+    /// Expressions or numbers, m; a component without a value is free.
     std::array<std::optional<std::string>, 3> displacement;
     friend bool operator==(const FormulaGoal&, const FormulaGoal&) = default;
 };
@@ -38,12 +38,13 @@ struct FormulaGoal {
 /// from it count.
 struct MeshGoal {
     simulation::Selection where;  ///< the nodes
-    /// OBJ, PLY or OFF file with coordinates in metres, in the axes of the project.
+    /// OBJ, PLY or OFF file with coordinates in metres, in the surface's axes.
     std::filesystem::path mesh;
     friend bool operator==(const MeshGoal&, const MeshGoal&) = default;
 };
 
-/// A wanted rotation vector of selected nodes.
+/// A wanted rotation vector of selected nodes. A rotation counts as the displacement that it causes at a
+/// distance of one mean tile side.
 struct RotationGoal {
     simulation::Selection where;  ///< the nodes
     FreeVector rotation;          ///< wanted rotation vector, rad

@@ -10,8 +10,8 @@ struct Assembly;
 
 /// An estimate of the difference between a linear solution and the solution for large displacements.
 struct LinearRange {
-    /// The estimated largest error of a translation, as a share of the largest displacement. An estimate
-    /// below 1 is within a factor of about two of the true error. If the true error is large, the estimate is
+    /// The estimated largest error of a translation, as a share of the largest translation. An estimate below
+    /// 1 is within a factor of about two of the true error. If the true error is large, the estimate is
     /// large, too.
     double error = 0.0;
     /// True if the load exceeds the first load of linearized buckling: the structure may then buckle.
@@ -27,11 +27,13 @@ struct LinearRangeOptions {
 
 /// Estimate the error of a linear solution. The linear solution u1 is the first term of the path u = p u1 +
 /// p^2 u2 + p^3 u3 + .. in the load p. The next two terms take two more solutions with the same stiffness.
-/// The forces of u2 are quadratic in u1: the end of a turning beam also moves back along the beam. The forces
-/// of u3 are cubic in u1 and u2. Both are computed as differences of the elements' forces. If u3 points
-/// against u1, held ends stiffen the structure, and the remaining share x of u1 solves p x + p^3 q x^3 = p.
+/// The forces that cause u2 are quadratic in u1; for example, the end of a turning beam also moves back along
+/// the beam. The forces that cause u3 have terms cubic in u1, and terms bilinear in u1 and u2. Both are
+/// computed as differences of the elements' forces. With q = -(u1 . u3) / (u1 . u1), for translations alone,
+/// q > 0 means that held ends stiffen the structure. The remaining share x of u1 then solves p x + p^3 q x^3
+/// = p.
 ///
-/// The elements must be made for large displacements. Throws as LinearSolver.
+/// The elements must be made for large displacements. Throws as LinearSolver and buckling_modes().
 LinearRange linear_range(const Assembly& assembly, const LinearRangeOptions& options = {});
 
 /// The estimate of linear_range() together with the linear solution, which the estimate needs anyway.

@@ -18,27 +18,28 @@ struct MatrixChange {
 };
 
 /// Solves with the changed matrix A + sum of E C E^T by the factors of A (Sherman, Morrison, Woodbury). C is
-/// the matrix of a change, and E maps it to its equations.
+/// the matrix of a change, and E maps the rows of C to the change's equations.
 ///
 /// The eigenvectors of each C, scaled by A's diagonal, give C = P P^T - M M^T. Eigenvalues of the size of
 /// rounding are dropped. With U = (E P, E M), S = diag(I, -I) and y = A^-1 b, the solution is x = y - A^-1 U
-/// (S + U^T A^-1 U)^-1 U^T y. The inner matrix is eliminated by blocks. The eigenvalues of the block of P are
-/// the ratios by which A becomes stiffer. Its elimination leaves a Schur complement; the negated eigenvalues
-/// of this complement are the ratios by which A becomes softer.
+/// (S + U^T A^-1 U)^-1 U^T y. The inner matrix S + U^T A^-1 U is eliminated by blocks. The eigenvalues of its
+/// block for P are the ratios by which A becomes stiffer. The elimination of this block leaves a Schur
+/// complement; the negated eigenvalues of this complement are the ratios by which A becomes softer.
 class LowRankUpdate {
   public:
-    /// Make the update. None if the changed matrix is not positive definite, or if it is 1e5 times softer or
-    /// stiffer than A somewhere, because about a third of the digits would be lost. The ratio is measured by
-    /// the pivots of the inner matrix, because they are cheaper than its eigenvalues and no farther from one.
-    /// Throws Stopped.
+    /// Make the update. Pre: `factors` are those of a positive definite A. Returns nothing if the changed
+    /// matrix is not positive definite, or if it is 1e5 times softer or stiffer than A somewhere: about a
+    /// third of the digits would be lost. The pivots of the inner matrix measure this ratio, because pivots
+    /// are cheaper than eigenvalues and no farther from one. Throws Stopped.
     static std::optional<LowRankUpdate> make(const Ldlt& factors, std::vector<MatrixChange> changes,
                                              const base::Control& control = {});
 
-    /// The number of multiplications of make() for changes of these equations, plus the additional number of
-    /// one solve() compared with a solution with A. `equations` lists each equation once for each change.
+    /// The number of multiplications of make() for changes of these equations, plus the number by which one
+    /// solve() exceeds a solution with A. `equations` lists each equation once for each change.
     static double work(const Ldlt& factors, std::span<const int> equations);
 
-    /// Solve with the changed matrix, in place, by two solutions with A. Throws Stopped.
+    /// Solve with the changed matrix, in place, by two solutions with A. `factors` must be those of make().
+    /// Throws Stopped.
     void solve(const Ldlt& factors, Eigen::VectorXd& right_side, const base::Control& control = {}) const;
     void solve(const Ldlt& factors, Eigen::MatrixXd& right_sides, const base::Control& control = {}) const;
 

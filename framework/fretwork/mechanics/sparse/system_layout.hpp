@@ -11,7 +11,8 @@ namespace fretwork::mechanics::sparse {
 
 /// The equations of coupled nodes in the order of their elimination, and the place of each clique's matrix in
 /// the lower triangle of the sparse matrix (compressed columns, rows ascending). The layout depends only on
-/// the couplings and the unknowns. The values of a matrix are a plain vector, which this class fills.
+/// the couplings, the unknowns and the order. The values of a matrix are a plain vector, which this class
+/// fills.
 class SystemLayout {
   public:
     /// @param free   the components of each node that are unknowns; each unknown gives an equation
@@ -32,12 +33,13 @@ class SystemLayout {
     /// matrix.
     void add(std::size_t clique, const Eigen::MatrixXd& matrix, std::span<double> values) const;
 
-    /// Add a symmetric block to one node's diagonal.
+    /// Add a symmetric block, kBlockSize x kBlockSize, to one node's diagonal block.
     void add_node(int node, const Eigen::Ref<const Eigen::MatrixXd>& block, std::span<double> values) const {
         add_diagonal(node, block, values);
     }
 
-    /// Copy the equations' components from a table of nodes to a vector. scatter() copies them back.
+    /// Copy the equations' components from a table of nodes to a vector, which is resized. scatter() copies
+    /// them back; all other components of its table stay.
     void gather(const NodeTable& table, Eigen::VectorXd& vector) const;
     void scatter(const Eigen::VectorXd& vector, NodeTable& table) const;
 

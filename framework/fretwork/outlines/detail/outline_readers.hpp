@@ -17,10 +17,13 @@ inline constexpr double kClosingShare = 0.05;
 /// The extent of a drawing, as a multiple of the flattening tolerance, below which the drawing is small.
 inline constexpr double kDetail = 25'000;
 
+/// The flattening tolerance of a drawing with this extent, m. It is kFlatteningTolerance for drawings that
+/// are not small, and for extent 0.
 inline double flattening_tolerance(double extent) {
     return extent > 0 && extent < kDetail * kFlatteningTolerance ? extent / kDetail : kFlatteningTolerance;
 }
 
+/// The readers throw InputError or GeometryError with file and place.
 OutlineFile read_svg_outlines(const std::filesystem::path& path);
 OutlineFile read_dxf_outlines(const std::filesystem::path& path);
 
@@ -35,7 +38,8 @@ std::vector<Loop> read_ply_loops(const std::filesystem::path& path);
 std::vector<Loop> read_off_loops(const std::filesystem::path& path);
 
 /// The outline with the loop of the largest area as its boundary, and all others as holes. Throws
-/// GeometryError that names the loops if they are not an outline, such as two loops side by side.
+/// GeometryError that names the loops if they are not an outline, such as two loops side by side. Throws
+/// GeometryError, too, if there is no loop.
 Outline outline_of(std::vector<Loop> loops);
 
 }  // namespace fretwork::outlines::detail

@@ -20,7 +20,7 @@ struct SvgStyle {
     FillRule clip_rule = FillRule::Nonzero;
     enum class Visibility { Visible, Hidden } visibility = Visibility::Visible;
     double font_size = 16.0;                 ///< pixels
-    std::string fill_colour = "#000000";     ///< "#rrggbb"; empty: a gradient, or another kind of colour
+    std::string fill_colour = "#000000";     ///< "#rrggbb"; empty: no plain colour, such as a gradient
     std::string current_colour = "#000000";  ///< value of the property `color`
 
     [[nodiscard]] bool is_filled() const {

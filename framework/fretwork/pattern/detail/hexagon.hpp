@@ -24,10 +24,10 @@ struct PlacedEdge {
     EdgeIndex edge;
     int sector = 0;
     std::array<int, 2> fan_nodes{};      ///< numbers of the ends; equal numbers mean the same node of the fan
-    std::array<ExactPoint, 2> points{};  ///< in the coordinates of sector 0
+    std::array<ExactPoint, 2> points{};  ///< places of the ends, in the coordinates of sector 0
 };
 
-/// Every copy of every candidate edge in the hexagon, sector by sector.
+/// Every copy of every candidate edge in the reference fan, sector by sector.
 std::vector<PlacedEdge> place_candidates_in_hexagon(const NodeLayout& layout);
 
 }  // namespace fretwork::pattern::detail

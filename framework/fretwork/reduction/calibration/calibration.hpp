@@ -41,9 +41,9 @@ struct Calibration {
     std::string model;       ///< name of the tile model
     std::string optimizer;   ///< name of the optimizer; "none" if nothing is fitted
     std::uint64_t seed = 0;  ///< seed of all random choices
-    int starts = 0;          ///< number of descents from different points
+    int starts = 0;          ///< number of starts, as in the options; 0 if nothing is fitted
     double objective = 0.0;  ///< E of Eq. (8) at the parameters
-    /// Weighted contribution of each scenario to E: the sum over the magnitudes in Eq. (8).
+    /// Weighted contribution of each scenario of the setting to E: the sum over the magnitudes in Eq. (8).
     std::vector<double> scenario_errors;
     long evaluations = 0;  ///< cost of the fit, in the unit of the calibration's problem
     /// Fitted parameters in the order of the model's row (if read from a library, sorted by name); empty if
@@ -51,7 +51,7 @@ struct Calibration {
     std::vector<NamedValue> parameters;
     std::vector<std::string> at_bound;  ///< names of the parameters at a bound
     /// True if the budget was not spent, and the start that found these parameters met the method's
-    /// criterion.
+    /// criterion. True if nothing is fitted.
     bool converged = true;
     int dead_starts = 0;  ///< number of starts without a descent; not stored in libraries
 };
@@ -67,16 +67,16 @@ struct CalibrationInput {
     base::Borrowed<Setting> setting;                  ///< the setting of the responses
     base::Borrowed<std::vector<Response>> responses;  ///< responses of the pattern to the setting's scenarios
     /// Throws InputError if the setting is invalid, or if the responses are not those of a tile of this
-    /// layout and setting: one row for each interface node.
+    /// layout and setting: one response for each scenario, in order, with one row for each interface node.
     void validate() const;
 };
 
 /// Fit the linear displacements of a tile model to a pattern's responses: Eqs. (1) to (11). A model without
 /// parameters is only compared with the responses: by its linear displacements if it is for small
 /// displacements, else by its nonlinear responses. The result depends on the input and the options alone.
-/// Throws InputError if an option or the input is invalid, or if the responses do not fit the setting.
-/// Throws NumericalError if no sample can be fitted, if no start of the search gave a descent, or if a model
-/// without parameters does not converge where the pattern does. Throws base::Stopped.
+/// Throws InputError if an option or the input is invalid, and as build_tile(). Throws NumericalError if no
+/// sample can be fitted, if the tile is a mechanism under a scenario, if no start of the search gave a
+/// descent, or if a model without parameters does not converge where the pattern does. Throws base::Stopped.
 Calibration calibrate(const TileModel& model, const CalibrationInput& input,
                       const CalibrationOptions& options = {});
 

@@ -8,10 +8,10 @@
 
 namespace fretwork::reduction::detail {
 
-/// The supports of a tile in a scenario; interface node i is node i.
+/// The supports of a tile under a scenario. Interface node i is node i of the frame, here and below.
 std::vector<mechanics::Support> supports_of(const Scenario& scenario);
 
-/// The loads on a tile in a scenario at a magnitude, N.
+/// The loads on a tile under a scenario with this magnitude, N.
 std::vector<mechanics::NodalLoad> loads_of(const Scenario& scenario, double magnitude);
 
 }  // namespace fretwork::reduction::detail

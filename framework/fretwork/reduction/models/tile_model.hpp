@@ -67,12 +67,12 @@ struct TileModel {
     Sharing sharing = Sharing::None;  ///< whether congruent tiles are built once
     /// Parameters that are fitted to a pattern's responses; empty: nothing is fitted.
     std::vector<TileParameter> parameters{};
-    /// A function that builds a tile; callers use build_tile(). Throws InputError or GeometryError if the
-    /// tile cannot be built.
+    /// A function that builds a tile; callers use build_tile(). Throws InputError, GeometryError or
+    /// NumericalError if the tile cannot be built.
     std::function<std::shared_ptr<const TileStructure>(const TileInput&)> build{};
-    /// An optional function that states the calibration as an optimization problem, for models of small
-    /// displacements with parameters. If it is empty, or returns null for a layout and setting, the
-    /// calibration uses DifferenceProblem.
+    /// An optional function that states the calibration as an optimization problem, for models with
+    /// parameters. If the function is empty, or returns null for a layout and setting, the calibration uses
+    /// DifferenceProblem.
     std::function<std::unique_ptr<CalibrationProblem>(const Objective&, const pattern::NodeLayout&,
                                                       const Setting&)>
         problem{};
