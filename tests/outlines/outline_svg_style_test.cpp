@@ -86,9 +86,9 @@ TEST(SvgStyle, SelectorsChooseAsInCss) {
                                  "svg.x, #g>#r"})
         EXPECT_FALSE(is_filled("class='a b'", "<style>" + std::string(selector) + " { fill: none }</style>"))
             << selector;
-    for (const char* selector :
-         {"path", ".c", "#s", "rect rect", "svg > rect.a", "rect + rect.a", "[x]", "[id=s]", "[class=a]",
-          "rect:hover", "g:first-child rect", "rect..a", "rect::before", "@media print { rect"})
+    for (const char* selector : {"path", ".c", "#s", "rect rect", "svg > rect.a", "rect + rect.a", "[x]",
+                                 "[id=s]", "[class=a]", "rect:hover", "g:first-child rect", "rect..a",
+                                 "rect::before", "@media print { rect", R"([\]\)", R"([a\]=b)"})
         EXPECT_TRUE(is_filled("class='a b'", "<style>" + std::string(selector) + " { fill: none }</style>"))
             << selector;
 }

@@ -99,7 +99,8 @@ class SelectorParser {
         skip_space();
         while (next_ < end && std::string_view("~|^$*=").find(here()) != std::string_view::npos)
             attribute.sign += text_[next_++];
-        for (const char c : trimmed(text_.substr(next_, std::max(end, next_) - next_)))
+        const std::size_t first = std::min(next_, end);  // a name may go on behind the bracket
+        for (const char c : trimmed(text_.substr(first, end - first)))
             if (c != '"' && c != '\'') attribute.value += c;
         next_ = end + 1;
         compound.attributes.push_back(std::move(attribute));
