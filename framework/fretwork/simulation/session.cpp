@@ -3,6 +3,12 @@
 #include <fretwork/simulation/derivatives/sensitivity.hpp>
 #include <fretwork/simulation/detail/session_mixture.hpp>
 
+#include <algorithm>
+#include <deque>
+#include <functional>
+#include <string_view>
+#include <utility>
+
 namespace fretwork::simulation {
 namespace {
 
@@ -20,11 +26,59 @@ void set_entry(std::vector<Entry>& entries, std::size_t place, const Entry& entr
     }
 }
 
+std::size_t hash_of(const mechanics::Solution& solution) {
+    const mechanics::NodeValues& values = solution.displacements;
+    return std::hash<std::string_view>{}({reinterpret_cast<const char*>(values.data()),
+                                          static_cast<std::size_t>(values.size()) * sizeof(double)});
+}
+
 }  // namespace
+
+/// The newest solutions that a session gave, by hashes of their displacements.
+class Session::GivenSolutions {
+  public:
+    /// Tiles were edited: the next solution is of other tiles.
+    void note_edit() { are_tiles_edited_ = true; }
+    /// @param full_tiles  the tiles that a mixed model has in full; none for other models
+    void add(const SurfaceResult& result, const std::vector<TileIndex>& full_tiles) {
+        // Not earlier: after an edit that is undone, the first iterate may be a solution of before the edit.
+        if (std::exchange(are_tiles_edited_, false) || full_tiles != full_tiles_) outdate();
+        full_tiles_ = full_tiles;
+        for (const mechanics::Solution& step : result.load_steps) add_one(hash_of(step));
+        add_one(hash_of(result.solution));
+    }
+    [[nodiscard]] bool is_outdated(const mechanics::Solution& solution) const {
+        const std::size_t hash = hash_of(solution);
+        return std::ranges::any_of(
+            given_, [hash](const Given& given) { return given.is_outdated && given.hash == hash; });
+    }
+
+  private:
+    static constexpr std::size_t kMost = 10'000;
+    struct Given {
+        std::size_t hash;
+        bool is_outdated = false;
+    };
+
+    void outdate() {
+        for (Given& given : given_) given.is_outdated = true;
+    }
+    /// Equal displacements may be those of other tiles, too: without loads, all are zero.
+    void add_one(std::size_t hash) {
+        std::erase_if(given_, [hash](const Given& given) { return given.hash == hash; });
+        given_.push_back({hash});
+        if (given_.size() > kMost) given_.pop_front();
+    }
+
+    std::deque<Given> given_;
+    std::vector<TileIndex> full_tiles_;  ///< of the newest solution
+    bool are_tiles_edited_ = false;      ///< true if they were edited after the newest solution
+};
 
 Session::Session(Surface surface, LoadCase load_case, SimulationOptions options,
                  CalibrationSource calibrations) {
     const bool is_mixed = mixed_share(options.model).has_value();
+    given_ = std::make_unique<GivenSolutions>();
     options.validate(surface);
     SimulationOptions plain = options;
     if (is_mixed) plain.model = kMixedTiles;
@@ -41,6 +95,12 @@ template <class Edit>
 void Session::edit(const Edit& edit) {
     edit(*impl_);
     if (mixture_) edit(mixture_->impl());
+}
+
+template <class Edit>
+void Session::edit_tiles(const Edit& change) {
+    edit(change);
+    given_->note_edit();
 }
 
 /// The data that belong to the last solution.
@@ -77,18 +137,19 @@ const Session::Report& Session::last_report() const {
 }
 
 void Session::paint(std::span<const TileIndex> tiles, const std::string& pattern) {
-    edit([&](Impl& impl) { impl.paint(tiles, pattern); });
+    edit_tiles([&](Impl& impl) { impl.paint(tiles, pattern); });
 }
 void Session::turn(std::span<const TileIndex> tiles, int vertices) {
-    edit([&](Impl& impl) { impl.turn(tiles, vertices); });
+    edit_tiles([&](Impl& impl) { impl.turn(tiles, vertices); });
 }
 void Session::set_tile_model(std::span<const TileIndex> tiles, const std::string& model) {
-    edit([&](Impl& impl) { impl.set_tile_model(tiles, model); });
+    edit_tiles([&](Impl& impl) { impl.set_tile_model(tiles, model); });
 }
 void Session::set_model(const std::string& model) {
     if (!mixed_share(model)) {
         impl_->set_model(model);
         mixture_.reset();
+        given_->note_edit();
         return;
     }
     SimulationOptions edited = options();
@@ -98,12 +159,13 @@ void Session::set_model(const std::string& model) {
     if (impl_->options().model != kMixedTiles) impl_->set_model(kMixedTiles);
     mixture_ = std::make_unique<Mixture>(*impl_, edited);
     impl_->forget_solution();
+    given_->note_edit();
 }
 void Session::set_setting(const reduction::Setting& setting) {
-    edit([&](Impl& impl) { impl.set_setting(setting); });
+    edit_tiles([&](Impl& impl) { impl.set_setting(setting); });
 }
 void Session::set_calibrations(std::vector<std::vector<reduction::Calibration>> calibrations) {
-    edit([&](Impl& impl) { impl.set_calibrations(calibrations); });
+    edit_tiles([&](Impl& impl) { impl.set_calibrations(calibrations); });
 }
 void Session::set_load_case(const LoadCase& load_case) {
     edit([&](Impl& impl) { impl.set_load_case(load_case); });
@@ -127,6 +189,9 @@ void Session::set_prescribed(std::size_t entry, const LoadCase::PrescribedDispla
 
 void Session::require_since_edit(const mechanics::Solution& solution) const {
     answering().require_since_edit(solution);
+    if (!given_->is_outdated(solution)) return;
+    throw base::InputError(
+        "this is a solution that the session gave before its last edit; solve() gives another");
 }
 std::vector<TileDeformation> Session::tile_deformations(const mechanics::Solution& solution) const {
     return answering().tile_deformations(solution);
@@ -138,6 +203,7 @@ Sensitivity Session::sensitivity(const mechanics::NodeValues& gradient, const ba
     return answering().sensitivity(gradient, control);
 }
 mechanics::NodeValues Session::energy_gradient(const mechanics::Solution& solution) const {
+    require_since_edit(solution);
     return answering().energy_gradient(solution);
 }
 Eigen::MatrixXd Session::solve_adjoint(const Eigen::MatrixXd& rows, const base::Control& control) {
@@ -145,7 +211,10 @@ Eigen::MatrixXd Session::solve_adjoint(const Eigen::MatrixXd& rows, const base::
 }
 SurfaceResult Session::solve(const base::Control& control, mechanics::StabilityCheck check,
                              const mechanics::FirstIterate& first_iterate) {
-    return mixture_ ? mixture_->solve(*impl_, control, check) : impl_->solve(control, check, first_iterate);
+    SurfaceResult result =
+        mixture_ ? mixture_->solve(*impl_, control, check) : impl_->solve(control, check, first_iterate);
+    given_->add(result, full_tiles());
+    return result;
 }
 
 }  // namespace fretwork::simulation

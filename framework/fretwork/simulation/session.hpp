@@ -96,9 +96,9 @@ class Session {
     /// supports.
     void set_prescribed(std::size_t entry, const LoadCase::PrescribedDisplacement& displacement);
 
-    /// Throws InputError if tiles were edited after solve() gave the solution, or if the solution has other
-    /// nodes than the session's last one. It knows its solutions by their displacements, and takes those of
-    /// other sessions on trust.
+    /// Throws InputError if tiles were edited after solve() gave the solution, if a mixed model has put other
+    /// tiles in full since then, or if the solution has other nodes than the session's last one. A session
+    /// knows its newest 10,000 solutions by their displacements; it does not check those of other sessions.
     void require_since_edit(const mechanics::Solution& solution) const;
 
     /// The tiles that have all of their beams in a mixed model after solve(), ascending; none for other
@@ -183,13 +183,17 @@ class Session {
   private:
     class Impl;
     class Mixture;
+    class GivenSolutions;
     template <class Edit>
     void edit(const Edit& edit);
+    template <class Edit>
+    void edit_tiles(const Edit& change);
     [[nodiscard]] Impl& answering() const;
 
     std::unique_ptr<Impl> impl_;
     /// For mixed models, where `impl_` has only corotational tiles; null for other models.
     std::unique_ptr<Mixture> mixture_;
+    std::unique_ptr<GivenSolutions> given_;
 };
 
 }  // namespace fretwork::simulation

@@ -32,7 +32,8 @@ struct SmoothStress {
 
 /// The smooth stress in a solution since the session's last edit. Value and gradient are exact for condensed
 /// and corotational tiles, because their beams depend linearly on the strains of the tile. Throws InputError
-/// for other tiles: their stresses or derivatives of stresses are not known.
+/// for other tiles, because their stresses or derivatives of stresses are not known, and as
+/// Session::require_since_edit().
 SmoothStress smooth_stress(const Session& session, const mechanics::Solution& solution,
                            const SmoothStressOptions& options = {});
 

@@ -42,8 +42,8 @@ class Session::Impl {
     void set_calibrations(std::vector<std::vector<reduction::Calibration>> calibrations);
     void set_load_case(const LoadCase& load_case);
     /// Refuse questions about the last solution. Tiles, and where the next solution starts, stay as they are.
-    void forget_solution();
-    /// Throws InputError if tiles were edited after solve() gave the solution, or as require_nodes().
+    void forget_solution() { are_tiles_solved_ = is_at_equilibrium_ = false; }
+    /// Throws InputError if tiles were edited after the last solve(), or as require_nodes().
     void require_since_edit(const mechanics::Solution& solution) const;
 
     SurfaceResult solve(const base::Control& control, mechanics::StabilityCheck check,
@@ -76,7 +76,6 @@ class Session::Impl {
     const mechanics::LinearSolver& updated_solver(const base::Control& control);
     [[nodiscard]] bool is_nonlinear() const;
     [[nodiscard]] SurfaceResult make_result() const;
-    void remember(const SurfaceResult& result);
     void solve_path(SurfaceResult& result, const base::Control& control) const;
     void solve_linear(SurfaceResult& result, const base::Control& control);
     void solve_equilibrium(SurfaceResult& result, const base::Control& control,
@@ -88,8 +87,6 @@ class Session::Impl {
                                                     const mechanics::Solution& solution) const;
     /// Throws InputError if the solution has other nodes than the assembly.
     void require_nodes(const mechanics::Solution& solution) const;
-    /// Throws InputError if tiles were edited after the last solve(), or as require_nodes().
-    void require_solved_tiles(const mechanics::Solution& solution) const;
     [[nodiscard]] mechanics::NodeValues rest_forces(const mechanics::NodeValues& motions) const;
     [[nodiscard]] mechanics::NodeValues at_held(const mechanics::NodeValues& rows) const;
     [[nodiscard]] Sensitivity linear_sensitivity(const mechanics::NodeValues& gradient,
@@ -122,8 +119,6 @@ class Session::Impl {
     bool are_tiles_solved_ = false;
     /// True if the last solution, in one load step, has converged, and no edit came after it.
     bool is_at_equilibrium_ = false;
-    std::set<std::size_t> given_;     ///< hashes of the displacements that solve() gave for the present tiles
-    std::set<std::size_t> outdated_;  ///< hashes of those that it gave before an edit of tiles
     mechanics::NodeValues linear_displacements_;  ///< last linear solution, for all nodes of the assembly
     /// Size of the displacements that the theory of the last solution allows.
     reduction::Displacements solved_in_ = reduction::Displacements::Small;

@@ -9,43 +9,13 @@
 #include <fretwork/simulation/surface_frame.hpp>
 
 #include <algorithm>
-#include <functional>
-#include <string_view>
 
 namespace fretwork::simulation {
 namespace {
 
 using tiling::TileIndex;
 
-[[noreturn]] void refuse_older() {
-    throw base::InputError(
-        "this is no solution that the session gave since its last edit; solve() gives one");
-}
-
-std::size_t hash_of(const mechanics::Solution& solution) {
-    const mechanics::NodeValues& values = solution.displacements;
-    return std::hash<std::string_view>{}({reinterpret_cast<const char*>(values.data()),
-                                          static_cast<std::size_t>(values.size()) * sizeof(double)});
-}
-
 }  // namespace
-
-void Session::Impl::forget_solution() {
-    are_tiles_solved_ = is_at_equilibrium_ = false;
-    outdated_.merge(given_);
-    given_.clear();
-}
-
-/// Equal displacements may be those of other tiles, too: without loads, all are zero.
-void Session::Impl::remember(const SurfaceResult& result) {
-    const auto remember_one = [this](const mechanics::Solution& solution) {
-        const std::size_t hash = hash_of(solution);
-        given_.insert(hash);
-        outdated_.erase(hash);
-    };
-    for (const mechanics::Solution& step : result.load_steps) remember_one(step);
-    remember_one(result.solution);
-}
 
 void Session::Impl::build_all(const base::Control& control) {
     join(builder_.build_all(surface_, choice(), {options_.threads, control}), control);
@@ -188,7 +158,6 @@ SurfaceResult Session::Impl::solve(const base::Control& control, mechanics::Stab
                 .back();
     }
     if (options_.load_steps == 1) result.load_steps.clear();
-    remember(result);
     return result;
 }
 
@@ -202,14 +171,11 @@ void Session::Impl::require_nodes(const mechanics::Solution& solution) const {
         throw base::InputError("this is no solution that the session gave; solve() gives one");
 }
 
-void Session::Impl::require_solved_tiles(const mechanics::Solution& solution) const {
-    if (!are_tiles_solved_) refuse_older();
-    require_nodes(solution);
-}
-
 void Session::Impl::require_since_edit(const mechanics::Solution& solution) const {
-    require_solved_tiles(solution);
-    if (outdated_.contains(hash_of(solution))) refuse_older();
+    if (!are_tiles_solved_)
+        throw base::InputError(
+            "this is no solution that the session gave since its last edit; solve() gives one");
+    require_nodes(solution);
 }
 
 reduction::TileMotion Session::Impl::tile_motion(TileIndex tile, const mechanics::Solution& solution) const {
@@ -223,13 +189,13 @@ reduction::TileMotion Session::Impl::tile_motion(TileIndex tile, const mechanics
 
 std::optional<reduction::BeamMotion> Session::Impl::beam_motion(TileIndex tile,
                                                                 const mechanics::Solution& solution) const {
-    require_solved_tiles(solution);
+    require_since_edit(solution);
     return tiles_[tile].structure->beam_motion(tile_motion(tile, solution));
 }
 
 std::optional<mechanics::NodeValues> Session::Impl::motion_gradient(
     TileIndex tile, const mechanics::Solution& solution, const mechanics::NodeValues& by_beams) const {
-    require_solved_tiles(solution);
+    require_since_edit(solution);
     return tiles_[tile].structure->motion_gradient(tile_motion(tile, solution), by_beams);
 }
 

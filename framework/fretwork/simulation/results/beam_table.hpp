@@ -57,7 +57,8 @@ std::vector<BeamTable> step_beam_tables(
     const Surface& surface, const SurfaceResult& result,
     std::span<const reduction::TileModel> models = reduction::tile_models());
 
-/// The table of a solution since the session's last edit.
+/// The table of a solution since the session's last edit. Throws InputError as
+/// Session::require_since_edit().
 BeamTable beam_table(const Session& session, const mechanics::Solution& solution);
 
 /// The `count` rows with the largest von Mises stresses, largest first; fewer if the table has fewer rows.

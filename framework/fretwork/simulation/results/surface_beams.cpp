@@ -9,6 +9,7 @@
 #include <fretwork/simulation/results/result_subject.hpp>
 #include <fretwork/simulation/results/surface_beams.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <map>
 
@@ -248,6 +249,7 @@ std::vector<mechanics::BeamSection> beam_sections(const SurfaceBeams& beams,
 
 BeamState beam_state(const Session& session, const mechanics::Solution& solution, const SurfaceBeams& beams,
                      std::span<const mechanics::BeamSection> sections) {
+    session.require_since_edit(solution);
     return state_of({session.surface(), beams, sections, session.options().threads}, solution,
                     [&](TileIndex tile) { return session.beam_motion(tile, solution); });
 }

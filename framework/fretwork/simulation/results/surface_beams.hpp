@@ -58,7 +58,8 @@ inline constexpr Eigen::Index kStressField = 6;
 /// The column of the largest von Mises stress.
 inline constexpr Eigen::Index kVonMisesField = 7;
 
-/// The state of the beams in a solution since the session's last edit.
+/// The state of the beams in a solution since the session's last edit. Throws InputError as
+/// Session::require_since_edit().
 ///
 /// @param sections  the result of beam_sections(); empty: forces are not computed
 BeamState beam_state(const Session& session, const mechanics::Solution& solution, const SurfaceBeams& beams,
