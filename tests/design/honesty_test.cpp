@@ -299,6 +299,9 @@ TEST(DesignHonesty, WarnsOfALoadThatIsTooSmallUnlessItsFactorIsFree) {
                 HasSubstr("12 times the displacement of the softest of the 4 single patterns"));
     options.free_factor = true;
     EXPECT_TRUE(design_warnings(report, options).empty()) << "the search has chosen another load";
+    options.free_factor = false;
+    options.free_prescribed = true;
+    EXPECT_TRUE(design_warnings(report, options).empty()) << "it has moved supports by other values";
 }
 
 /// Bars of 2 mm in hexagons of 26 mm: a clearance that only the sparse patterns keep.

@@ -176,7 +176,8 @@ struct DesignReport {
     bool nothing_moves = false;       ///< true if the load cases displace no uniform painting
     /// The largest displacement of the softest uniform painting under ten times the loads, as a share of the
     /// largest wanted displacement. Given only if wanted_of_softest is above kLoadTooSmall, the load cases
-    /// have loads with a fixed factor, solutions are left, and the equilibria are found.
+    /// have loads, neither factor nor prescribed values are free, solutions are left, and the equilibria are
+    /// found.
     std::optional<double> reach_of_ten_loads{};
     /// Mean distance between the nodes of the reduced model and of the full model, as a share of the largest
     /// wanted displacement.

@@ -211,10 +211,14 @@ void bind_report(py::module_& m) {
                   "max_utilization is set")
         .constant("relaxed", &DesignReport::relaxed,
                   "predicted misfit of mixtures of patterns in each tile, or None")
-        .constant("wanted_of_softest", &DesignReport::wanted_of_softest,
-                  "largest displacement wanted, over the largest displacement of the softest single pattern")
-        .constant("wanted_of_stiffest", &DesignReport::wanted_of_stiffest,
-                  "largest displacement wanted, over the largest displacement of the stiffest single pattern")
+        .constant(
+            "wanted_of_softest", &DesignReport::wanted_of_softest,
+            "largest displacement wanted, over the largest displacement of the softest single pattern under "
+            "the given loads")
+        .constant(
+            "wanted_of_stiffest", &DesignReport::wanted_of_stiffest,
+            "largest displacement wanted, over the largest displacement of the stiffest single pattern under "
+            "the given loads")
         .constant("reach_of_ten_loads", &DesignReport::reach_of_ten_loads,
                   "displacement of the softest single pattern under ten times the loads, over the "
                   "displacement wanted; None: not computed")

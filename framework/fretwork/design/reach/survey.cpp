@@ -70,7 +70,8 @@ std::optional<double> reach_of_ten_loads(Trials& trials, const std::vector<Solve
     const bool is_loaded = std::ranges::any_of(parts.cases, [](const DesignCase& own) {
         return !own.load_case.loads.empty() || !own.load_case.area_loads.empty();
     });
-    if (!is_loaded || report.wanted_of_softest <= kLoadTooSmall || parts.free.factor) return std::nullopt;
+    if (!is_loaded || report.wanted_of_softest <= kLoadTooSmall || parts.free.factor || parts.free.prescribed)
+        return std::nullopt;
     const Point& softest = softest_of(uniform).point;
     double largest = 0.0;
     for (std::size_t c = 0; c < parts.cases.size(); ++c) {
