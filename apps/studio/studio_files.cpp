@@ -185,7 +185,7 @@ Opened Studio::Impl::read_document(const fs::path& path) {
 /// says why.
 std::optional<Document> Studio::Impl::find_saved(const std::optional<fs::path>& file) {
     std::error_code ignored;
-    if (!file || !fs::exists(*file, ignored)) return std::nullopt;
+    if (!file || fs::status(*file, ignored).type() == fs::file_type::not_found) return std::nullopt;
     try {
         return document_in(*file);
     } catch (const base::Error& error) {  // the unsaved changes are there all the same

@@ -160,7 +160,7 @@ std::vector<Crossing> crossings_of(const tiling::Tessellation& tessellation,
             crossings.push_back({{first, second}, place, end <= room, {}});
         }
     }
-    geometry::PointGrid before(2.0 * room);
+    geometry::PointGrid before(2.02 * room);  // the rounding of distances loses none
     for (std::size_t i = 0; i < crossings.size(); ++i) {
         std::vector<std::size_t>& close = crossings[i].close;
         before.visit_around(crossings[i].place, [&](std::size_t j) {

@@ -112,17 +112,19 @@ std::string_view joints_name(Joints joints) {
 }
 
 void Setting::validate(const std::string& source) const {
-    const auto require = [&](bool makes_sense, const char* place, const char* what) {
+    const auto require = [&](bool makes_sense, const char* place, const std::string& what) {
         if (!makes_sense) throw base::InputError(source, place, what);
+    };
+    const auto require_count = [&](int count, int least, int most, const char* place) {
+        require(count >= least && count <= most, place,
+                "a number from " + std::to_string(least) + " to " + std::to_string(most) + " is needed");
     };
     check_quantities(*this, source);
     require(material.poisson_ratio > -1.0 && material.poisson_ratio <= 0.5, "/material/poisson_ratio",
             "a Poisson's ratio lies above -1 and up to 0.5");
-    require(sides >= 3 && sides <= kMostSides, "/sides", "a polygon has 3 to 100 sides");
-    require(divisions >= 1 && divisions <= kMostBeamDivisions, "/divisions",
-            "a number from 1 to 100 is needed");
-    require(magnitudes >= 1 && magnitudes <= kMostMagnitudes, "/magnitudes",
-            "a number from 1 to 1000 is needed");
+    require_count(sides, 3, kMostSides, "/sides");
+    require_count(divisions, 1, kMostBeamDivisions, "/divisions");
+    require_count(magnitudes, 1, kMostMagnitudes, "/magnitudes");
     require(!scenarios.empty(), "/scenarios", "at least one is needed");
     std::set<std::string> names;
     for (std::size_t i = 0; i < scenarios.size(); ++i) {

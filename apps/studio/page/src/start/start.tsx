@@ -81,7 +81,7 @@ async function fromOutline(): Promise<void> {
 /** A project is opened at once; an outline waits for its tile size. */
 export async function takeFile(file: File): Promise<void> {
   startOpen.value = true;
-  const isProject = file.name.endsWith('.json') && (await file.slice(0, 4000).text()).includes('fretwork/project');
+  const isProject = /\.json$/i.test(file.name) && (await file.slice(0, 4000).text()).includes('fretwork/project');
   if (!isProject) await takeOutline(file);
   else {
     const left = await leave();
