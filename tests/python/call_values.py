@@ -4,6 +4,7 @@
 import ast
 import enum
 import fractions
+import os
 import pathlib
 import shutil
 
@@ -41,6 +42,9 @@ def first_objects():
     return [layout, fw.find_node_layout("fifths12"), fw.parse_pattern_id(layout, support.PATTERN), surface, surface.tessellation, case,
             support.project(), session, session.solve(subject=True), setting, bowl, support.cantilever(), fw.Material(1e9, 0.3, 1000),
             fw.rectangle_section(0.002, 0.002), fw.make_fan(layout, fw.Pattern([0, 5])), fw.Filter("f", lambda pattern: True)]
+
+# Memory for a list of this length is a MemoryError. The address sanitizer would end the program instead.
+LONG = range(1000 if "libasan" in os.environ.get("LD_PRELOAD", "") else 10**12)
 
 
 class Values:
@@ -165,4 +169,4 @@ class Values:
         return self._random.choice((None, answering, raising, calling_back))
 
     def _odd(self):
-        return self._random.choice((None, object(), b"bytes", [], {}, [[1, 2], [3, 4]], (None, None), int, len, range(10**12), fw, np.array(["a"]), iter([1]), 1j))
+        return self._random.choice((None, object(), b"bytes", [], {}, [[1, 2], [3, 4]], (None, None), int, len, LONG, fw, np.array(["a"]), iter([1]), 1j))
