@@ -69,8 +69,9 @@ void check_link(const NamedFile& file) {
 /// An existing file that is updated may have any ending.
 void check_ending(const NamedFile& file) {
     if (file.kind.endings.empty() || (file.role == FileRole::Update && is_there(file.path))) return;
+    const std::string name = base::in_small_letters(file.path.string());
     for (const std::string& ending : words(file.kind.endings)) {
-        if (base::in_small_letters(file.path.string()).ends_with(ending)) return;
+        if (name.ends_with(ending)) return;
     }
     throw base::InputError(file.path.string(), "",
                            "is to be " + std::string(file.kind.name) + ", whose name ends in " +

@@ -76,9 +76,9 @@ class Session::GivenSolutions {
 };
 
 Session::Session(Surface surface, LoadCase load_case, SimulationOptions options,
-                 CalibrationSource calibrations) {
+                 CalibrationSource calibrations)
+    : given_(std::make_unique<GivenSolutions>()) {
     const bool is_mixed = mixed_share(options.model).has_value();
-    given_ = std::make_unique<GivenSolutions>();
     options.validate(surface);
     SimulationOptions plain = options;
     if (is_mixed) plain.model = kMixedTiles;
