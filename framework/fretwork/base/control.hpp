@@ -17,8 +17,8 @@ class Stopped : public Error {
     Stopped() : Error("stopped before it was done; nothing is half-written") {}
 };
 
-/// The means by which a caller follows a long computation and stops it. A function that may take longer than
-/// a tenth of a second takes a Control, in its options or as an argument.
+/// The means by which a caller follows a long computation and stops it. Most functions that may take longer
+/// than a tenth of a second take a Control, in their options or as an argument.
 struct Control {
     std::stop_token stop{};        ///< checked at least every 50 ms; the default never asks to stop
     Progress* progress = nullptr;  ///< receives the number of steps done; null: no reports. Not owned.

@@ -18,15 +18,18 @@ namespace fretwork::base {
 /// A value in a JSON document, together with its place in the document.
 ///
 /// Reading is strict: allow_only() refuses unknown keys, a key that appears twice is an error, and numbers
-/// are finite. Every error is an InputError that names the source and the place: the JSON pointer or, in
-/// malformed JSON, line and column.
+/// are finite. A function throws if the value is not of the kind that it reads. Every error is an InputError
+/// that names the source and, if there is one, the place: the JSON pointer or, in malformed JSON, line and
+/// column.
 ///
 /// A JsonReader is cheap to copy and keeps the document alive. The JSON pointer is searched only when a
 /// message needs it.
 class JsonReader {
   public:
-    /// Throws InputError (missing file, malformed JSON with line and column, repeated key).
+    /// Throws InputError (unreadable file, malformed JSON, repeated key, number beyond the range of a double,
+    /// nesting deeper than 100).
     static JsonReader from_file(const std::filesystem::path& path);
+    /// Throws InputError as from_file().
     /// @param source  the name of the text in messages
     static JsonReader from_text(std::string_view text, std::string source);
 
@@ -35,7 +38,8 @@ class JsonReader {
     /// the file again.
     void expect_format(std::string_view kind, int newest = 1, int oldest = 1) const;
     /// Check that the number in the document's `"format"` is at least the number in `needed`. Throws
-    /// InputError. Pre: expect_format() has checked the kind.
+    /// InputError. Pre: expect_format() has checked the kind, and both numbers have one digit.
+    /// @param needed  a whole format, such as "fretwork/stages/2"
     /// @param lacking  the end of "which has ..", for the part that older formats lack, such as "no circle"
     void require_format(std::string_view needed, std::string_view lacking) const;
     /// Throw InputError unless the value is an object with no other keys than `keys`.
@@ -71,7 +75,8 @@ class JsonReader {
     [[nodiscard]] double positive_number() const;
     /// The elements of an array of `count` numbers.
     [[nodiscard]] std::vector<double> numbers(std::size_t count) const;
-    /// The value as a whole number, which must lie from `low` to `high`.
+    /// The value as a whole number, which must be written without a point or an exponent, and lie from `low`
+    /// to `high`.
     [[nodiscard]] long long integer(long long low, long long high) const;
     /// The value as true or false.
     [[nodiscard]] bool boolean() const;

@@ -13,8 +13,8 @@ int resolved_thread_count(int wanted);
 /// Call body(i) for every i below `count`, on up to `threads` threads (0: one for each processor).
 ///
 /// Any thread may take any index, so body(i) may write only to element i; the result then does not depend on
-/// the number of threads. If several calls throw, the exception of the call with the smallest index is
-/// rethrown.
+/// the number of threads. After a call has thrown, calls that have not begun are left out. If several calls
+/// throw, the exception of the call with the smallest index is rethrown.
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
 
 /// Call body(i) for every node of a tree after the calls for its children, on up to `threads` threads (0: one

@@ -18,15 +18,15 @@ std::string format_number(double value, int digits);
 /// Join words with a separator: {"a", "b"} with ", " is "a, b".
 std::string join(std::span<const std::string> words, std::string_view separator);
 
-/// A count with its noun, in the plural unless the count is one: "1 tile", "3 tiles".
+/// A count with its noun, with a plural "s" unless the count is one: "1 tile", "3 tiles".
 std::string counted(std::size_t count, std::string_view noun);
 
 /// Split a text at every separator; "a,,b" gives three words, the second of them empty, and "" gives one
 /// empty word.
 std::vector<std::string> split(std::string_view text, char separator);
 
-/// The lines of a text, without their ends: line feeds, with or without a carriage return before them. After
-/// a line feed at the end of the text comes one more, empty line.
+/// The lines of a text, split at line feeds; a carriage return at the end of a line is left out. After a line
+/// feed at the end of the text comes one more, empty line.
 std::vector<std::string> split_lines(std::string_view text);
 
 /// A text with its ASCII capitals in small letters, whatever the locale.

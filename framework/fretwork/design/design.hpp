@@ -23,7 +23,7 @@ namespace fretwork::design {
 struct DesignProgress {
     int solutions = 0;     ///< number of nonlinear solutions so far
     int most = 0;          ///< largest number of nonlinear solutions of the search
-    double seconds = 0.0;  ///< time since the search began, s
+    double seconds = 0.0;  ///< time since design() began, s
     /// Misfit of the reduced model: the root of the mean of the weighted squared distances to the target, as
     /// a share of the largest wanted displacement.
     double misfit = 0.0;
@@ -40,7 +40,8 @@ struct DesignOptions {
     Symmetry symmetry;                    ///< symmetry that the painting must have
     double max_mass = 0.0;                ///< largest mass of all beams, kg; 0: any mass
     /// Limit of the utilization of the setting's strength, checked with all beams; 0: any utilization. The
-    /// largest utilization plus DesignReport::utilization_error must not exceed it.
+    /// largest utilization plus DesignReport::utilization_error must not exceed it. The setting must have a
+    /// strength.
     double max_utilization = 0.0;
     bool free_factor = false;  ///< true: the factor on each load case's loads is searched, too
     /// True: the values of each load case's prescribed displacements are searched, too.
@@ -50,7 +51,7 @@ struct DesignOptions {
     /// True: the thickness of all bars, which must be rectangular, is searched, too.
     bool free_thickness = false;
     /// The smallest gap between bars, m. Patterns with a smaller gap between their own bars are left out, and
-    /// the result is the best checked painting without such gaps. None: any gap.
+    /// the result is the best checked painting without such gaps, if there is one. None: any gap.
     std::optional<double> clearance{};
     double seconds = 0.0;  ///< largest wall time, checks included, s; 0: any time
     /// The largest number of nonlinear solutions of the search; checks and the fits of single patterns take
@@ -81,13 +82,14 @@ inline bool keeps_utilization(const DesignOptions& options, const std::optional<
 }
 
 /// Distances of the goals' nodes from their wanted positions, as shares of the largest wanted displacement.
-/// The full model gives them in its nonlinear equilibrium on the path from flat; if this path loses
-/// stability, on the stable branch.
+/// The full model gives them in its nonlinear equilibrium on the path from flat; if this path does not end at
+/// a stable equilibrium, on the stable branch.
 struct TargetError {
     double mean = 0.0;      ///< mean distance
     double largest = 0.0;   ///< distance of the worst node
     bool is_stable = true;  ///< true if the equilibria of all load cases are stable
-    /// True if the whole path from flat is stable; false if it loses stability on the way.
+    /// True if the path from flat ends at a stable equilibrium in all load cases, also if stability is lost
+    /// and regained on the way.
     bool is_stable_from_flat = true;
 };
 
@@ -109,7 +111,8 @@ struct CaseShape {
 
 /// The reason why the search ended.
 enum class DesignEnd {
-    /// No single swap is predicted to improve the painting, or no solution confirmed a predicted improvement.
+    /// No swaps are predicted to gain 0.5 % of the squared misfit, no solution confirmed a predicted gain, or
+    /// the misfit is zero but for rounding.
     NoSwapImproves,
     SolutionsSpent,  ///< the solutions were used up
     TimeSpent,       ///< the time was used up
@@ -128,9 +131,10 @@ inline constexpr double kLoadTooLarge = 0.5;
 
 /// The report of design(). "Single pattern" stands for the uniform painting with one pattern of the palette.
 struct DesignReport {
-    /// Painted project; if unknowns are free, its load cases have the found values.
+    /// Painted project; if unknowns are free, its load cases and its setting have the found values.
     simulation::Project project;
-    /// Error of the painting; none if the search was stopped before the check.
+    /// Error of the painting; none if the search was stopped before the check, or if the check found no
+    /// equilibrium.
     std::optional<TargetError> error;
     /// Error of the best single pattern among those that were checked with all beams.
     std::optional<TargetError> best_uniform;
@@ -143,7 +147,7 @@ struct DesignReport {
     double mass = 0.0;                  ///< mass of all beams of the painting, kg
     std::vector<double> factors;        ///< factor on the loads of each load case, in the order of load_cases
     std::vector<std::string> load_cases;  ///< names of the load cases
-    /// Largest utilization, with all beams; none if the setting has no strength.
+    /// Largest utilization, with all beams; none if the setting has no strength, or if `error` is none.
     std::optional<double> largest_utilization;
     /// Estimated discretization error of `largest_utilization`, from a solution with two elements for each
     /// beam (README.md). None without DesignOptions::max_utilization, or if that solution was not found.
@@ -154,8 +158,8 @@ struct DesignReport {
     /// stopped, if the target is out of reach, if the time was used up, or if the painting has no stable
     /// equilibrium.
     std::optional<double> relaxed{};
-    std::optional<double> width{};      ///< width of the bars, m; none if it is not free
-    std::optional<double> thickness{};  ///< thickness of the bars, m; none if it is not free
+    std::optional<double> width{};      ///< width of the bars, m; none if neither it nor thickness is free
+    std::optional<double> thickness{};  ///< thickness of the bars, m; none if `width` is none
     /// A lower bound of the misfit (see DesignProgress) of every painting with the palette, proven in linear
     /// theory (README.md). None if displacements are too large for this theory, weight acts, supports are
     /// moved, unknowns besides the painting are free, nodes may slide along a mesh, or the surface has so
@@ -179,8 +183,8 @@ struct DesignReport {
     /// have loads, neither factor nor prescribed values are free, solutions are left, and the equilibria are
     /// found.
     std::optional<double> reach_of_ten_loads{};
-    /// Mean distance between the nodes of the reduced model and of the full model, as a share of the largest
-    /// wanted displacement.
+    /// Mean distance between the interface nodes of the reduced model and of the full model, as a share of
+    /// the largest wanted displacement. 0 if no painting replaced the first checked single pattern.
     double model_error = 0.0;
     std::vector<double> starts;           ///< final misfit (see DesignProgress) of each start of the search
     std::vector<DesignProgress> history;  ///< an entry for each better painting
@@ -212,8 +216,8 @@ struct DesignReport {
 
 /// Paint the tiles of a project so that its surface takes the target's shape (method: README.md). After a
 /// stop, the report has the best painting so far; a stop before the first painting throws base::Stopped.
-/// Throws InputError that names an unsuitable target, palette, load case or kept tile. `library` may be null
-/// if the project has a setting.
+/// Throws InputError that names an unsuitable target, palette, load case or kept tile; NumericalError if the
+/// supports do not hold the surface. `library` may be null; the setting is that of setting_of().
 DesignReport design(const simulation::Project& project, const library::Library* library, const Target& target,
                     const DesignOptions& options);
 

@@ -27,10 +27,10 @@ std::string signed_colour(double share);
 /// Red, green and blue of a colour "#rrggbb", 0 to 255.
 std::array<std::uint8_t, 3> colour_bytes(const std::string& colour);
 
-/// The colours of scale_colour() at equally spaced values, as "#rrggbb". The scale is linear between two
-/// neighbouring colours, so other programs can reproduce it.
+/// The colours of scale_colour() at nine equally spaced values from 0 to 1, as "#rrggbb". The scale is linear
+/// between two neighbouring colours, so other programs can reproduce it.
 std::vector<std::string> scale_samples();
-/// The colours of signed_colour() at equally spaced values, as "#rrggbb".
+/// The colours of signed_colour() at the same values, as "#rrggbb".
 std::vector<std::string> signed_samples();
 
 /// The range of a colour scale.
@@ -38,10 +38,11 @@ struct ValueRange {
     double from = 0.0;  ///< value of the first colour
     double to = 0.0;    ///< value of the last colour
 };
-/// The range from the lowest to the highest value. NaN is ignored.
+/// The range from the lowest to the highest value, or from 0 to 0 without values. NaN is ignored.
 ValueRange whole_range(std::span<const double> values);
 /// A range that starts at zero or, if a value is negative, is symmetric about zero. A few values far above
-/// all others in size are ignored, because otherwise only these would be visible.
+/// all others in size are ignored, because otherwise only these would be visible. Without values, the range
+/// is from 0 to 0. NaN is ignored.
 ValueRange value_range(std::span<const double> values);
 /// The colour of values beyond the range. It is in neither scale, so overloaded beams stand out.
 inline constexpr const char* kBeyondColour = "#f018b4";

@@ -39,7 +39,7 @@ struct PictureOptions {
     Ghost ghost = Ghost::Shown;  ///< whether the shape at rest is drawn
 };
 
-/// Options for making a surface.
+/// Options for making a surface. Writers replace `control` and `models` in them by those of the scene.
 struct Making {
     fabrication::ShapeOptions shape{};  ///< widths, fillets and kerf
     /// Size of sheets for a surface in parts; none: the surface is one part.

@@ -22,7 +22,7 @@ enum class Content {
 };
 /// The name of a content on the command line, such as "cut".
 std::string_view content_name(Content content);
-/// The content with this name. Throws InputError that lists the names.
+/// The content with this name. Throws InputError that suggests the nearest name, or lists all names.
 Content parse_content(const std::string& name);
 
 /// The text of a file, and remarks, one line each, about options for making that could not be met.
@@ -66,7 +66,8 @@ std::string_view unit_of(const WriterRow& writer);
 /// All kinds of files. A new kind needs a source file and a row.
 std::span<const WriterRow> writer_catalogue();
 /// The writer for a file extension and a content. Without `content`, the result is the first writer for this
-/// extension. Throws InputError that lists the valid extensions or contents.
+/// extension. Throws InputError that suggests the nearest extension or lists all, or lists the contents that
+/// the extension can have.
 const WriterRow& find_writer(const std::filesystem::path& path, std::optional<Content> content = {});
 /// True if a writer is the first with its file extension: the default without a given content.
 bool is_default(const WriterRow& writer);

@@ -23,7 +23,8 @@ struct Bar {
 
 /// The bars of a surface and their nodes. No two bars cross or lie over each other.
 struct BarPlan {
-    /// Positions of the nodes, m: the nodes of the tessellation's fan, then the nodes of the border.
+    /// Positions of the nodes, m: the nodes of the tessellation's fan, then, if there is a border, all
+    /// vertices of the tessellation.
     base::IndexVector<TessellationNodeIndex, geometry::Point2> nodes;
     std::vector<Bar> bars{};          ///< bars of all tiles, and bars of the border
     double width = 0.0;               ///< width of the surface's beams, m
@@ -49,9 +50,10 @@ Rectangle equivalent_rectangle(const mechanics::Section& section);
 
 /// The bars of a surface. If `frame_width` (m) is not zero, bars of that width along the rim form a border.
 ///
-/// Throws InputError or GeometryError if a tile is not painted or not closed, if a beam's width or length is
-/// zero, if beams cross or lie over each other, or if a bar lies along the border. Messages about tiles name
-/// them.
+/// Throws InputError or GeometryError if the tessellation is not valid (tiling::validate()), if a tile is not
+/// painted, if a beam's width or length is zero, if beams cross or lie over each other, or if a bar lies
+/// along the border. Messages about tiles name them. Throws InputError if `frame_width` is below zero or not
+/// finite, or if the surface has no beams.
 BarPlan bar_plan(const simulation::Surface& surface, double frame_width = 0.0);
 
 }  // namespace fretwork::fabrication

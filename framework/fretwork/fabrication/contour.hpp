@@ -37,14 +37,14 @@ double length(const Contour& contour);
 /// The contour with chords instead of arcs. No chord is farther than `tolerance` (m) from its arc.
 geometry::Polygon flattened(const Contour& contour, double tolerance);
 
-/// A counterclockwise circle, as two arcs.
+/// A counterclockwise circle, as two arcs. `radius` is in m.
 Contour circle(const geometry::Point2& center, double radius);
 /// A contour in the opposite direction.
 Contour reversed(const Contour& contour);
 /// A polygon as a contour of straight lines.
 Contour straight(const geometry::Polygon& polygon);
 
-/// The smallest box around a contour, arcs included.
+/// The smallest box around a contour, arcs included. Pre: the contour is not empty.
 geometry::Box box_of(const Contour& contour);
 
 }  // namespace fretwork::fabrication

@@ -25,7 +25,7 @@ struct CutSheet {
     std::vector<Contour> guides{};  ///< lines that the cutter ignores, such as the edge of the material
 };
 
-/// The whole surface in one sheet, with the numbers of its tiles as labels.
+/// The whole surface in one sheet, with the numbers of its tiles as labels. Throws as make_shape().
 CutSheet whole_sheet(const simulation::Surface& surface, const ShapeOptions& options);
 /// The sheet with a given shape of the surface.
 CutSheet sheet_of_shape(const simulation::Surface& surface, const Shape& shape);

@@ -55,7 +55,7 @@ struct Facts {
     /// Mass of the true outline, kg; 0 if the material has no density.
     double mass = 0.0;
     double beam_mass = 0.0;   ///< mass of the model's beams, kg; beams overlap in joints
-    double cut_length = 0.0;  ///< m
+    double cut_length = 0.0;  ///< total length of all contours of the true outline, m
     /// Number of contours: a cutter pierces the material once for each.
     std::size_t pierces = 0;
     std::size_t layers = 0;       ///< number of layers of a print
@@ -84,7 +84,9 @@ struct Facts {
         TileIndex tile;              ///< tile of the beam
         TessellationNodeIndex node;  ///< node at the end of the beam with the stress
     };
-    std::optional<Stress> stress{};    ///< largest stress under FactsLoads
+    /// Largest stress under FactsLoads. If the equilibrium path does not reach the whole load, there is a
+    /// warning and no stress.
+    std::optional<Stress> stress{};
     std::optional<double> strength{};  ///< strength, Pa: the strength in FactsOptions or in the setting
     std::vector<Warning> warnings;     ///< warnings about possible failures in making the surface
 };
@@ -97,7 +99,8 @@ struct FactsLoads {
     const simulation::SurfaceResult* result = nullptr;
 };
 
-/// Collect the facts of a surface. Throws as make_shape(), and as simulation::simulate().
+/// Collect the facts of a surface. Throws InputError if an option is invalid. Throws also as make_shape(),
+/// simulation::simulate() and simulation::beam_state().
 Facts facts(const simulation::Surface& surface, const ShapeOptions& shape, const FactsLoads& loads,
             const FactsOptions& options = {});
 

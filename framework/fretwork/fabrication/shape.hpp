@@ -51,6 +51,7 @@ struct ShapeOptions {
 /// as bar_plan(), InputError for invalid options, holes that meet and holes where no bar ends, and Stopped.
 Shape make_shape(const simulation::Surface& surface, const ShapeOptions& options = {});
 /// Make the outline of a plan. The plan contains its border, so `options.frame_width` is only validated.
+/// Throws as the other make_shape(), but not as bar_plan().
 Shape make_shape(const BarPlan& plan, const ShapeOptions& options);
 
 /// The number of openings between bars and for bolts.
@@ -59,7 +60,7 @@ std::size_t opening_count(const Shape& shape);
 double area(const Shape& shape);
 /// The total length of all contours, m.
 double cut_length(const Shape& shape);
-/// The box around all pieces.
+/// The box around all pieces. Pre: there is at least one piece.
 geometry::Box box_of(const Shape& shape);
 
 /// Remarks, one line each, about options that could not be met everywhere: openings that the kerf closes, and
@@ -71,7 +72,7 @@ struct RemarkedShape {
     Shape shape;                       ///< the outline
     std::vector<std::string> remarks;  ///< remarks about options that could not be met
 };
-/// Make a shape with its remarks. With a kerf, this takes the time of two shapes.
+/// Make a shape with its remarks. With a kerf, this takes the time of two shapes. Throws as make_shape().
 RemarkedShape make_remarked_shape(const simulation::Surface& surface, const ShapeOptions& options);
 
 }  // namespace fretwork::fabrication

@@ -10,8 +10,8 @@ namespace fretwork::fabrication {
 
 /// The bed of a cutter: the size of each sheet, and the distances and fits of the parts on a sheet.
 struct Bed {
-    double width = 0.0;     ///< m
-    double height = 0.0;    ///< m
+    double width = 0.0;     ///< m, at least 1e-3
+    double height = 0.0;    ///< m, at least 1e-3
     double margin = 5e-3;   ///< free margin along the sheet's edges, m
     double spacing = 3e-3;  ///< distance between parts, m
     double fit = 5e-5;      ///< gap between the two sides of a connector, m

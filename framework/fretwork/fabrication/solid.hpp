@@ -17,7 +17,7 @@ struct Solid {
 
 /// Options of make_solid().
 struct SolidOptions {
-    double chord_tolerance = 5e-6;  ///< largest distance between an arc and its chords, m
+    double chord_tolerance = 5e-6;  ///< largest distance between an arc and its chords, m, at least 1e-7
     base::Control control{};        ///< progress and stop
     /// Throws InputError that names an invalid option.
     void validate() const;

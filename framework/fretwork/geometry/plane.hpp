@@ -35,7 +35,7 @@ inline double length(Point2 a) {
     return std::sqrt(a.x * a.x +
                      a.y * a.y);  // std::hypot is many times slower, and no outline needs its range
 }
-/// The distance between two points.
+/// The distance between two points, m.
 inline double distance(Point2 a, Point2 b) {
     return length(b - a);
 }
@@ -76,7 +76,7 @@ inline bool do_cross(const Segment& a, const Segment& b) {
     };
     return parts(a, b) && parts(b, a);
 }
-/// The sum of the lengths of a polygon's sides.
+/// The sum of the lengths of a polygon's sides, m.
 inline double perimeter(const Polygon& polygon) {
     double sum = 0.0;
     for (std::size_t i = 0; i < polygon.size(); ++i)

@@ -17,10 +17,10 @@ using Polygon = std::vector<Point2>;
 
 /// The regular polygon around the origin. The middle of side t lies at angle 270 + 360 t / sides degrees, so
 /// vertex t lies at angle 270 + 360 (t - 1/2) / sides degrees. `side` is the side length in metres. Throws
-/// InputError unless sides >= 3 and side > 0.
+/// InputError unless sides >= 3 and side is above 0 and finite.
 Polygon regular_polygon(int sides, double side);
 
-/// The signed area: positive for a counterclockwise polygon.
+/// The signed area, m^2: positive for a counterclockwise polygon.
 double signed_area(const Polygon& polygon);
 
 /// The area centroid. Throws GeometryError if the area is zero.
@@ -34,7 +34,7 @@ bool is_convex(const Polygon& polygon);
 /// points at the end, compared with the first. Files often repeat a point where curves meet or close.
 void remove_repeated_points(Polygon& polygon, double nearest);
 
-/// The mean length of the sides.
+/// The mean length of the sides, m. Pre: there is at least one vertex.
 double mean_side(const Polygon& polygon);
 
 }  // namespace fretwork::geometry

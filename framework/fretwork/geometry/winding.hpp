@@ -5,7 +5,8 @@
 
 namespace fretwork::geometry {
 
-/// The number of counterclockwise turns of a closed polygon around a point. The polygon may cross itself.
+/// The number of counterclockwise turns of a closed polygon around a point; clockwise turns count negative.
+/// The polygon may cross itself.
 inline int winding_number(const Polygon& polygon, Point2 point) {
     int winding = 0;
     for (std::size_t i = 0; i < polygon.size(); ++i) {

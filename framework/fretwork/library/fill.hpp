@@ -22,9 +22,9 @@ struct FillOptions {
     base::Control control{};
     /// Throws InputError if a value is invalid.
     void validate() const;
-    /// The row of the model.
+    /// The row of the model. Throws InputError if `models` has no such row.
     [[nodiscard]] const reduction::TileModel& tile_model() const;
-    /// The key of the calibrations made with these options.
+    /// The key of the calibrations made with these options. Throws as tile_model().
     [[nodiscard]] CalibrationKey key() const;
 };
 
@@ -44,8 +44,8 @@ struct FillReport {
 /// process loses the patterns that are not stored yet, and a new call continues with them. The result does
 /// not depend on threads, interruptions, or the division of the patterns among several calls. A failed
 /// computation is recorded with its reason, and does not stop the rest. Apart from the list of patterns,
-/// memory does not grow with their number. Throws as Library::store; data that was stored before the error
-/// remains.
+/// memory does not grow with their number. Throws InputError if an option is invalid, and as Library::store;
+/// data that was stored before the error remains.
 FillReport fill(Library& library, std::span<const pattern::NamedPattern> patterns,
                 const FillOptions& options);
 

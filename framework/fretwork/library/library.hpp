@@ -40,7 +40,8 @@ struct CalibrationKey {
     int budget = 0;          ///< largest cost; see reduction::CalibrationOptions
     friend bool operator==(const CalibrationKey&, const CalibrationKey&) = default;
 };
-/// The key of a calibration with these options.
+/// The key of a calibration with these options. For a model without parameters, the optimizer is "none" and
+/// the numbers are 0.
 CalibrationKey calibration_key(const reduction::CalibrationOptions& options,
                                const reduction::TileModel& model);
 
@@ -48,7 +49,7 @@ CalibrationKey calibration_key(const reduction::CalibrationOptions& options,
 struct CalibrationRecord {
     reduction::Calibration calibration;  ///< the fitted model
     int budget = 0;                      ///< largest cost; see reduction::CalibrationOptions
-    double seconds = 0.0;                ///< wall time; not part of the content
+    double seconds = 0.0;                ///< wall time, s; not part of the content
     /// The key under which the calibration is stored.
     [[nodiscard]] CalibrationKey key() const;
 };
@@ -98,8 +99,9 @@ std::string calibration_computation(const CalibrationKey& key);
 /// nothing, and to store a different value throws InputError. Only one thread at a time may use a Library.
 /// Several processes may have one file open, also on a network disk (rollback journal and file locks).
 ///
-/// Reading calls throw InputError if an id is unknown or the file is damaged. All calls throw IoError if
-/// the file cannot be used (disk full, no permission, locked by another process for longer than ten seconds).
+/// Reading calls throw InputError if the file is damaged or, unless stated otherwise, an id is unknown. All
+/// calls throw IoError if the file cannot be used (disk full, no permission, locked by another process for
+/// longer than ten seconds).
 class Library {
   public:
     /// Create a library in a new or an empty file. Throws InputError if the setting is invalid or the file
@@ -112,7 +114,8 @@ class Library {
     static Library open(const std::filesystem::path& path, Access access = Access::ReadOnly);
     /// Open an existing file for writing and check its layout and setting, or create a new file with these
     /// patterns. If not all patterns can be written, no new file is left. An empty file becomes a library
-    /// without patterns. Throws InputError if the setting is invalid.
+    /// without patterns. Throws InputError if the setting is invalid, or if the file has another layout or
+    /// setting. Throws Stopped.
     static Library open_or_create(const std::filesystem::path& path, const pattern::NodeLayout& layout,
                                   const reduction::Setting& setting,
                                   std::span<const pattern::Pattern> patterns = {},
@@ -138,7 +141,7 @@ class Library {
     /// invalid.
     void adopt_setting(const reduction::Setting& wanted);
 
-    /// Add patterns that the library lacks. Returns the number of patterns added. If the call is stopped, no
+    /// Add patterns that the library lacks. Returns the number of patterns added. Throws Stopped; then no
     /// pattern is added.
     std::size_t add_patterns(std::span<const pattern::Pattern> patterns, const base::Control& control = {});
     /// The number of patterns.
@@ -150,7 +153,7 @@ class Library {
     [[nodiscard]] std::vector<pattern::NamedPattern> sample(std::size_t size) const;
     /// One summary for each pattern, in the order of patterns().
     [[nodiscard]] std::vector<PatternSummary> summaries() const;
-    /// One summary for each of `patterns`, in the same order.
+    /// One summary for each of `patterns`, in the same order; without data if the library lacks the pattern.
     [[nodiscard]] std::vector<PatternSummary> summaries(
         std::span<const pattern::NamedPattern> patterns) const;
     /// The patterns with a calibration of a model that has parameters, in the order of patterns().
@@ -173,9 +176,9 @@ class Library {
     /// recorded as failed. Patterns with failed responses are left out.
     [[nodiscard]] std::vector<pattern::NamedPattern> patterns_without_calibration(
         const CalibrationKey& key) const;
-    /// True if the pattern is among patterns_without_responses().
+    /// True if the pattern is among patterns_without_responses(); false if it is not in the library.
     [[nodiscard]] bool lacks_responses(std::string_view pattern_id) const;
-    /// True if the pattern is among patterns_without_calibration(key).
+    /// True if the pattern is among patterns_without_calibration(key); false if it is not in the library.
     [[nodiscard]] bool lacks_calibration(std::string_view pattern_id, const CalibrationKey& key) const;
 
     /// Store a batch in one transaction, whole or not at all. A recorded failure of a computation is deleted
@@ -213,7 +216,8 @@ class Library {
     [[nodiscard]] bool has_content(std::string_view hash) const;
     /// Write the content into a folder, which is created if missing: layout.json, setting.json, and one CSV
     /// file for each other table of content and for the view `behaviour`. Rows are sorted; times and hosts
-    /// are left out, so equal contents give equal files.
+    /// are left out, so equal contents give equal files (except that setting.json has the strength and the
+    /// section shape). Throws Stopped; files that are already written remain.
     void export_csv(const std::filesystem::path& folder, const base::Control& control = {}) const;
 
   private:

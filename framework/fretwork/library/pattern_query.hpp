@@ -12,8 +12,9 @@ namespace fretwork::library {
 /// FoundPatterns::columns, `pattern_id`, `mirror`, numbers, comparison, arithmetic, `between`, `in`, `like`,
 /// `and`, `or`, `not`, `is null`, and SQLite's scalar functions.
 struct PatternQuery {
-    std::string where{};      ///< condition, such as `bending_poisson < 0`; empty: every pattern
-    std::string sort{};       ///< expression by which the patterns are sorted; empty: by pattern id
+    std::string where{};  ///< condition, such as `bending_poisson < 0`; empty: every pattern
+    /// Expression by which the patterns are sorted; patterns without a value come last. Empty: by pattern id.
+    std::string sort{};
     bool descending = false;  ///< true: the largest value of `sort` comes first
     std::size_t limit = 0;    ///< largest number of patterns; 0: any number
 };

@@ -22,9 +22,10 @@ struct Assembly {
     Elements elements;                               ///< beams and other elements
     std::vector<Support> supports;                   ///< supports: components that stay zero
     std::vector<PrescribedDisplacement> prescribed;  ///< components with given values
-    NodeValues loads;                                ///< loads, one row for each node, gravity included
-    bool has_moments = true;                         ///< true if there are moments besides those of gravity
-    int reported_nodes = 0;                          ///< results have rows for nodes 0 .. reported_nodes - 1
+    /// Loads, one row for each node, gravity included. The row of a hinge's node is in the axes of its beam.
+    NodeValues loads;
+    bool has_moments = true;    ///< true if there are moments besides those of gravity
+    int reported_nodes = 0;     ///< results have rows for nodes 0 .. reported_nodes - 1
     std::vector<int> labels{};  ///< labels of the reported nodes in messages; empty: their indices, from 0
 };
 
@@ -34,7 +35,7 @@ struct AssemblyOptions {
     bool lumped_gravity = false;
     std::vector<int> node_labels{};  ///< labels of the frame's nodes in messages; empty: their indices, from
                                      ///< 0
-    base::Control control{};         ///< progress and stop
+    base::Control control{};         ///< stop; no progress is reported
 };
 
 /// Turn every beam of a frame into corotational Euler-Bernoulli elements or, with shear areas, Timoshenko

@@ -16,9 +16,9 @@ std::vector<NodeIndex> first_nodes(int count);
 /// Condense the linear stiffness of a structure onto the nodes `kept` (Schur complement). The result is exact
 /// for small displacements if only the kept nodes have loads and supports. Loads and supports of the assembly
 /// are ignored, except supports of hinges. Returns the 6n x 6n stiffness of the n kept nodes in the given
-/// order: symmetric, positive semidefinite, rank 6n - 6 for a connected frame. Throws InputError if a kept
-/// node does not exist or appears twice, NumericalError if the other nodes can move without strain while the
-/// kept nodes are fixed.
+/// order: symmetric, positive semidefinite, rank 6n - 6 for a connected frame without hinges. Throws
+/// InputError if a kept node does not exist or appears twice, NumericalError if the other nodes can move
+/// without strain while the kept nodes are fixed.
 Eigen::MatrixXd condense(const Assembly& assembly, std::span<const NodeIndex> kept);
 
 /// Condense the consistent mass of a structure onto the nodes `kept`: the other nodes follow statically

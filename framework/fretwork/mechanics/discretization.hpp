@@ -38,9 +38,10 @@ inline constexpr double kErrorFromFiner = 4.0 / 3.0;
 /// divisions, and costs twice as much. The elements converge with order four in a plane or if sections bend
 /// equally about both axes, and with order two otherwise or with shear. The estimate assumes order two. If
 /// one of the two paths has one element for each beam, errors of opposite sign can cancel, and the estimate
-/// can be several times too small.
+/// can be several times too small. Throws InputError if the numbers of solutions and load factors differ, and
+/// as assemble() and follow_load_path().
 ///
-/// @param solutions  the solutions of follow_load_path for these load factors
+/// @param solutions  the solutions of follow_load_path() for assemble(frame) and these load factors
 std::vector<DiscretizationError> estimate_discretization_error(const Frame& frame,
                                                                std::span<const double> load_factors,
                                                                std::span<const Solution> solutions,

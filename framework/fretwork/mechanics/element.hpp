@@ -66,11 +66,11 @@ class Element {
     [[nodiscard]] virtual std::span<const NodeIndex> nodes() const = 0;
 
     /// Write the linear stiffness at rest, 6n x 6n: the tangent at zero displacement. The caller owns the
-    /// matrix and reuses it for the next element, so the loop over elements allocates nothing.
+    /// matrix and reuses it for the next element, which saves allocations.
     virtual void rest_stiffness(Eigen::MatrixXd& stiffness) const = 0;
 
     /// Write the response to the states of the nodes (in the order of nodes()). As in rest_stiffness, the
-    /// caller owns the buffers.
+    /// caller owns the buffers. An element without a response in these states writes NaN.
     virtual void evaluate(std::span<const NodeState> states, Demand demand,
                           ElementResponse& response) const = 0;
 

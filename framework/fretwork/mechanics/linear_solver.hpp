@@ -29,13 +29,14 @@ enum class FactorChange {
 /// The linear equilibrium K d = F of a structure at rest. K is factorized once, and each solution costs a
 /// back-substitution.
 ///
-/// A flat structure with elements that decouple is solved as two problems of three dofs at each node: in
-/// plane (ux uy rz) and out of plane (uz rx ry). The factorization is a multifrontal L D L^T. The order of
-/// elimination comes from the graph of nodes, not of dofs.
+/// A structure with all nodes at one z, and with elements that decouple, is solved as two problems of three
+/// dofs at each node: in plane (ux uy rz) and out of plane (uz rx ry). The factorization is a multifrontal
+/// L D L^T. The order of elimination comes from the graph of nodes, not of dofs.
 class LinearSolver {
   public:
-    /// Factorize the stiffness of an assembly. Throws NumericalError that names a node if the structure can
-    /// move without strain in spite of its supports.
+    /// Factorize the stiffness of an assembly. Throws NumericalError if the structure can move without strain
+    /// in spite of its supports (kinds NothingHeld, PartNotHeld and MovesFreely), or if a stiffness is not
+    /// finite; Stopped.
     explicit LinearSolver(const Assembly& assembly, const LinearOptions& options = {});
     LinearSolver(LinearSolver&&) noexcept;
     LinearSolver& operator=(LinearSolver&&) noexcept;
@@ -43,10 +44,11 @@ class LinearSolver {
 
     /// Solve under the assembly's own loads. Several threads may solve at once.
     ///
-    /// The solution is refined at most three times, until its residual is below 1e-9 or is no longer halved.
-    /// The best iterate is returned. The solution has converged if its residual is below 1e-9, or if its
-    /// residual is below 1e-4 and the rounding of the displacements explains it. Throws NumericalError if a
-    /// displacement is too large for a number; Stopped.
+    /// The solution is refined at most three times, until its residual is below 1e-9 or is no longer halved;
+    /// with corrected factors, at least once. The best iterate is returned. The solution has converged if its
+    /// residual is below 1e-9, or if its residual is below 1e-4 and the rounding of the displacements
+    /// explains it. The residual is set to 0 if there are no loads and rounding explains all forces. Throws
+    /// NumericalError if a displacement is too large for a number; Stopped.
     [[nodiscard]] Solution solve(const base::Control& control = {}) const;
     /// Solve under other loads, one row for each node of the assembly. Throws as the function above.
     [[nodiscard]] Solution solve(const NodeValues& loads, const base::Control& control = {}) const;
@@ -62,7 +64,7 @@ class LinearSolver {
     /// - if elements are replaced by others of the same nodes, listed in any order: a low-rank correction or
     ///   new factors. The correction is chosen if it needs less than half the multiplications, and if no
     ///   place becomes 1e5 times softer or stiffer. A solution with corrected factors takes up to four times
-    ///   as long (README.md, bench/edits_bench);
+    ///   as long (docs/numbers/mechanics.md, bench/edits_bench);
     /// - if supports differ: everything but the elimination order;
     /// - if anything else differs: everything.
     /// Elements are compared by address. The solver shares the elements and keeps no reference to the

@@ -31,11 +31,12 @@ struct ModeOptions {
 /// LinearSolver, or if the search does not settle; Stopped.
 std::vector<Mode> vibration_modes(const Assembly& assembly, int count, const ModeOptions& options = {});
 
-/// The modes of linearized buckling, ascending in their load factor. If the loads are multiplied by this
-/// factor, the stiffness plus the geometric stiffness of the linear solution becomes singular. Only positive
-/// factors are returned, so there may be fewer modes than `count`; without loads, there are none. Moments are
-/// treated as semi-tangential moments, which have a potential: the load factors belong to the symmetric part
-/// of the stiffness. Throws as vibration_modes(), except that no mass is needed.
+/// The modes of linearized buckling, ascending in their load factor. If the loads and prescribed
+/// displacements are multiplied by this factor, the stiffness plus the geometric stiffness of the linear
+/// solution becomes singular. Only positive factors up to about 1e8 times the smallest absolute factor are
+/// returned, so there may be fewer modes than `count`; if nothing strains the structure, there are none.
+/// Moments are treated as semi-tangential moments, which have a potential: the load factors belong to the
+/// symmetric part of the stiffness. Throws as vibration_modes(), except that no mass is needed.
 std::vector<Mode> buckling_modes(const Assembly& assembly, int count, const ModeOptions& options = {});
 
 /// A message that says why fewer modes of vibration were found than wanted. Empty if all were found.

@@ -23,7 +23,7 @@ enum class Solver {
 std::string_view solver_name(Solver solver);
 /// The names of all solvers.
 std::vector<std::string_view> solver_names();
-/// The solver with this name. Throws InputError that lists the names.
+/// The solver with this name. Throws InputError that suggests the nearest name or lists all names.
 Solver find_solver(std::string_view name);
 
 /// Options of solve(). Options of only some solvers are std::optional, except for estimate_error and
@@ -55,16 +55,17 @@ struct SolveOptions {
 };
 
 /// Read a structure from a deck (a file with the ending .inp, in small or capital letters) or from a frame
-/// file. The labels of a frame file's nodes are their indices, from 0.
+/// file. The labels of a frame file's nodes are their indices, from 0. Throws as read_calculix() and
+/// read_frame().
 LabelledFrame read_structure(const std::filesystem::path& path);
 
-/// Solve an assembly. Result::seconds is the time of the solution, without modes. Throws the errors of the
-/// solver. Throws InputError if the options ask for the discretization error or for lumped gravity: both need
-/// a frame.
+/// Solve an assembly. Result::seconds is the time of the solution, without modes. Throws the errors of
+/// SolveOptions::validate(), of the solver and of the modes. Throws InputError if the options ask for the
+/// discretization error or for lumped gravity: both need a frame.
 Result solve(const Assembly& assembly, const SolveOptions& options = {});
 /// Assemble and solve a frame. The discretization error is estimated if the options ask for it.
-/// Result::seconds includes the assembly, but neither the estimate nor the modes. A NumericalError names the
-/// frame's source.
+/// Result::seconds includes the assembly, but neither the estimate nor the modes. Throws the errors of
+/// SolveOptions::validate(), assemble(), the solver and the modes. A NumericalError names the frame's source.
 Result solve(const LabelledFrame& frame, const SolveOptions& options = {});
 
 }  // namespace fretwork::mechanics

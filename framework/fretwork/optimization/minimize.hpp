@@ -13,7 +13,7 @@ struct OptimizationReport {
     std::string optimizer;              ///< name of the method; empty if it has no row in a catalogue
     Ending ending = Ending::Converged;  ///< the way in which the run ended
     Eigen::VectorXd point;              ///< the best point found; empty if the objective was never finite
-    double value = 0.0;                 ///< objective at the best point
+    double value = 0.0;                 ///< objective at the best point; infinite if there is none
     Eigen::VectorXd final_point;        ///< the point at which the method itself ended; empty: not known
     long cost = 0;                      ///< cost of the run, in the problem's unit
     long evaluations = 0;               ///< number of evaluations of any kind
@@ -27,12 +27,13 @@ struct OptimizationReport {
 };
 
 /// Minimize a problem by the method of a row of a catalogue. The same arguments give the same report, unless
-/// a budget in seconds ends the run. Throws InputError if an option is invalid, or the problem does not offer
-/// the evaluations that the method needs. Throws base::Stopped if the budget's control asks to stop.
+/// a budget in seconds ends the run. Throws InputError if an option, the budget or a bound is invalid, or if
+/// the problem does not offer the evaluations that the method needs. Throws as Optimizer::run().
 OptimizationReport minimize(const Problem& problem, const OptimizerRow& method,
                             const OptimizerOptions& options = {}, const Budget& budget = {});
 
-/// Minimize a problem by a method that has no row in a catalogue.
+/// Minimize a problem by a method that has no row in a catalogue. Throws InputError if the budget or a bound
+/// is invalid. Throws as Optimizer::run().
 OptimizationReport minimize(const Problem& problem, const Optimizer& optimizer, const Budget& budget = {});
 
 }  // namespace fretwork::optimization

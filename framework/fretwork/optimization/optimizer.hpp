@@ -51,12 +51,14 @@ struct RunOutcome {
     int dead_starts = 0;
 };
 
-/// A minimization method. A method evaluates the problem only through the evaluator, and ends if an
-/// evaluation is refused.
+/// A minimization method. A method evaluates the problem only through the evaluator, and ends once the budget
+/// does not cover an evaluation.
 class Optimizer {
   public:
     virtual ~Optimizer() = default;
-    /// Minimize the evaluator's problem. The evaluator keeps the best point and the budget.
+    /// Minimize the evaluator's problem. The evaluator keeps the best point and the budget. Throws
+    /// base::Stopped if the budget's control asks to stop. Errors of the problem pass through, and so do
+    /// errors of an outside program (see outside_command_row()).
     virtual RunOutcome run(Evaluator& evaluator) const = 0;
 };
 

@@ -17,7 +17,8 @@ struct OptimizerRow {
     std::string summary;  ///< description in one line
     OptimizerClass kind;  ///< class of the method
     Evaluation needs;     ///< the kind of evaluation that the method needs besides the value
-    std::function<std::unique_ptr<Optimizer>(const OptimizerOptions& options)> make;  ///< makes the method
+    /// A function that makes the method. Throws InputError if an option is invalid.
+    std::function<std::unique_ptr<Optimizer>(const OptimizerOptions& options)> make;
     /// The command of a method that is a program of its own; empty: a method of this program. A study does
     /// not mix the runs of two commands under one name.
     std::string command{};

@@ -30,7 +30,8 @@ struct Bounds {
     [[nodiscard]] Eigen::VectorXd clamp(const Eigen::VectorXd& point) const;
     /// The point lower + shares (upper - lower), component by component, clamped to the bounds.
     [[nodiscard]] Eigen::VectorXd at_shares(const Eigen::VectorXd& shares) const;
-    /// Throws InputError unless all bounds are finite and lower < upper.
+    /// Throws InputError unless there is a variable, each has two bounds, and all bounds are finite with
+    /// lower < upper.
     void validate() const;
 };
 

@@ -31,7 +31,7 @@ class ColouredDrawing {
     /// The colours in use, each once, in the order in which they are drawn: "#rrggbb", and "" for gradients,
     /// patterns and colours that parse_colour() does not know.
     [[nodiscard]] std::vector<std::string> colours() const;
-    /// The visible colour at a point; none if no area is filled at the point.
+    /// The visible colour at a point, as in colours(); none if no area is filled at the point.
     [[nodiscard]] std::optional<std::string> colour_at(geometry::Point2 point) const;
 
   private:

@@ -33,9 +33,11 @@ double area_of(const Outline& outline);
 ///
 /// @param source  the name of the text in messages
 Outline parse_outline(std::string_view text, const std::string& source);
-/// The outline as JSON; parse_outline gives an equal outline.
+/// The outline as JSON; parse_outline gives an equal outline. Throws NumericalError if a coordinate is not
+/// finite.
 std::string outline_text(const Outline& outline);
-/// Write an outline as JSON, atomically. Throws IoError if this fails; the file is then as it was.
+/// Write an outline as JSON, atomically. Throws as outline_text(), and IoError if writing fails; the file is
+/// then as it was.
 void write_outline(const Outline& outline, const std::filesystem::path& path);
 
 /// The outlines of a file, and remarks about changes made by the reader.
@@ -51,7 +53,7 @@ struct OutlineFile {
 /// origin of an SVG is the lower left corner of its viewBox; other files keep their origin. Throws InputError
 /// or GeometryError with file and place.
 OutlineFile read_outline_file(const std::filesystem::path& path);
-/// The largest part of a file, read as by read_outline_file().
+/// The largest part of a file. Reads and throws as read_outline_file().
 Outline read_outline(const std::filesystem::path& path);
 
 /// Select parts of a file: "largest", "all", or a number; part 1 is the largest. If parts are left out, a
@@ -59,10 +61,11 @@ Outline read_outline(const std::filesystem::path& path);
 OutlineFile take_parts(OutlineFile file, std::string_view which);
 
 /// Scale all parts of a file by one factor, so that the box around them is `width` metres wide. Throws
-/// GeometryError if a part is no outline any more because of rounding.
+/// GeometryError if a part is no outline any more because of rounding. Pre: there is at least one part, and
+/// `width` is above zero.
 OutlineFile scaled_to_width(OutlineFile file, double width);
 
-/// The width and height of the box around outlines: "284 x 190 mm".
+/// The width and height of the box around outlines: "284 x 190 mm". Pre: there is at least one part.
 std::string size_text(const std::vector<Outline>& parts);
 
 }  // namespace fretwork::outlines

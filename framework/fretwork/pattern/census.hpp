@@ -9,7 +9,7 @@
 
 namespace fretwork::pattern {
 
-/// A count of graphs. The largest is C(128, 64), which needs more than 64 bits.
+/// A count of graphs. 128 candidate edges give up to 2^128 - 1 graphs, whose number needs 128 bits.
 __extension__ using GraphCount = unsigned __int128;
 
 /// The decimal digits of a count.
@@ -41,10 +41,11 @@ inline constexpr int kMostEdgesWalked = 20;
 /// Count the graphs that each filter rejects, and the valid graphs, which all filters accept. Up to
 /// kMostEdgesWalked candidate edges, every graph is walked. With more candidate edges, a search counts the
 /// valid graphs. For filters about pairs, loads and groups of edges, the rejected graphs are counted without
-/// walking them, unless that takes too much memory or time. All other columns stay empty.
+/// walking them, unless that takes too much memory or time. All other columns stay empty. Throws as
+/// for_each_pattern().
 Census take_census(const NodeLayout& layout, const EnumerationOptions& options = {});
 /// Take the census with the `valid` counts of an earlier search under the same options. The counts are
-/// ignored if every graph is walked.
+/// ignored if every graph is walked. Throws as for_each_pattern().
 Census take_census(const NodeLayout& layout, const EnumerationOptions& options, const PatternCount& valid);
 
 /// The census as CSV with LF. Columns: edges, patterns, one for each filter, valid. An entry is empty if it

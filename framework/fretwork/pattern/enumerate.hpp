@@ -18,7 +18,8 @@ struct EdgeRange {
     void validate() const;
 };
 
-/// The default range: 2 to 11 for the paper's layout, as in the paper's table; 2 to all for any other layout.
+/// The default range: 2 to 11 for the paper's layout, as in the paper's table; 2 to all for any other layout,
+/// or 1 to 1 if it has only one candidate edge.
 EdgeRange default_edge_range(const NodeLayout& layout);
 
 /// Options of the enumeration.
@@ -50,13 +51,14 @@ struct PatternCount {
 /// Paper, Sections 4.1 and 4.2, with one difference: filters are not applied afterwards. Instead, a search
 /// adds edges one by one and turns back as soon as a rule that prunes (see rule.hpp) can no longer be kept.
 /// Memory does not grow with the number of patterns: see EnumerationOptions::most_kept. Returns the count.
+/// Throws InputError if an option is invalid, NumericalError as make_filters(), and Stopped.
 PatternCount for_each_pattern(const NodeLayout& layout, const EnumerationOptions& options,
                               const std::function<void(const Pattern&)>& visit);
 
-/// All valid patterns in the order of for_each_pattern.
+/// All valid patterns in the order of for_each_pattern. Throws as for_each_pattern().
 std::vector<Pattern> enumerate_patterns(const NodeLayout& layout, const EnumerationOptions& options = {});
 
-/// Count the valid patterns without keeping any.
+/// Count the valid patterns without keeping any. Throws as for_each_pattern().
 PatternCount count_patterns(const NodeLayout& layout, const EnumerationOptions& options = {});
 
 }  // namespace fretwork::pattern

@@ -17,8 +17,9 @@ using FanNodeIndex = base::Index<struct FanNodeTag>;
 /// sides have the same fan.
 ///
 /// The first nodes are *all* interface nodes, used or not, one side after the other and on each side from v1
-/// to v2: interface node k of side t has number t * per_side + k. The used inner nodes follow, by layout node
-/// and then by sector. A radial node is shared by the two sectors beside it, and the center by all sectors.
+/// to v2: with k interface nodes on a side, node i of side t has number t k + i. The used inner nodes follow,
+/// by layout node and then by sector. A radial node is shared by the two sectors beside it, and the center by
+/// all sectors.
 struct Fan {
     /// A node of the fan.
     struct Node {

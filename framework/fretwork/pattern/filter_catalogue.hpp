@@ -15,7 +15,7 @@ namespace fretwork::pattern {
 struct FabricationScale {
     double tile_side = 0.025980762113533160;  ///< side of the hexagon, m; 0.015 sqrt(3), as in the paper
     double beam_width = 0.002;                ///< width of the beams, m; as in the paper
-    /// Throws InputError unless both lengths are positive.
+    /// Throws InputError unless both lengths are positive and finite.
     void validate() const;
 };
 
@@ -34,7 +34,7 @@ struct FilterKind {
     FilterParameter parameter;  ///< kind of the filter's number: radians, a whole number, or metres
     bool is_of_the_paper;       ///< true for the six filters of the paper's Table 1, which are always on
     double default_value;       ///< the filter's number by default
-    /// Make the filter's rule for a layout; `value` is the filter's number.
+    /// Make the filter's rule for a layout; `value` is the filter's number. Throws as make_filters().
     Rule (*make_rule)(const NodeLayout& layout, double value, const FabricationScale& scale);
 };
 
@@ -79,7 +79,8 @@ struct FilterSettings {
 /// in the order of the catalogue. A filter without a chosen number takes the catalogue's default. The filters
 /// "lacks_required" and "has_forbidden" follow, if edges are required or forbidden. The caller's own filters
 /// are last. Throws InputError if a name is unknown or appears twice, a value is invalid, or there are more
-/// than 64 filters.
+/// than 64 filters. Throws NumericalError if an angle of the layout is so near to the limit of small_angle
+/// that the two cannot be compared.
 std::vector<Filter> make_filters(const NodeLayout& layout, const FilterSettings& settings = {});
 
 /// The verdict of one filter on a pattern.

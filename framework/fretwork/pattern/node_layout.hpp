@@ -63,7 +63,7 @@ struct NodeLayoutDescription {
 class NodeLayout {
   public:
     /// Make a layout from its description. Throws InputError that names the broken rule and, if one node
-    /// breaks it, this node.
+    /// breaks it, this node. A layout has from 1 to kMaxCandidateEdges candidate edges.
     explicit NodeLayout(NodeLayoutDescription description);
 
     /// The description from which the layout was made.
@@ -90,12 +90,13 @@ class NodeLayout {
     base::IndexVector<EdgeIndex, Edge> edges_;
 };
 
-/// Read a layout file. Throws InputError with file and place.
+/// Read a layout file. Throws InputError with file and place or, if the number of candidate edges is not
+/// possible, with the name of the layout.
 NodeLayout read_node_layout(const std::filesystem::path& path);
 
 /// The layout as the text of a layout file, as libraries store it.
 std::string node_layout_text(const NodeLayout& layout);
-/// The inverse of node_layout_text; `source` names the text in messages.
+/// The inverse of node_layout_text; `source` names the text in messages. Throws as read_node_layout().
 NodeLayout parse_node_layout(std::string_view text, std::string source);
 
 /// The names of the built-in layouts; the paper's layout comes first.

@@ -25,7 +25,8 @@ class Rational {
     [[nodiscard]] constexpr std::int64_t denominator() const { return denominator_; }
     /// The quotient of the numerator and the denominator, each rounded to a double.
     [[nodiscard]] double to_double() const;
-    /// The text "3/10", or "2" for a whole number. parse_rational reads it back.
+    /// The text "3/10", or "2" for a whole number. parse_rational reads it back if its numbers have at most
+    /// 18 digits.
     [[nodiscard]] std::string text() const;
 
     friend Rational operator+(const Rational& left, const Rational& right);

@@ -16,7 +16,7 @@ struct Rejection {
 /// Find examples of rejected graphs: for each filter, in the order of the census, up to `per_filter` graphs
 /// that break only this filter's rule. Graphs are tested in order of their number of edges, until all filters
 /// have enough examples or a million graphs were tested. The examples of a filter are spread evenly over the
-/// graphs found.
+/// graphs found. Throws as for_each_pattern().
 std::vector<Rejection> find_rejections(const NodeLayout& layout, const EnumerationOptions& options,
                                        std::size_t per_filter);
 

@@ -44,7 +44,7 @@ struct CapacityRule {
         base::IndexVector<EdgeIndex, int> loads;  ///< load by each edge, zero or more
     };
     std::vector<Resource> resources;  ///< the resources that edges load
-    int limit = 0;                    ///< largest load of a resource
+    int limit = 0;                    ///< largest load of a resource, zero or more
     /// Noun for messages: "valence", as in "node n2 has valence 8, above 6".
     std::string phrase;
 };
@@ -71,8 +71,8 @@ struct GraphRule {
     /// The property that the fan's graph must have.
     enum class Property {
         Connected,  ///< the graph, without unused nodes, has at most one component
-        /// The graph, with a further node outside that is connected to all interface nodes, has no
-        /// articulation point.
+        /// If a further node outside is connected to all interface nodes, no node of the graph is an
+        /// articulation point. The further node itself may be one.
         WithoutArticulation
     };
     Property property = Property::Connected;  ///< the property

@@ -31,18 +31,20 @@ struct CountEstimate {
 /// seed and n alone.
 class PatternSampler {
   public:
-    /// Count the proposals. Throws NumericalError if the layout is too large for this count.
+    /// Count the proposals. Throws NumericalError if the layout is too large for this count, and as
+    /// for_each_pattern().
     PatternSampler(const NodeLayout& layout, const EnumerationOptions& options, std::uint64_t seed);
     PatternSampler(PatternSampler&&) noexcept;
     PatternSampler& operator=(PatternSampler&&) noexcept;
     ~PatternSampler();
 
     /// The next `count` patterns. Draws are independent, so a pattern may be drawn more than once. Throws
-    /// NumericalError if there are no proposals, or if `most_trials` trials in a row find no valid pattern.
+    /// NumericalError if there are no proposals, or if `most_trials` trials in a row (rounded up to a
+    /// multiple of 4096) find no valid pattern. Throws Stopped.
     std::vector<Pattern> draw(std::size_t count, std::uint64_t most_trials = 100'000'000);
 
     /// Estimate the number of valid patterns from the first `trials` trials, whatever was drawn before.
-    /// Throws InputError if `trials` is 0.
+    /// Throws InputError if `trials` is 0, and Stopped.
     [[nodiscard]] CountEstimate estimate(std::uint64_t trials) const;
 
   private:

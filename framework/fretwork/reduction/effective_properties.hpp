@@ -29,18 +29,19 @@ struct EffectiveProperties {
 /// The periodic cell is one tile: the pattern's frame, condensed onto its interface nodes. The nodes move by
 /// the macroscopic strain (or curvature) plus a fluctuation, which is equal at opposite nodes and minimizes
 /// the energy. The result is exact for the periodic frame. Throws InputError if the polygon has another
-/// number of sides, or the pattern has an interface node without a beam.
+/// number of sides, and as pattern_frame() and condensed_frame(), for example if an interface node has no
+/// beam.
 EffectiveProperties effective_properties(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                          const Setting& setting);
 
-/// The stiffness of a strip in the direction `angle` (rad). The strip may contract freely across this
-/// direction.
+/// The stiffness of a strip in the direction `angle` (rad, counterclockwise from x), in the unit of `tensor`,
+/// which is A or D. The strip may contract freely across this direction.
 double directional_stiffness(const Eigen::Matrix3d& tensor, double angle);
 
 /// The named values that libraries store: membrane_stiffness (N/m), membrane_poisson, membrane_shear (N/m),
-/// membrane_anisotropy (largest over smallest directional stiffness), the same four names with bending_ (N
-/// m), mass_per_area (kg/m^2), and both tensors (A11 A12 A16 A22 A26 A66, D11 ..). Stiffness and Poisson's
-/// ratio are taken in the direction x.
+/// membrane_anisotropy (largest over smallest directional stiffness, in steps of one degree), the same four
+/// names with bending_ (N m), mass_per_area (kg/m^2), and both tensors (A11 A12 A16 A22 A26 A66, D11 ..).
+/// Stiffness and Poisson's ratio are taken in the direction x.
 std::vector<std::pair<std::string, double>> property_values(const EffectiveProperties& properties);
 
 }  // namespace fretwork::reduction

@@ -25,8 +25,9 @@ struct Response {
         double magnitude = 0.0;               ///< magnitude, N
         mechanics::NodeValues displacements;  ///< one row for each interface node; zeros if not converged
         bool converged = true;                ///< true if an equilibrium was found
-        bool stable = true;                   ///< true if the equilibrium is stable
-        /// True if there is no equilibrium because the path turns back before this magnitude.
+        /// True if the sample converged, and no test says that the equilibrium is not stable.
+        bool stable = true;
+        /// True if no equilibrium was found because the path turns back before this magnitude.
         bool limit_load = false;
         /// The discretization error, estimated by Richardson extrapolation, as a share of the largest
         /// displacement (or rotation) of the tile's nodes. None if no estimate was requested, if the sample
@@ -37,21 +38,23 @@ struct Response {
     std::vector<Sample> samples;  ///< samples in order of ascending magnitude
 };
 
-/// The beams of a fan in a convex polygon, without supports and loads. Node i of the frame is interface node
-/// i. Interface nodes that the pattern does not use have no beam.
+/// The beams of a fan in a convex polygon, without supports and loads. Node i of the frame is node i of the
+/// fan, so the interface nodes come first. Interface nodes that the pattern does not use have no beam. Throws
+/// as pattern::place_fan().
 mechanics::Frame fan_frame(const pattern::NodeLayout& layout, const pattern::Fan& fan,
                            const geometry::Polygon& polygon, const TileMaterial& bars);
 
-/// The beams of a fan in a convex polygon, with the bars and joints of a setting.
+/// The beams of a fan in a convex polygon, with the bars and joints of a setting. Throws as
+/// pattern::place_fan().
 mechanics::Frame fan_frame(const pattern::NodeLayout& layout, const pattern::Fan& fan,
                            const geometry::Polygon& polygon, const Setting& setting);
 
-/// The beams of a pattern in a convex polygon.
+/// The beams of a pattern in a convex polygon. Throws as pattern::make_fan() and pattern::place_fan().
 mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                const geometry::Polygon& polygon, const TileMaterial& bars);
 
-/// The pattern's full model in the setting's polygon, without supports and loads. Node i of the frame is
-/// interface node i.
+/// The pattern's full model in the setting's polygon, without supports and loads. The interface nodes are the
+/// first nodes of the frame. Throws as geometry::regular_polygon().
 mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                const Setting& setting);
 
@@ -62,15 +65,15 @@ mechanics::Frame scenario_frame(mechanics::Frame tile, const Scenario& scenario)
 /// Add the supports and loads of a scenario at its largest magnitude to an assembled tile.
 void apply_scenario(const Scenario& scenario, mechanics::Assembly& tile);
 
-/// A tile with supports and loads.
+/// A tile with the supports and loads of a scenario at its largest magnitude.
 struct LoadedTile {
     base::Borrowed<mechanics::Assembly> structure;  ///< the tile with its inner nodes
     /// Number of interface nodes, which come first in the structure.
     int interface_nodes = 0;
 };
 
-/// The displacements of the interface nodes at the setting's magnitudes of a scenario. Throws as
-/// mechanics::follow_load_path.
+/// The displacements of the interface nodes at the setting's magnitudes of the scenario with which the tile
+/// is loaded. Throws as mechanics::follow_load_path.
 Response follow_scenario(const LoadedTile& tile, const Scenario& scenario, const Setting& setting,
                          const base::Control& control = {});
 
@@ -82,8 +85,10 @@ struct ResponseOptions {
 };
 
 /// The nonlinear responses of a pattern, one for each scenario of the setting, with each beam divided into
-/// the setting's number of elements. The paper's Eq. (2) has one element for each beam. Throws InputError,
-/// NumericalError if the tile can move freely under a scenario, and Stopped.
+/// the setting's number of elements. The paper's Eq. (2) has one element for each beam. Throws InputError if
+/// the setting is invalid, or if mechanics::validate() refuses the tile under the first scenario, for example
+/// because it can move freely. Throws NumericalError if the tile can move freely under another scenario.
+/// Throws Stopped.
 std::vector<Response> compute_responses(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                         const Setting& setting, const ResponseOptions& options = {});
 

@@ -14,8 +14,8 @@ namespace fretwork::reduction {
 /// node.
 using UnitDisplacements = std::vector<mechanics::NodeValues>;
 
-/// Unit displacements with derivatives: for each scenario a matrix of 6n rows (node by node) and one column
-/// for each parameter.
+/// Unit displacements with derivatives: for each scenario a matrix of 6n rows (the n interface nodes, node by
+/// node) and one column for each parameter.
 struct UnitDisplacementsAndDerivatives {
     UnitDisplacements displacements;  ///< displacements under magnitudes of 1 N
     /// Derivatives with respect to the parameters, one matrix for each scenario.

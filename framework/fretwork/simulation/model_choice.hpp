@@ -19,7 +19,8 @@ struct ModelChoice {
 const reduction::TileModel& tile_model(const Surface& surface, const ModelChoice& choice,
                                        tiling::TileIndex tile);
 
-/// Large if any tile of the surface has a model for large displacements, Small otherwise.
+/// Large if any tile of the surface has a model for large displacements, Small otherwise. Throws as
+/// tile_model().
 reduction::Displacements displacements(const Surface& surface, const ModelChoice& choice);
 
 /// The calibrated parameters of a tile's pattern for a tile model, in the order of the model's row; empty for
@@ -29,7 +30,7 @@ std::vector<double> tile_parameters(const Surface& surface, tiling::TileIndex ti
                                     const reduction::TileModel& model);
 
 /// A warning, in one line, if the mean side of the tiles with a calibrated model is more than 1.5 times the
-/// tile side of the setting, or less than two thirds of it. Otherwise "".
+/// tile side of the setting, or less than two thirds of it. Otherwise "". Throws as tile_model().
 std::string foreign_size_text(const Surface& surface, const ModelChoice& choice);
 
 }  // namespace fretwork::simulation

@@ -45,7 +45,8 @@ struct TileDeformation {
 /// which the worst tiles have all of their beams. A session keeps both and continues from both after an edit.
 /// If other tiles become the worst, the second solution starts again.
 ///
-/// Only one thread at a time may use a session. SimulationOptions::models must live as long as the session.
+/// Only one thread at a time may use a session, except for beam_motion() and motion_gradient().
+/// SimulationOptions::models must live as long as the session.
 class Session {
   public:
     /// Begin a session. If `calibrations` is empty, only the patterns of the given surface have calibrations.
@@ -64,17 +65,20 @@ class Session {
     [[nodiscard]] const SimulationOptions& options() const;
 
     /// Paint tiles with a pattern, given by its id. Invalid after the edit: the painted tiles and, with
-    /// gravity, the loads. Throws InputError as make_palette(), or if the tile model needs a calibration that
-    /// is missing.
+    /// gravity, the loads. Throws InputError as make_palette(), if a tile does not exist, or if the tile
+    /// model needs a calibration that is missing; and as the CalibrationSource.
     void paint(std::span<const tiling::TileIndex> tiles, const std::string& pattern);
     /// Turn the patterns of tiles: vertex 0 moves by `vertices` vertices counterclockwise. Invalid after the
-    /// edit: the same as after paint().
+    /// edit: the same as after paint(). Throws InputError if a tile does not exist.
     void turn(std::span<const tiling::TileIndex> tiles, int vertices);
     /// Give tiles their own tile model; "" removes their own tile model. Invalid after the edit: these tiles.
+    /// Throws InputError if a tile or the model does not exist, as tile_parameters(), or as
+    /// SimulationOptions::validate().
     void set_tile_model(std::span<const tiling::TileIndex> tiles, const std::string& model);
     /// Replace the model of the tiles without their own tile model. Invalid after the edit: all tiles. If a
     /// mixed model replaces `corotational`, the next solve() uses the corotational tiles and their
-    /// equilibrium.
+    /// equilibrium. Throws InputError as SimulationOptions::validate(), or if a painted tile's model needs a
+    /// calibration that is missing.
     void set_model(const std::string& model);
     /// Replace the setting (material, section, scenarios). Invalid after the edit: all tiles and, with
     /// gravity, the loads. The calibrations do not change; the caller has to replace them. Throws InputError
@@ -86,9 +90,11 @@ class Session {
     void set_calibrations(std::vector<std::vector<reduction::Calibration>> calibrations);
 
     /// Replace the load case. Invalid after the edit: the loads and, if other dofs are held, the factors.
+    /// Throws InputError as resolve().
     void set_load_case(const LoadCase& load_case);
     /// Replace one of the load case's supports, or append a support if `entry` is the number of supports.
-    /// Invalid after the edit: the same as after set_load_case().
+    /// Invalid after the edit: the same as after set_load_case(). Throws as set_load_case(), and InputError
+    /// if `entry` is above the number of supports.
     void set_support(std::size_t entry, const LoadCase::Support& support);
     /// Replace or append one of the load case's loads, as set_support() does with supports.
     void set_load(std::size_t entry, const LoadCase::Load& load);
@@ -96,9 +102,10 @@ class Session {
     /// supports.
     void set_prescribed(std::size_t entry, const LoadCase::PrescribedDisplacement& displacement);
 
-    /// Throws InputError if tiles were edited after solve() gave the solution, if a mixed model has put other
-    /// tiles in full since then, or if the solution has other nodes than the session's last one. A session
-    /// knows its newest 10,000 solutions by their displacements; it does not check those of other sessions.
+    /// Throws InputError before the first solve(), if tiles were edited after solve() gave the solution, if a
+    /// mixed model has put other tiles in full since then, or if the solution has other nodes than the
+    /// session's last one. A session knows its newest 10,000 solutions by their displacements; it does not
+    /// check those of other sessions.
     void require_since_edit(const mechanics::Solution& solution) const;
 
     /// The tiles that have all of their beams in a mixed model after solve(), ascending; none for other
@@ -110,8 +117,9 @@ class Session {
 
     /// Solve for the equilibrium of the present surface. A linear solution uses the kept factors. A nonlinear
     /// solution starts from the last equilibrium if the options ask for the primary branch and one load step,
-    /// the nodes are the same, and the last equilibrium is stable. In all other cases, and if the equilibrium
-    /// may lie on another path, it starts from rest. The result has no subject; result_subject() makes one.
+    /// the nodes are the same, and the last equilibrium is stable. In all other cases, it starts from rest;
+    /// also if the equilibrium may lie on another path, or if new supports hold components far from their
+    /// values. The result has no subject; result_subject() makes one.
     /// Throws InputError if a tile cannot be built after the edits, or if SimulationOptions::estimate_error
     /// is set and a tile does not consist of beams; NumericalError if the structure has too few supports;
     /// base::Stopped. After an error, all edits are kept, and the next call continues.
@@ -124,17 +132,17 @@ class Session {
                         mechanics::StabilityCheck check = mechanics::StabilityCheck::Made,
                         const mechanics::FirstIterate& first_iterate = {});
 
-    /// The linear displacements K^-1 g under nodal loads g, one column each, in linear theory for every
+    /// The linear displacements K^-1 g under nodal loads g, the columns of `rows`, in linear theory for every
     /// model. Supported and prescribed components are held at zero. If g is the gradient of a function, the
     /// result is the adjoint of this function. Columns have 6n rows, node by node, for the n nodes of the
     /// result. Throws InputError if the number of rows is wrong, and as solve().
     Eigen::MatrixXd solve_adjoint(const Eigen::MatrixXd& rows, const base::Control& control = {});
 
     /// Linearize the surface at the nonlinear equilibrium of the last solve(); derivatives
-    /// (derivatives/sensitivity.hpp) need it. The linearization reuses the solution's factors, and is valid
-    /// until the next edit or solve(). Throws InputError if there is no such equilibrium, if an edit came
-    /// after it, or if it was reached in several load steps; NumericalError if the tangent is singular at the
-    /// equilibrium; Stopped.
+    /// (derivatives/sensitivity.hpp) need it. The linearization reuses the solution's factors, if any, and is
+    /// valid until the next edit or solve(). Throws InputError if there is no such equilibrium, if an edit
+    /// came after it, or if it was reached in several load steps; NumericalError if the tangent is singular
+    /// at the equilibrium; Stopped.
     [[nodiscard]] Linearization linearize(TileQuantities quantities = TileQuantities::Strains,
                                           const base::Control& control = {});
     /// The derivatives of a function J of the displacements at the equilibrium of the last solve(), linear or
@@ -156,8 +164,9 @@ class Session {
     [[nodiscard]] std::vector<TileDeformation> tile_deformations(const mechanics::Solution& solution) const;
 
     /// The motions of a tile's beams in a solution since the session's last edit; nothing if the tile's model
-    /// does not give them. Throws InputError if tiles were edited after the last solve(). Several threads may
-    /// call this function and motion_gradient() at once.
+    /// does not give them. Throws InputError if tiles were edited after the last solve(), or if the solution
+    /// has other nodes than the session's last one. Several threads may call this function and
+    /// motion_gradient() at once.
     [[nodiscard]] std::optional<reduction::BeamMotion> beam_motion(tiling::TileIndex tile,
                                                                    const mechanics::Solution& solution) const;
     /// The gradient of a function of beam_motion() with respect to the rows of the tile's interface nodes;

@@ -27,14 +27,15 @@ struct SimulationOptions {
     Analysis analysis = Analysis::OfTheModel;
     /// True: fill Result::discretization_error; only for nonlinear models made of beams.
     bool estimate_error = false;
-    /// True: fill SurfaceResult::model_error (model_error.hpp); not for the full model, unless the analysis
-    /// is linear.
+    /// True: fill SurfaceResult::model_error (model_error.hpp) and SurfaceResult::buckled_tiles; not for the
+    /// full model, unless the analysis is linear.
     bool estimate_model_error = false;
     /// True: fill SurfaceResult::model_doubt of converged nonlinear solutions of reduced tiles. If a solution
     /// of corotational or mixed tiles is doubtful (model_doubt.hpp), also fill SurfaceResult::model_error.
     /// simulate() ignores this option if `estimate_model_error` is set.
     bool estimate_where_doubtful = false;
-    /// Number of equal steps of the load, each with a result; only for nonlinear analyses.
+    /// Number of equal steps of the load, each with a result, at most 10,000; above 1 only for nonlinear
+    /// analyses.
     int load_steps = 1;
     /// The equilibria to follow after a loss of stability. All branches except the primary need a nonlinear
     /// model that is not mixed, and exclude `estimate_error` and `estimate_model_error`.
@@ -59,7 +60,8 @@ std::optional<double> mixed_share(const std::string& model);
 /// The name `mixed:SHARE` of a mixed model.
 std::string mixed_model(double share);
 
-/// The choice of tile models by the options. For a mixed model, ModelChoice::name is kMixedTiles.
+/// The choice of tile models by the options. For a mixed model, ModelChoice::name is kMixedTiles. Throws
+/// InputError if the model is unknown.
 ModelChoice model_choice(const SimulationOptions& options);
 /// The choice of the full model, the first reference in the catalogue, for all tiles without their own tile
 /// model. Throws InputError if the catalogue has no reference.
@@ -69,7 +71,8 @@ ModelChoice reference_choice(const SimulationOptions& options);
 /// is then sought in the deformed state. Throws InputError if a model is unknown.
 bool is_nonlinear(const Surface& surface, const SimulationOptions& options);
 
-/// True if the model of every tile is a reference.
+/// True if the model of every tile is a reference; false for a mixed model. Throws InputError if a model is
+/// unknown.
 bool is_reference(const Surface& surface, const SimulationOptions& options);
 
 }  // namespace fretwork::simulation

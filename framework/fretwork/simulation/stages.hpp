@@ -48,9 +48,9 @@ struct LoadStage {
 /// with source and place, also if there is no load stage, if one changes nothing, or if two have the same
 /// name.
 std::vector<LoadStage> parse_stages(std::string_view text, const std::string& source);
-/// The text of a file of load stages.
+/// The text of a file of load stages. Throws NumericalError if a number is not finite.
 std::string stages_text(std::span<const LoadStage> stages);
-/// Read a file of load stages. Throws as parse_stages.
+/// Read a file of load stages. Throws as parse_stages, and InputError if the file cannot be read.
 std::vector<LoadStage> read_stages(const std::filesystem::path& path);
 
 /// The names of the begun load stages, one for each of Result::load_steps. Empty for results without load
@@ -73,7 +73,8 @@ struct StagePlan {
 /// of corotational tiles is estimated by the same load stages with all beams in the worst tiles. The doubt
 /// and the error in the result are the largest at the end of any load stage. Throws InputError for linear and
 /// mixed models, several load steps and `estimate_error`; for `estimate_model_error` of a model that is not
-/// `corotational`; if there is no load stage; and as check_stages().
+/// `corotational`; if there is no load stage; and as check_stages() and SimulationOptions::validate(). Throws
+/// NumericalError if the supports do not hold the surface; base::Stopped.
 SurfaceResult simulate_stages(const Surface& surface, const StagePlan& plan, const SimulationOptions& options,
                               const base::Control& control = {});
 

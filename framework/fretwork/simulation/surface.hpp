@@ -27,7 +27,8 @@ struct Surface {
 };
 
 /// Make the surface of a project, with the setting from setting_of(). If `library` is null, there are no
-/// calibrations. Throws InputError if the library has another layout or setting.
+/// calibrations. Throws InputError if the library has another layout or setting, or lacks a pattern of the
+/// project; and as models_by_tile().
 Surface make_surface(const Project& project, const library::Library* library);
 
 /// All beams of all tiles as one graph. Throws InputError that names an unpainted tile.

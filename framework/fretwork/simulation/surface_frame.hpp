@@ -17,8 +17,7 @@ mechanics::Frame surface_frame(const Surface& surface, const ModelChoice& choice
 
 /// The beams of the surface's tiles at rest, without supports and loads. The full model has the beams of the
 /// patterns; a model like `paper6` has a few of its own. The first nodes are the interface nodes. Nothing if
-/// any tile does not consist of beams. Throws InputError that names a pattern without a calibration, and
-/// Stopped.
+/// any tile does not consist of beams. Throws InputError as tile_model() and tile_parameters(), and Stopped.
 std::optional<mechanics::Frame> tile_beams(const Surface& surface, const ModelChoice& choice,
                                            const base::Control& control = {});
 

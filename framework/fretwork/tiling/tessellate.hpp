@@ -97,10 +97,11 @@ struct TessellationResult {
 ///
 /// Throws GeometryError with a place if no such tiling is found; the message states a smaller side that works
 /// if one of at most five tried sides does. Throws GeometryError also if two stretches of the outline are
-/// nearer to each other than a ten-thousandth of `edge_length` (a needle, a slit). Throws InputError if an
-/// option is invalid, if more than 100,000 tiles would be needed, if holes make tiles so small that more than
-/// 20,000 would be needed, or if the outline lies so far from the origin that its coordinates are too coarse.
-/// Throws base::Stopped. Needles, slits, size and position are checked before any triangle is made. The
+/// nearer to each other than a ten-thousandth of `edge_length` (a needle, a slit), or if the outline is not
+/// valid without its negligible points (kNegligibleShare). Throws InputError if an option is invalid, if more
+/// than 100,000 tiles would be needed, if holes make tiles so small that more than 20,000 would be needed, or
+/// if the outline lies so far from the origin that its coordinates are too coarse. Throws base::Stopped.
+/// Needles, slits, size and position are checked before any triangle is made. The
 /// result is deterministic.
 TessellationResult tessellate(const outlines::Outline& outline, const pattern::NodeLayout& layout,
                               const TessellationOptions& options);
@@ -118,10 +119,10 @@ TessellationResult tessellate_parts(const std::vector<outlines::Outline>& parts,
 /// can be painted. Paper, Section 6. Tiles, vertices and interface nodes get new numbers. The faces may also
 /// all run clockwise (a mesh seen from below).
 ///
-/// Throws InputError or GeometryError that names a face if the face is not convex, or does not share whole
-/// sides with its neighbours (a vertex in the middle of a side, an overlap, two faces on the same side of an
-/// edge). Throws also if the faces are not connected by sides, or if the rim of the mesh touches itself in a
-/// vertex.
+/// Throws as outlines::read_flat_mesh(). Throws GeometryError that names a face if the face is not convex, or
+/// does not share whole sides with its neighbours (a vertex in the middle of a side, an overlap, two faces on
+/// the same side of an edge). Throws GeometryError also if the faces are not connected by sides, or if the
+/// rim of the mesh touches itself in a vertex.
 TessellationResult read_mesh_tessellation(const std::filesystem::path& path,
                                           const pattern::NodeLayout& layout);
 

@@ -81,7 +81,7 @@ struct SharedSide {
 std::vector<SharedSide> shared_sides(const Tessellation& tessellation);
 
 /// The closed lines of the rim, each as a list of sides: the outer boundary of each part, and each hole. The
-/// order of the lines follows their smallest vertices.
+/// order of the lines follows their smallest vertices. Lines that touch in a vertex may form one line.
 std::vector<std::vector<RimSide>> rim_sides(const Tessellation& tessellation);
 /// The interface nodes along each closed line of the rim.
 std::vector<std::vector<InterfaceIndex>> rim_loops(const Tessellation& tessellation);

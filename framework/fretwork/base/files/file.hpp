@@ -26,7 +26,7 @@ std::filesystem::path link_target(std::filesystem::path path);
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
 /// An atomic write of content in pieces. Content that is not committed leaves no trace. A device or a pipe
-/// (/dev/stdout) is written directly.
+/// (/dev/stdout, unless it is redirected to a file) is written directly.
 class AtomicFile {
   public:
     /// Create the scratch file. Throws IoError.
@@ -61,8 +61,8 @@ class FileBatch {
 };
 
 /// A batch of files for one folder, which is created if it is missing. The files appear in the folder when
-/// the batch is committed, with one flush to the disk. Before that, the folder stays as it was. Only a
-/// failure between two renamings can leave a part of the files in it.
+/// the batch is committed, with one flush to the disk. Before that, the folder stays as it was, apart from
+/// the hidden scratch folder. Only a failure between two renamings can leave a part of the files in it.
 class FolderBatch {
   public:
     /// Create the scratch folder. Throws IoError.

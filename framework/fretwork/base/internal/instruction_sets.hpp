@@ -20,7 +20,7 @@
 
 namespace fretwork::base {
 
-/// Neighbouring numbers that vector instructions add or multiply together.
+/// Neighbouring numbers that vector instructions add or multiply all at once.
 using Strip8 = double __attribute__((vector_size(64), aligned(8), may_alias));
 using Strip4 = double __attribute__((vector_size(32), aligned(8), may_alias));
 using Strip2 = double __attribute__((vector_size(16), aligned(8), may_alias));

@@ -20,8 +20,9 @@ Json or_null(const std::optional<Value>& value, Part part = {}) {
     return value ? Json(std::invoke(part, *value)) : Json(nullptr);
 }
 
-/// A table as an array of rows. The numbers stay in one block of memory, because tables are most of a large
-/// document. Only json_text() can write this value. Throws InputError unless the numbers fill whole rows.
+/// A table as an array of rows, from its numbers row by row. The numbers stay in one block of memory, because
+/// tables are most of a large document. Only json_text() can write this value, which may not be an element of
+/// an array. Throws InputError unless the numbers fill whole rows.
 Json number_rows(std::span<const double> values, std::uint8_t columns);
 
 /// Format a document for people: an array of plain values takes one line, and objects and nested arrays take

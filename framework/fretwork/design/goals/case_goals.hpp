@@ -56,7 +56,7 @@ class CaseGoals {
         Eigen::Index node = 0;
         /// Wanted position, m; free components equal those of the present position.
         Eigen::Vector3d wanted = Eigen::Vector3d::Zero();
-        double distance = 0.0;
+        double distance = 0.0;  ///< m
     };
     [[nodiscard]] std::vector<Place> places(const mechanics::NodeValues& displacements) const;
     /// Three weighted sums over the observations, m^2: of squared wanted values (`wanted`), of squared

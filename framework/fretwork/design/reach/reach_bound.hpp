@@ -18,7 +18,7 @@ namespace fretwork::design::detail {
 ///
 /// None if the bound does not hold: a wanted displacement is above 2 % of the surface's size; weight acts,
 /// which changes with the painting; supports are moved; there are free unknowns besides the painting; nodes
-/// may slide along a mesh; or the supports do not hold the surface.
+/// may slide along a mesh; or the supports do not hold the surface. Throws Stopped.
 std::optional<double> reach_bound(const Trials& trials, const std::vector<std::size_t>& palette,
                                   const base::Control& control);
 

@@ -14,8 +14,8 @@ void survey(const Trials& trials, const std::vector<Solved>& uniform, DesignRepo
 void add_reached_curvatures(const Trials& trials, const std::vector<Solved>& uniform, Gamut& gamut);
 
 /// The largest displacement of the softest uniform painting under ten times its loads, as a share of the
-/// largest wanted displacement. None if wanted_of_softest is at most kLoadTooSmall, if there are no loads or
-/// their factor is free, or if an equilibrium is not found. Throws Stopped.
+/// largest wanted displacement. None if wanted_of_softest is at most kLoadTooSmall, if there are no loads, if
+/// their factor or the prescribed values are free, or if an equilibrium is not found. Throws Stopped.
 std::optional<double> reach_of_ten_loads(Trials& trials, const std::vector<Solved>& uniform,
                                          const DesignReport& report, const base::Control& control);
 

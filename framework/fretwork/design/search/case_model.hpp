@@ -57,7 +57,7 @@ struct CaseState {
     const mechanics::NodeValues& displacements;
     const mechanics::NodeValues& aim;  ///< argument of CaseGoals::observe()
     double scale = 1.0;                ///< factor from distances to shares, 1/m
-    /// Loads at the factor 1, without the surface's weight, one row for each node.
+    /// Loads at the factor 1 (N, N m), without the surface's weight, one row for each interface node.
     mechanics::NodeValues unit_loads;
 };
 /// The random swaps with which linearize_case() spans the subspace of a CaseModel.

@@ -19,8 +19,9 @@ struct Preparation {
     std::vector<std::size_t> palette;     ///< candidates for groups, the most different first
     /// Coordinates of the palette's first patterns, from leading_coordinates().
     Eigen::MatrixXd coordinates;
-    std::vector<DesignWarning> warnings{};       ///< warnings about goals for nodes that are held
-    std::vector<pattern::NamedPattern> whole{};  ///< palette for extend_palette(); empty: all are candidates
+    std::vector<DesignWarning> warnings{};  ///< warnings about goals for nodes that are held
+    /// Palette for extend_palette(); empty if it has at most `first` patterns (see prepare()).
+    std::vector<pattern::NamedPattern> whole{};
 };
 
 /// Prepare a search, and condense the candidates: as many patterns as 8,000 condensations (patterns times

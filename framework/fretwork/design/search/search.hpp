@@ -17,7 +17,7 @@ namespace fretwork::design::detail {
 class TimeLimit {
   public:
     explicit TimeLimit(double limit) : limit_(limit) {}
-    /// The time since the search began, s.
+    /// The time since the clock was made, s.
     [[nodiscard]] double seconds() const { return watch_.seconds(); }
     /// True if there is no limit, or if more than `needed` seconds are left.
     [[nodiscard]] bool has_left(double needed) const { return limit_ <= 0.0 || seconds() + needed < limit_; }
@@ -61,6 +61,7 @@ class Search {
     Beginning begin(const std::vector<std::size_t>& palette);
     /// Solve up to DesignOptions::uniform_paintings uniform paintings. The first ones have the palette's
     /// first patterns, which are the most different. Their solutions predict which patterns to try next.
+    /// With a time limit, no further painting is tried once one is found and 30 % of the time is used.
     /// Returns the solved paintings that have a stable equilibrium, the best first. With
     /// DesignOptions::max_mass, those that keep it come before all others.
     /// @param coordinates  Preparation::coordinates
@@ -68,19 +69,20 @@ class Search {
     std::vector<Solved> try_uniform(const std::vector<std::size_t>& palette,
                                     const Eigen::MatrixXd& coordinates, std::vector<Solved> found = {});
     /// Improve a painting until no step is predicted to gain 0.5 % of the objective, until no solution
-    /// confirms a predicted gain, or until the solutions or the time (but for `reserve` seconds) are used up.
-    /// Returns the best point found.
+    /// confirms a predicted gain, until the target is reached (kReachedObjective), or until the solutions or
+    /// the time (but for `reserve` seconds) are used up. Returns the best point found.
     Solved improve(Solved start, double reserve);
     /// Continue the search from the second and the third of `starts`, then from copies of the best painting
-    /// with some tiles painted at random; on small surfaces, search_nearby() follows each better painting.
-    /// Stop at the latest when only `left` solutions or `reserve` seconds are left. Returns the best point
-    /// found.
+    /// with some or all tiles painted at random; on small surfaces, search_nearby() follows each better
+    /// painting. Begin from no other start when only `left` solutions are left; a search that has begun may
+    /// use these. Stop when only `reserve` seconds are left. Returns the best point found.
     Solved improve_from_others(Solved best, const std::vector<Solved>& starts, double reserve, int left);
     /// The misfit that relaxed_choice() predicts near a point if each group could have a mixture of the
     /// patterns of the shortlist and of the painting, or of those that DesignOptions::max_patterns has left.
     /// Pre: the point was solved last.
     [[nodiscard]] double relaxed_misfit(const Solved& solved);
-    /// The number of solutions that the search keeps back for the defect correction (README.md, step 8).
+    /// The number of solutions for the defect correction (README.md, step 8): with no more left, the search
+    /// begins from no other start.
     [[nodiscard]] int left_for_defect() const;
     /// Set the patterns that steps consider besides those of the painting: the first and every second step
     /// takes `shortlist`, and each step between draws as many from `all` at random.
@@ -101,7 +103,8 @@ class Search {
     [[nodiscard]] int most_solutions() const { return most_solutions_; }
     /// Increase the largest number of nonlinear solutions.
     void grant(int solutions) { most_solutions_ += solutions; }
-    /// Add a solved point to the history if it is the best so far and keeps DesignOptions::max_mass.
+    /// Add a solved point to the history, and call DesignOptions::on_better, if the point is the best so far
+    /// and keeps DesignOptions::max_mass.
     void note(const Solved& solved);
     /// Let note() take only points that are better than the start of a search, or any point if the start is
     /// above DesignOptions::max_mass.
@@ -109,8 +112,8 @@ class Search {
 
     /// True if a painting keeps DesignOptions::max_mass, or if there is no such limit.
     [[nodiscard]] bool keeps_mass(const Point& point) const;
-    /// True if a solved point is better than another one: it alone keeps DesignOptions::max_mass, or else its
-    /// objective is smaller.
+    /// True if a solved point is better than another one: it alone keeps DesignOptions::max_mass, or both or
+    /// none keep it and its objective is smaller.
     [[nodiscard]] bool is_better(const Solved& own, const Solved& other) const;
 
   private:

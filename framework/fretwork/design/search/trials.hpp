@@ -95,11 +95,12 @@ class Trials {
     /// True if the last solution was the solution of this point, and was found.
     [[nodiscard]] bool is_at(const Point& point) const { return at_ == point; }
     /// The table of swaps at the point of the last trial. Pre: the equilibria of this trial were found.
+    /// Throws Stopped.
     /// @param columns  the candidates that are the columns of the table
     SwapTable table(const Point& point, const Trial& trial, const std::vector<std::size_t>& columns,
                     std::uint64_t seed, const base::Control& control);
     /// The same table with the interactions between pairs of groups, for surfaces with few groups and
-    /// columns.
+    /// columns. Throws Stopped.
     PairTable pair_table(const Point& point, const Trial& trial, const std::vector<std::size_t>& columns,
                          std::uint64_t seed, const base::Control& control);
     /// True if pair_table() with this number of columns takes no longer than about ten solutions.

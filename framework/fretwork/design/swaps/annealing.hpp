@@ -13,7 +13,7 @@ namespace fretwork::design::detail {
 struct AnnealingOptions {
     const Choice& start;
     const std::vector<bool>& allowed;  ///< for each column, true if it may be chosen
-    double most_energy = 0.0;          ///< limit of Choice::energy, J; not below the start's energy
+    double most_energy = 0.0;          ///< limit of Choice::energy after a change, J; the start may exceed it
     int proposals = 0;                 ///< number of proposals for each group
     std::uint64_t seed = 1;
     const base::Control& control;

@@ -25,12 +25,12 @@ struct DrawnLabels {
 };
 
 /// A surface seen from above at true scale, as in the paper's Figs. 12 to 14: tiles coloured by pattern,
-/// beams of true width, a legend and a scale bar. Tiles without a pattern are empty. If `conditions` is not
-/// null, the drawing also shows supports, prescribed displacements (diamonds) and the loads of each node with
-/// its share of the weight. Supports are red (all dofs are held), green (only translations) or orange (other
-/// dofs). Loads are arrows, or rings if they point out of the plane; moments have two heads. Text is legible
-/// when the drawing is scaled to a journal's column. Only numbers may be smaller, because they shrink with
-/// the tiles.
+/// beams as wide as a square with the area of their section, a legend and a scale bar. Tiles without a
+/// pattern are empty. If `conditions` is not null, the drawing also shows supports, prescribed displacements
+/// (diamonds) and the loads of each node with its share of the weight. Supports are red (all dofs are held),
+/// green (only translations) or orange (other dofs). Loads are arrows, or rings if they point out of the
+/// plane; moments have two heads. Text is legible when the drawing is scaled to a journal's column. Only
+/// numbers may be smaller, because they shrink with the tiles.
 std::string surface_svg(const simulation::Surface& surface,
                         const simulation::Conditions* conditions = nullptr, const DrawnLabels& labels = {});
 
@@ -66,8 +66,9 @@ std::string displacement_svg(const DeformedLayer& layer, const DeformedViewOptio
 
 /// A figure as wide as a journal's column (84 mm), in the order of the paper's Figs. 12 to 14: the surface
 /// from above, beside it the beams of the reduced model (if `options` has them), the patterns, the surface
-/// with supports and loads, and the deformed states. Text is at least 6 pt high. If there are more than 32
-/// forces, 16 evenly spread ones are drawn, and the legend states the number; the same holds for moments.
+/// with supports and loads, and the deformed states. Text is at least 6 pt high; only numbers (DrawnLabels)
+/// may be smaller. If there are more than 32 forces, 16 evenly spread ones are drawn, and the legend states
+/// the number; the same holds for moments.
 std::string figure_svg(const simulation::Surface& surface, const simulation::Conditions& conditions,
                        std::span<const DeformedLayer> layers, const DeformedViewOptions& options = {});
 

@@ -26,9 +26,11 @@ std::string solid_obj(const fabrication::Solid& solid);
 /// A solid as PLY (ASCII) in millimetres; the header names the unit.
 std::string solid_ply(const fabrication::Solid& solid);
 
-/// A solid as 3MF (core specification 1.3) in millimetres, as one object.
+/// A solid as 3MF (core specification 1.3) in millimetres, as one object. Throws IoError if the archive
+/// cannot be made.
 std::string solid_3mf(const fabrication::Solid& solid);
-/// Bars as 3MF with a beam lattice (extension 1.1): each bar is round and has the area of its rectangle.
+/// Bars as 3MF with a beam lattice (extension 1.1), in millimetres: each bar is round and has the area of its
+/// rectangle. Throws as solid_3mf().
 std::string lattice_3mf(const fabrication::BarPlan& plan);
 
 /// The facts of a surface as a table for people, each value with its unit (mm, cm2, cm3, m, g, MPa), followed

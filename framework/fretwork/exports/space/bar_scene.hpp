@@ -15,7 +15,8 @@ namespace fretwork::exports {
 /// A surface as bars in space, at rest and deformed by a result, for 3D views. Lengths are in metres.
 struct BarScene {
     std::vector<Eigen::Vector3d> nodes;  ///< positions of the nodes at rest
-    /// Displacement and rotation vector of each node, one row for each node. Zero without a result.
+    /// Displacement and rotation vector of each node, one row for each node. Zero without a result, and where
+    /// the result does not give it.
     mechanics::NodeValues motion;
     std::vector<std::array<int, 2>> bars;  ///< the two nodes of each bar
     std::vector<int> patterns;             ///< index of the pattern of each bar

@@ -32,10 +32,12 @@ struct MeshOptions {
 
 /// Write each of `patterns` as an edge mesh in the polygon of the library's setting (`<id>.obj` or `.ply`).
 /// Also write the geometry of the pattern's best calibration of each tile model with parameters, such as
-/// `<id>.paper6.obj`. A missing folder is created. Returns the number of files. Throws IoError and Stopped.
+/// `<id>.paper6.obj`. A missing folder is created. Returns the number of files. Throws as model_lines(), and
+/// IoError and Stopped.
 std::size_t export_meshes(const library::Library& library, std::span<const pattern::NamedPattern> patterns,
                           const std::filesystem::path& folder, const MeshOptions& options = {});
-/// Add the files of export_meshes() to a batch, which the caller commits. Returns their number.
+/// Add the files of export_meshes() to a batch, which the caller commits. Returns their number. Throws as
+/// export_meshes().
 std::size_t add_meshes(const library::Library& library, std::span<const pattern::NamedPattern> patterns,
                        const MeshOptions& options, base::FolderBatch& batch);
 

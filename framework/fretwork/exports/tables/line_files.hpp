@@ -9,7 +9,8 @@ namespace fretwork::exports {
 
 /// Lines in VTK's XML format for ParaView, in ASCII with all digits: rest positions, point data
 /// `displacement`, `rotation` and LineSet::fields, and, if the tiles are known, cell data `tile`, `pattern`
-/// and LineSet::line_fields. ParaView's filter Warp By Vector shows the deformed state.
+/// and LineSet::line_fields. Field data are `pattern_names` and `joints`, if they are known. ParaView's
+/// filter Warp By Vector shows the deformed state.
 std::string vtu_text(const LineSet& lines);
 
 /// Lines as Wavefront OBJ with line elements, at the displaced positions.

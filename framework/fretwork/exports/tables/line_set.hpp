@@ -72,7 +72,8 @@ LineSet solution_lines(const mechanics::Assembly& assembly, const mechanics::Res
 /// The positions of the nodes, displaced by `scale` times their displacements.
 std::vector<Eigen::Vector3d> displaced_nodes(const LineSet& lines, double scale = 1.0);
 
-/// The beams of a calibrated tile model of a pattern, in the setting's regular polygon.
+/// The beams of a calibrated tile model of a pattern, in the setting's regular polygon. Throws InputError if
+/// `models` has no row for the calibration, or a row with other parameters.
 LineSet model_lines(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                     const reduction::Calibration& calibration, const reduction::Setting& setting,
                     std::span<const reduction::TileModel> models = reduction::tile_models());

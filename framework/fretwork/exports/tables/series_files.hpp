@@ -18,10 +18,11 @@ struct NamedFile {
 };
 
 /// A result's load steps as a series in time for ParaView: `stem`.pvd lists the steps, and `stem`-1.vtu,
-/// `stem`-2.vtu, .. have the fields of each step (beam_lines). The time of a step is its load factor, or its
-/// number if load factors do not ascend, as in load stages. A result without load steps gives one step. Each
-/// step has its own file, because VTK's reader of .vtu files repeats all cells at every change of time within
-/// one file. Throws as beam_lines, and InputError if `stem` has one of the characters " & < >.
+/// `stem`-2.vtu, .. have the fields of each step (as beam_lines, without modes). The time of a step is its
+/// load factor, or its number if load factors do not ascend, as in load stages. A result without load steps
+/// gives one step. Each step has its own file, because VTK's reader of .vtu files repeats all cells at every
+/// change of time within one file. Throws as beam_lines, and InputError if `stem` has one of the characters
+/// " & < >.
 std::vector<NamedFile> series_files(const simulation::Surface& surface,
                                     const simulation::SurfaceResult& result, const std::string& stem,
                                     std::optional<double> strength = {},

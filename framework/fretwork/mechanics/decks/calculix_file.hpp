@@ -13,9 +13,9 @@ namespace fretwork::mechanics {
 /// nodes), B32 or B32R (the middle node becomes a node of the frame); *NSET and *ELSET, also with GENERATE;
 /// *MATERIAL with *ELASTIC and *DENSITY; *BEAM SECTION with RECT, CIRC or PIPE, *BEAM GENERAL SECTION with
 /// GENERAL; *BOUNDARY; *CLOAD; *DLOAD with GRAV on all elements. Keywords that only control a solver or its
-/// output are skipped, and so are *PART, *ASSEMBLY, their ends and *SOLID SECTION. Any other keyword is an
-/// error. An unknown parameter of a keyword that is read is an error, too, and so are data that orient beams
-/// in Abaqus: a normal at a node, and a node after an element's own nodes.
+/// output are skipped, and so are *HEADING, *PART, *ASSEMBLY, their ends and *SOLID SECTION. Any other
+/// keyword is an error. An unknown parameter of a keyword that is read is an error, too, and so are data that
+/// orient beams in Abaqus: a normal at a node, and a node after an element's own nodes.
 ///
 /// The frame has the supports and loads at the end of the last step. The rules are from the CalculiX CrunchiX
 /// User's Manual (Dhondt; *CLOAD, *BOUNDARY, *DLOAD). By default (OP=MOD), values of earlier steps stay until
@@ -24,9 +24,10 @@ namespace fretwork::mechanics {
 /// of gravity's direction vector does not matter.
 ///
 /// All numbers are read in SI units. One number for CIRC is a radius (Abaqus); two equal numbers for CIRC are
-/// diameters (CalculiX). Sections are shear-rigid with Saint-Venant's torsion constant, whereas CalculiX
-/// itself treats thick beams as solids. The direction n1 of a section is the beam's local axis 3. The frame
-/// returned is valid. Throws InputError that names the source and a line, node or element.
+/// diameters (CalculiX). Sections are shear-rigid, and all but GENERAL have Saint-Venant's torsion constant,
+/// whereas CalculiX itself treats thick beams as solids. The direction n1 of a section, (0, 0, -1) if it is
+/// not given, is the beam's local axis 3. The frame returned is valid. Throws InputError that names the
+/// source and, if there is one, the line, node or element.
 LabelledFrame parse_calculix(std::string_view text, const std::string& source);
 
 /// The program that is to read a deck.

@@ -75,8 +75,8 @@ struct Material {
     friend bool operator==(const Material&, const Material&) = default;
 };
 
-/// A hinge at one end of a beam: the components, in the beam's local axes at rest, that the end does not
-/// transmit to its node.
+/// A hinge at one end of a beam: the components that the end does not transmit to its node. They are in the
+/// beam's local axes at rest, turned with the node.
 struct Release {
     int end = 0;  ///< number of the end, 0 or 1
     DofSet free;  ///< components in which the end may move
@@ -139,10 +139,11 @@ struct LabelledFrame {
     std::string source{};                      ///< name of the file, for messages
 };
 
-/// Check that a frame is valid: indices are in range, numbers within base::Limits, and beams longer than
-/// zero; each node has a beam, or all its components are held; each connected part is held against every
-/// rigid motion, hinges ignored; no component is prescribed twice; and each beam has a density if gravity
-/// acts. Throws InputError or GeometryError that names the place ("/beams/3").
+/// Check that a frame is valid: it has a beam; indices are in range, and numbers within base::Limits; beams
+/// are longer than zero, and no normal runs along its beam; each node has a beam, or all its components are
+/// held; each connected part is held against every rigid motion, hinges ignored; no component is prescribed
+/// twice; and each beam has a density if gravity acts. Throws InputError or GeometryError that names the
+/// place ("/beams/3").
 void validate(const Frame& frame);
 
 }  // namespace fretwork::mechanics

@@ -67,13 +67,14 @@ double rectangle_height(const Section& section);  ///< along local axis 3
 
 /// The section of a rectangle with `width` along local axis 2 and `height` along local axis 3, m. J is
 /// Saint-Venant's series. Section::shape stays empty, because area and second moments define the rectangle.
+/// Throws as section_of().
 Section rectangle_section(double width, double height);
-/// The section of a round bar.
+/// The section of a round bar; the diameter is in m. Throws as section_of().
 Section circle_section(double diameter);
-/// The section of a round tube.
+/// The section of a round tube; the diameters are in m. Throws as section_of().
 Section tube_section(double outer_diameter, double inner_diameter);
 /// The section of an I shape. J is the torsion constant of three thin plates without fillets, a third of the
-/// sum of length times thickness cubed; warping is free.
+/// sum of length times thickness cubed; warping is free. Throws as section_of().
 Section i_section(const IShape& shape);
 /// The section of a shape. Throws InputError if a length is not positive, or if lengths contradict each
 /// other.

@@ -35,7 +35,7 @@ class LoadPath {
     /// and prescribed values of the assembly. A beginning that is no equilibrium is corrected. With
     /// Branch::Stable and Branch::Snapping, the path leaves an unstable beginning: downhill in energy without
     /// the released forces, or along the lowest mode if there are none. A path from rest throws
-    /// NumericalError that names a node if the structure can move without strain.
+    /// NumericalError as Newton::factorize_at_rest(). Throws Stopped.
     LoadPath(const Assembly& assembly, const EquilibriumOptions& options,
              const std::optional<PathStart>& start = std::nullopt);
     LoadPath(const LoadPath&) = delete;
@@ -43,7 +43,7 @@ class LoadPath {
     ~LoadPath();
 
     /// Follow the path to a load factor above the last one. If the solution has not converged, it is the last
-    /// equilibrium found.
+    /// equilibrium found. Throws Stopped.
     Solution advance_to(double load_factor, const PathProgress& progress);
     /// The last equilibrium.
     [[nodiscard]] PathEnd end() const;

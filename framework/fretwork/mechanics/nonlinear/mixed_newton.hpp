@@ -30,7 +30,7 @@ class MixedNewton {
     /// Newton::factorize_at_rest.
     void begin_at_rest(const Configuration& rest);
     /// Begin at an equilibrium: take the stresses at the equilibrium and factorize the tangent. False if the
-    /// tangent is singular.
+    /// tangent is singular, or if the residual is not finite.
     bool begin(const Configuration& equilibrium, double load_factor);
 
     /// The accuracy to which the equations are solved.
@@ -52,7 +52,7 @@ class MixedNewton {
     /// The first step of a departure from an equilibrium.
     struct FirstStep {
         Eigen::VectorXd unbalanced;  ///< right side of the equations for `step`
-        Eigen::VectorXd step;
+        Eigen::VectorXd step;        ///< empty: it is still an equilibrium, and nothing was moved
     };
     FirstStep depart(Configuration& configuration);
     /// Return to the equilibrium of the last departure, which failed. False if the factors no longer belong

@@ -11,7 +11,8 @@
 
 namespace fretwork::mechanics::nonlinear {
 
-/// Newton's method on a NonlinearSystem, and the linear solves with its tangent.
+/// Newton's method on a NonlinearSystem, and the linear solves with its tangent. Functions that evaluate,
+/// factorize or solve throw Stopped.
 class Newton {
   public:
     Newton(NonlinearSystem& system, const EquilibriumOptions& options)
@@ -38,7 +39,8 @@ class Newton {
                                     const Eigen::VectorXd& last_step) const;
 
     /// Factorize the tangent of the last evaluation. Pre: the last evaluation was at rest. Throws
-    /// NumericalError that names a node if the structure can move without strain.
+    /// NumericalError if the structure can move without strain (structure::refuse_mechanisms()), or if its
+    /// stiffness is not finite.
     void factorize_at_rest();
     /// Factorize the tangent of the last evaluation. Returns the definiteness of its symmetric part.
     sparse::Ldlt::Outcome factorize();

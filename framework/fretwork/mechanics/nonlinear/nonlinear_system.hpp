@@ -36,7 +36,7 @@ class NonlinearSystem {
     void refresh(const base::Control& control);
 
     /// Compute the quantities that the functions below return. The tangent, and all that depends on it, is
-    /// computed only with Demand::Tangent.
+    /// computed only with Demand::Tangent. Throws Stopped.
     void evaluate(const Configuration& configuration, double load_factor, Demand demand = Demand::Tangent);
 
     /// Evaluate in a mixed iteration, with the given stresses in the tangent's geometric terms. The elements'
@@ -58,7 +58,8 @@ class NonlinearSystem {
 
     /// The unbalanced force of each equation: load minus internal force.
     [[nodiscard]] const Eigen::VectorXd& unbalanced() const { return unbalanced_; }
-    /// The norm of the unbalanced forces over the norm of loads and reactions.
+    /// The norm of the unbalanced forces over the norm of loads and reactions; 0 without loads if rounding
+    /// explains the forces.
     [[nodiscard]] double relative_residual() const { return relative_residual_; }
     /// True if rounding of elements near rest explains the unbalanced forces.
     [[nodiscard]] bool is_rounding() const {

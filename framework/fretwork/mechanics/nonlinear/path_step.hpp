@@ -47,11 +47,12 @@ class PathStepper {
     /// @param previous  the previous state; null: not known
     std::optional<PathStep> step(const PathState& from, const PathState* previous, double length);
 
-    /// A step to a larger load factor, starting from a guess of the move. Nothing if the rates at both ends
-    /// of the step do not predict the move.
+    /// A step to a larger load factor, starting from a guess of the move. Nothing if no equilibrium is found,
+    /// or if the rates at both ends of the step do not predict the move.
     std::optional<PathStep> step_to_load(const PathState& from, double load_factor,
                                          const Eigen::VectorXd& guess);
-    /// A step to a load factor within the step `known`, which continues the path.
+    /// A step to a load factor within `known`, a step that continues the path. Nothing if no such step
+    /// continues the path.
     std::optional<PathStep> step_within(const PathState& from, const PathStep& known, double load_factor);
 
     /// The length of a first step in which no node turns far and the load does not rise above `load_factor`.

@@ -24,8 +24,8 @@ struct PathPoint {
 double bound_relative_turn(const NonlinearSystem& system, const PathPoint& from, double turned,
                            const Configuration& to);
 
-/// The same bound for a step with the largest rotation of a free node in `move`, and of a prescribed one in
-/// the change of the load factor.
+/// The same bound. The rotations of free nodes come from `move`, those of prescribed nodes from the change of
+/// the load factor.
 double bound_relative_turn(const NonlinearSystem& system, const PathPoint& from, const Eigen::VectorXd& move,
                            double load_factor, const Configuration& to);
 

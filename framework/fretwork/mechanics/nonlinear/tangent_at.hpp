@@ -23,7 +23,8 @@ class EquilibriumTangent::Impl {
     Impl(const Parts& parts, const base::Control& control);
 
     [[nodiscard]] std::span<const NodeState> states() const { return parts_.configuration.states; }
-    /// The steps of the unknowns under given forces, one column each.
+    /// The steps of the unknowns under given forces, one column each. Throws NumericalError if the tangent is
+    /// nearly singular, and Stopped.
     [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& right_sides, nonlinear::Newton::Side side,
                                         const base::Control& control);
     [[nodiscard]] Eigen::MatrixXd equations_of(const Eigen::MatrixXd& rows) const;

@@ -31,7 +31,7 @@ struct PathStart {
 /// node's total rotation vector, the rotational unknowns are the other components of this vector.
 class Unknowns {
   public:
-    /// Find the unknowns of an assembly. Throws Stopped.
+    /// Find the unknowns of an assembly, which must outlive this object. Throws Stopped.
     explicit Unknowns(const Assembly& assembly, const base::Control& control = {});
 
     [[nodiscard]] const sparse::SystemLayout& layout() const { return *layout_; }

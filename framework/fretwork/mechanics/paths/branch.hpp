@@ -19,7 +19,7 @@ enum class Branch {
 std::string_view branch_name(Branch branch);
 /// The names of all branches.
 std::vector<std::string> branch_names();
-/// The branch with this name. Throws InputError that lists the names.
+/// The branch with this name. Throws InputError that suggests the nearest name or lists all names.
 Branch find_branch(std::string_view name);
 
 }  // namespace fretwork::mechanics

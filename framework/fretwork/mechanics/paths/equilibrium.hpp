@@ -15,15 +15,17 @@ namespace fretwork::mechanics {
 struct EquilibriumOptions {
     /// A solution has converged below this residual. Rounding can prevent this, as for very short beams
     /// beside long ones, or for a hundred thousand beams. A residual below 1e-4 then suffices once steps are
-    /// below 1e-13 (rad and element lengths).
+    /// below 1e-13 (rad and element lengths). Within 1e-7 of rest, any residual that rounding explains
+    /// suffices.
     double relative_residual = 1e-9;
     /// Largest rotation of a node in a Newton step, rad; longer steps are shortened. There is no line search,
     /// because the residual may grow while membrane forces build up.
     double largest_rotation_step = 0.6;
-    int iterations_per_step = 60;     ///< largest number of iterations of one increment
+    int iterations_per_step = 60;     ///< largest number of plain Newton iterations at one load
     bool classify_stability = true;   ///< true: count negative pivots at each equilibrium
     Branch branch = Branch::Primary;  ///< equilibria to follow where the path is unstable
-    /// True: fill Solution::stability_losses; with Stable and Snapping, they are always filled.
+    /// True: fill Solution::stability_losses. With Stable and Snapping, they are always filled; with Primary,
+    /// the limit load at which a path ends is always listed.
     bool locate_critical_loads = false;
     /// Number of threads; 0: one for each processor. The result is bitwise the same for every number of
     /// threads. Small structures use one thread.
@@ -65,7 +67,7 @@ std::vector<double> even_load_factors(int steps);
 ///
 /// Rotation vectors are continuous along the path and may grow beyond half a turn. The moment of a reaction
 /// is the true moment in space, even if only some rotation components are held. Throws InputError if an
-/// option is invalid or the factors are not ascending, NumericalError that names a node if the structure can
+/// option is invalid or the factors are not ascending, NumericalError as LinearSolver if the structure can
 /// move without strain at rest, and Stopped.
 std::vector<Solution> follow_load_path(const Assembly& assembly, std::span<const double> load_factors,
                                        const EquilibriumOptions& options = {});

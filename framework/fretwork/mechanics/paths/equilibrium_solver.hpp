@@ -18,7 +18,7 @@ enum class StartingPoint {
 /// Whether to check the stability of an equilibrium. The check needs a factorization; a solution after a
 /// small change of the loads needs none otherwise.
 enum class StabilityCheck {
-    Made,  ///< the stability is checked
+    Made,  ///< the stability is checked if EquilibriumOptions::classify_stability is true
     /// The stability is not checked, for example while a user drags a load; Solution::stability is None. If
     /// the next check finds an unstable equilibrium, that solution is computed from rest.
     Skipped
@@ -53,10 +53,10 @@ class EquilibriumSolver {
     /// assembly (elements are compared by address):
     /// - if loads or prescribed displacements differ: iterations with the last factors, and new factors once
     ///   or twice;
-    /// - if prescribed rotations differ, or elements are replaced by others of the same nodes: new factors at
-    ///   the last equilibrium, then the same work;
-    /// - if supports differ: a new order and new factors at the last equilibrium; a start from rest if new
-    ///   supports hold components far from their values;
+    /// - if prescribed rotations differ, or elements are replaced by others of the same nodes in the same
+    ///   order: new factors at the last equilibrium, then the same work;
+    /// - if supports differ, or elements have other nodes: a new order and new factors at the last
+    ///   equilibrium; a start from rest if new supports hold components far from their values;
     /// - if nodes differ, or if the last solution had not converged or was not stable: everything, from rest.
     /// Throws as follow_load_path(); after an error, the next call starts from rest. After a stop on the way
     /// from the last equilibrium, the next call starts from that last equilibrium.

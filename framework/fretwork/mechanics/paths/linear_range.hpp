@@ -29,9 +29,8 @@ struct LinearRangeOptions {
 /// p^2 u2 + p^3 u3 + .. in the load p. The next two terms take two more solutions with the same stiffness.
 /// The forces that cause u2 are quadratic in u1; for example, the end of a turning beam also moves back along
 /// the beam. The forces that cause u3 have terms cubic in u1, and terms bilinear in u1 and u2. Both are
-/// computed as differences of the elements' forces. With q = -(u1 . u3) / (u1 . u1), for translations alone,
-/// q > 0 means that held ends stiffen the structure. The remaining share x of u1 then solves p x + p^3 q x^3
-/// = p.
+/// computed as differences of the elements' forces. Let q = -(u1 . u3) / (u1 . u1), over translations alone.
+/// If q > 0, held ends stiffen the structure, and the remaining share x of u1 solves x + q x^3 = 1 at p = 1.
 ///
 /// The elements must be made for large displacements. Throws as LinearSolver and buckling_modes().
 LinearRange linear_range(const Assembly& assembly, const LinearRangeOptions& options = {});
@@ -39,10 +38,10 @@ LinearRange linear_range(const Assembly& assembly, const LinearRangeOptions& opt
 /// The estimate of linear_range() together with the linear solution, which the estimate needs anyway.
 struct LinearPath {
     LinearRange range;  ///< estimated error of the linear solution
-    /// Displacements u1 of the linear solution; the assembly's reported nodes come first.
+    /// Displacements u1 of the linear solution, one row for each node of the assembly.
     NodeValues displacements;
 };
-/// Estimate the error as linear_range() does, and return the linear solution, too.
+/// Estimate the error as linear_range() does, and return the linear solution, too. Throws as linear_range().
 LinearPath linear_path(const Assembly& assembly, const LinearRangeOptions& options = {});
 
 }  // namespace fretwork::mechanics

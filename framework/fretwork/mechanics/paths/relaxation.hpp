@@ -37,7 +37,8 @@ struct RelaxationOptions {
 ///
 /// Prescribed displacements act in one jump from the start. No prescribed rotation may turn a node, or one
 /// end of an element relative to the other, by more than pi, because it would be taken for a rotation in the
-/// opposite sense. Throws InputError that names such a node or an invalid option, and Stopped.
+/// opposite sense. Throws InputError that names such a node or an invalid option, NumericalError if the
+/// stiffness in the last state is not finite, and Stopped.
 Solution relax(const Assembly& assembly, const RelaxationOptions& options = {});
 
 }  // namespace fretwork::mechanics

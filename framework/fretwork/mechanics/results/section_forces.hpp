@@ -23,8 +23,8 @@ struct SectionForces {
     double M3 = 0.0;  ///< bending moment about axis 3, N m
 };
 
-/// A straight beam. Computes the section forces at both ends from the motions of the ends. One BeamSection
-/// serves many states of the beam.
+/// A straight beam that computes the section forces at both ends from the motions of the ends. Loads between
+/// the ends, such as the beam's weight, are left out. One BeamSection serves many states of the beam.
 class BeamSection {
   public:
     /// The section forces at both ends.
@@ -32,6 +32,7 @@ class BeamSection {
 
     /// Prepare a beam. The beam's nodes, divisions and hinges are ignored. Throws GeometryError if the beam's
     /// length is zero, or if its normal runs along it.
+    /// @param ends  rest positions of the ends, m
     BeamSection(const Beam& beam, const std::array<Eigen::Vector3d, 2>& ends);
 
     /// The section forces for small displacements ux uy uz rx ry rz of each end.

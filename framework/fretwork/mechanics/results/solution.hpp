@@ -49,7 +49,7 @@ struct Solution {
     Termination termination = Termination::Converged;  ///< the way in which the search ended
     /// True if the wanted load was reached.
     [[nodiscard]] bool converged() const { return termination == Termination::Converged; }
-    bool stable = true;                             ///< true if the tangent has no negative pivot
+    bool stable = true;  ///< true if all pivots of the tangent are positive, or if there was no test
     StabilityTest stability = StabilityTest::None;  ///< the test of stability
     /// True if the wanted load was reached, and no test says that the equilibrium is not stable.
     [[nodiscard]] bool is_stable_equilibrium() const { return converged() && stable; }
@@ -57,10 +57,11 @@ struct Solution {
     /// undecided.
     [[nodiscard]] bool is_unstable() const { return !stable && stability == StabilityTest::Tangent; }
     NodeValues displacements;  ///< one row for each reported node; rotations as rotation vectors
-    /// Rows of the assembly's other nodes, which lie inside divided beams or belong to hinges.
+    /// Rows of the assembly's other nodes, which lie inside divided beams or belong to hinges. The row of a
+    /// hinge is the motion of the beam's end relative to its node, in the beam's axes.
     NodeValues inner_displacements{};
-    /// Forces and moments of the supports; zero in free components. After a nonlinear solution, a node with
-    /// any held rotation has all three moments.
+    /// Forces and moments of the supports, one row for each reported node; zero in free components. After a
+    /// nonlinear solution, a node with any held rotation has all three moments.
     NodeValues reactions;
     double energy = 0.0;    ///< elastic energy, J
     double residual = 0.0;  ///< norm of the unbalanced forces over the norm of loads and reactions

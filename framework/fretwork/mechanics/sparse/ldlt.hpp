@@ -18,7 +18,7 @@ namespace fretwork::mechanics::sparse {
 /// singular, which a vanishing pivot reveals.
 class Ldlt {
   public:
-    /// Analyse a layout.
+    /// Analyse a layout, which must outlive the factorization. Throws Stopped.
     /// @param threads  number of threads that factorize() uses for large matrices; 0: one for each processor.
     /// The result is bitwise the same for every number of threads.
     explicit Ldlt(const SystemLayout& layout, int threads = 1, const base::Control& control = {});

@@ -48,8 +48,9 @@ NodeGraph node_graph(int nodes, Cliques cliques);
 /// An order of elimination with little fill, for the nodes that have unknowns. The order is found on the
 /// graph of nodes, which is up to six times smaller than the graph of unknowns and gives better orders. For
 /// more than 500 nodes with known places, nested dissection gives a second order, and the order with fewer
-/// multiplications is taken. Throws Stopped. After a stop, a thread may still order a large graph; it ends by
-/// itself within seconds, and the program cannot end before this thread.
+/// multiplications is taken. Throws NumericalError if memory runs out, and Stopped. After a stop, a thread
+/// may still order a large graph; it ends by itself within seconds, and the program cannot end before this
+/// thread.
 std::vector<int> elimination_order(const NodeGraph& graph, std::span<const Components> free,
                                    const base::Control& control = {});
 

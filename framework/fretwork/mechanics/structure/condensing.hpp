@@ -20,18 +20,21 @@ struct CondensingTask {
 /// twice.
 CondensingTask condensing_task(const Assembly& assembly, std::span<const NodeIndex> kept);
 
-/// The condensed stiffness by sparse elimination, for structures of any size.
+/// The condensed stiffness by sparse elimination, for structures of any size. Throws NumericalError if the
+/// inner nodes can move without strain.
 Eigen::MatrixXd condense_sparse(const CondensingTask& task);
 
 /// The condensed stiffness by dense elimination, which is faster for small structures. Membrane and bending
-/// are eliminated separately if the structure is flat and its elements decouple.
+/// are eliminated separately if the structure is flat and its elements decouple. Throws as condense_sparse().
 Eigen::MatrixXd condense_dense(const CondensingTask& task);
 
 /// The condensed mass: the inner nodes follow the kept nodes statically. The matrices are dense. Pre: the
-/// inner nodes cannot move without strain (checked by condense_dense()).
+/// inner nodes cannot move without strain (checked by condense_dense()). Throws InputError if the mass of an
+/// element is not known.
 Eigen::MatrixXd condense_mass(const CondensingTask& task);
 
-/// The matrix that maps motions of kept nodes to motions of inner nodes; see mechanics::following().
+/// The matrix that maps motions of kept nodes to motions of inner nodes; see mechanics::following(). Throws
+/// as condense_sparse().
 Eigen::MatrixXd following(const CondensingTask& task);
 
 /// Throw the NumericalError about inner nodes that can move without strain.

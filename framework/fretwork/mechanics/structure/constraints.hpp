@@ -24,7 +24,7 @@ NodeIndex nearest_reported(const Assembly& assembly, NodeIndex node);
 std::string node_text(const Assembly& assembly, NodeIndex node);
 
 /// A typical length of the elements, m, which makes moments comparable to forces, and rotations to
-/// displacements.
+/// displacements; 1 if no element has a length.
 double characteristic_length(const Assembly& assembly);
 
 /// The norm of forces and moments. A moment counts as its force at the lever arm `length`.

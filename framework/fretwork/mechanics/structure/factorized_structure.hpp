@@ -33,14 +33,13 @@ enum class ElementEdit {
 /// immutable elements.
 class FactorizedStructure {
   public:
-    /// Factorize a structure. Throws NumericalError that names a node if the structure can move without
-    /// strain in spite of its supports; Stopped.
+    /// Factorize a structure. Throws as the constructor of LinearSolver.
     FactorizedStructure(const Assembly& assembly, const LinearOptions& options);
     /// Factorize a structure that results from an edit of another structure. If only loads and prescribed
     /// values differ, the factors are shared. If elements are replaced by others of the same nodes, listed in
     /// any order, `edit` decides about the factors; a flat structure that is one system gets new factors, to
     /// try the split. If supports differ, the elimination order is shared. After any other edit, nothing is
-    /// shared.
+    /// shared. Throws as the constructor above.
     FactorizedStructure(const FactorizedStructure& before, const Assembly& assembly,
                         ElementEdit edit = ElementEdit::Cheaper, const base::Control& control = {});
 

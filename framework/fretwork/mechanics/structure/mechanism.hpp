@@ -10,7 +10,7 @@
 namespace fretwork::mechanics::structure {
 
 /// Refuse a structure at rest that can move without strain in spite of its supports. Throws NumericalError
-/// that names a node.
+/// that names a node, or states that nothing holds the structure.
 ///
 /// A mechanism has a pivot that is zero or, if beams are oblique, as small as rounding. A merely soft
 /// structure may have a small pivot, too. Therefore, if all pivots are positive and one of them is small, a

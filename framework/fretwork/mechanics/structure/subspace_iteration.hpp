@@ -32,12 +32,13 @@ class SubspaceIteration {
                       const base::Control& control = {});
 
     /// The `count` eigenvalues with the largest absolute values, largest first; fewer if A has a lower rank.
+    /// Throws NumericalError if they do not settle, or if the structure is nearly a mechanism; Stopped.
     Pairs largest(int count);
 
     /// The `count` largest positive eigenvalues, largest first. Eigenvalues below 1e-8 of the largest
     /// absolute value are left out, so there may be fewer than `count`. No eigenvalue is missed, because
     /// Sylvester's law of inertia counts them: the number of negative pivots of K - lambda A is the number of
-    /// eigenvalues mu > 1 / lambda.
+    /// eigenvalues mu > 1 / lambda. Throws as largest().
     Pairs largest_positive(int count);
 
   private:

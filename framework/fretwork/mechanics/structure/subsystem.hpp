@@ -15,7 +15,7 @@ namespace fretwork::mechanics::structure {
 /// change.
 class Subsystem {
   public:
-    /// Make a system without stiffness.
+    /// Make a system without stiffness. Throws Stopped.
     Subsystem(sparse::SystemLayout layout, int threads, const base::Control& control);
     /// A copy of the system without stiffness, which shares layout and symbolic analysis.
     [[nodiscard]] Subsystem cleared() const;
@@ -27,8 +27,7 @@ class Subsystem {
 
     /// Add an element's stiffness. Call add() and factorize() only before the subsystem is copied.
     void add(std::size_t element, const Eigen::MatrixXd& stiffness);
-    /// Factorize the sum of all stiffnesses. Throws NumericalError that names a node of the assembly if the
-    /// structure can move without strain.
+    /// Factorize the sum of all stiffnesses. Throws as the constructor of LinearSolver.
     void factorize(const Assembly& assembly, const base::Control& control);
 
     /// The equations of some nodes, in their order.
@@ -41,7 +40,7 @@ class Subsystem {
     [[nodiscard]] double correction_work(std::span<const int> equations) const;
     [[nodiscard]] double factorization_work() const { return numbers_->factors.factorization_work(); }
     /// Correct the factorized stiffness by these changes. Returns false and changes nothing if the correction
-    /// would lose accuracy. Throws Stopped.
+    /// would lose accuracy, or if the corrected stiffness is not positive definite. Throws Stopped.
     bool correct(std::vector<sparse::MatrixChange> changes, const base::Control& control);
 
     /// Solve the equations in place. Throws Stopped.

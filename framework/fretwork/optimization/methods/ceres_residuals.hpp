@@ -40,7 +40,7 @@ struct CeresResidualsOptions {
 };
 
 /// Descents by Ceres on the problem's residuals, from low-discrepancy starts. By default, kinks of the
-/// objective are not smoothed.
+/// objective are not smoothed. Throws InputError if an option is invalid.
 std::unique_ptr<Optimizer> make_ceres_residuals(const CeresResidualsOptions& options);
 
 }  // namespace fretwork::optimization

@@ -30,8 +30,8 @@ struct MultistartOptions {
     /// between its bounds. After a stage, the one with the larger value ends. 0: no descent ends for this
     /// reason.
     double merging_distance = 0.01;
-    /// A descent also ends if its value after a stage is more than this multiple of the lowest value of all
-    /// descents; >= 1. Infinity: no descent ends for this reason.
+    /// A descent also ends if its value after a stage exceeds v + (pruning_ratio - 1) |v|, where v is the
+    /// lowest value of all descents. The ratio is at least 1. Infinity: no descent ends for this reason.
     double pruning_ratio = 2.0;
     /// Throws InputError if a value is invalid.
     void validate() const;
@@ -41,16 +41,17 @@ struct MultistartOptions {
 /// model.
 ///
 /// Ceres sees the residuals [L^-1 g; sqrt(2 E - |L^-1 g|^2)] with the Jacobian [L^T; 0], where E is the
-/// value, g the gradient and L L^T the curvature of the smoothed objective. Ceres' cost for these residuals
-/// is E, the gradient of the cost is g, and the normal matrix is L L^T, so Ceres minimizes E itself. The
-/// square root is real if the curvature is at least 2 J^T J, where J is the Jacobian of residuals with the
-/// squared norm E. The model predicts that an undamped step lowers E by half the squared norm of L^-1 g. A
-/// callback ends the stage if this decrease is below the tolerance.
+/// value, g the gradient and L L^T the curvature of the smoothed objective. Variables that the gradient
+/// presses against a bound are left out of g and L. Ceres' cost for these residuals is E, the gradient of the
+/// cost is g, and the normal matrix is L L^T, so Ceres minimizes E itself. The square root is real if the
+/// curvature is at least 2 J^T J, where J is the Jacobian of residuals with the squared norm E. The model
+/// predicts that an undamped step lowers E by half the squared norm of L^-1 g. A callback ends the stage if
+/// this decrease is at most the tolerance times E. Throws InputError if an option is invalid.
 std::unique_ptr<Optimizer> make_ceres_multistart(const MultistartOptions& options);
 
 /// Levenberg-Marquardt descents with the problem's generalized Gauss-Newton matrix: every step minimizes the
 /// damped quadratic model exactly over the bounds. This method differs from make_ceres_multistart() only in
-/// its steps, and in the tests that end a stage.
+/// its steps, and in the tests that end a stage. Throws InputError if an option is invalid.
 std::unique_ptr<Optimizer> make_gauss_newton_multistart(const MultistartOptions& options);
 
 }  // namespace fretwork::optimization

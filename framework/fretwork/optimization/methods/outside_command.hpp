@@ -31,14 +31,16 @@ struct OutsideCommand {
 ///
 /// The answer is `spent` if the rest of the budget does not cover the evaluation. Else it is `outside` for a
 /// point beyond the bounds, which is not charged. At its end, the program writes `done`, or `done stalled` if
-/// its criterion was not met. After `spent`, it may end without this line. A program is killed if it sends
-/// more than a hundred requests after `spent`, or if it is silent for a second after the time of the budget
-/// is over; its run ends as Ending::Stopped.
+/// its criterion was not met. After `spent`, it may end without this line, with any exit code. A program is
+/// killed if it sends more than a hundred requests after `spent`, or if it is silent for a second after the
+/// time of the budget is over; its run ends as Ending::Stopped.
 ///
 /// Cost and results are counted as for every method; only the program's processor time is not. A run throws
 /// IoError if the shell cannot be started. It throws InputError if the shell does not find the program. It
-/// also throws InputError if the program writes anything else, ends too early or with an exit code other than
-/// 0, or is done without a value.
+/// also throws InputError if the program writes anything else, requests a gradient that the problem does not
+/// offer, ends too early or with an exit code other than 0, or is done without a value.
+///
+/// Throws InputError if the name is not valid, or there is no command.
 OptimizerRow outside_command_row(const OutsideCommand& method);
 
 }  // namespace fretwork::optimization

@@ -19,16 +19,18 @@ struct PagmoOptions {
     void validate() const;
 };
 
-/// CMA-ES with bounds [Hansen2006] and an initial step of 0.3 of the box. The first population is 4 + 3 ln n,
-/// rounded down, but at least 5; each of the first 12 restarts doubles the population [Auger2005].
+/// CMA-ES with bounds [Hansen2006] and an initial step of 0.3 of the box. For n variables, the first
+/// population is 4 + 3 ln n, rounded down, but at least 5; each of the first 12 restarts doubles the
+/// population [Auger2005]. Throws InputError if an option is invalid.
 std::unique_ptr<Optimizer> make_cma_es(const PagmoOptions& options);
 
 /// Simulated annealing with adaptive neighbourhoods [Corana1987]: the temperature falls from 10 to 0.1 in ten
 /// steps, and the ranges of moves are adjusted ten times at each temperature. Only PagmoOptions::common is
-/// used.
+/// used. Throws InputError if an option is invalid.
 std::unique_ptr<Optimizer> make_corana_annealing(const PagmoOptions& options);
 
-/// Differential evolution, variant rand/1/exp, with ten individuals for each variable [Storn1997].
+/// Differential evolution, variant rand/1/exp, with ten individuals for each variable [Storn1997]. Throws
+/// InputError if an option is invalid.
 std::unique_ptr<Optimizer> make_differential_evolution(const PagmoOptions& options);
 
 }  // namespace fretwork::optimization

@@ -31,7 +31,7 @@ struct SimulatedAnnealingOptions {
     double cooling = 1e-3;
     /// Number of sweeps, with one move of each variable, between two adaptations of the moves' scales.
     int sweeps_per_adaptation = 100;
-    /// Largest change of the objective by a move in a frozen run.
+    /// In a frozen run, each move changes the objective by less than this number. 0: no run freezes.
     double tolerance = 1e-5;
     /// A run ends, frozen, after this number of adaptations with all moves within the tolerance.
     int frozen_adaptations = 3;
@@ -49,7 +49,7 @@ struct SimulatedAnnealingOptions {
 /// is adapted towards an acceptance of 0.44 [LamDelosme1988]. ensmallen leaves some choices open. The
 /// treatment of bounds and the choice of variables are options. Two choices are fixed: variables are shares
 /// of the box, and starts are low-discrepancy points. The final point of the method is the last accepted
-/// point; the report also has the best point.
+/// point; the report also has the best point. Throws InputError if an option is invalid.
 std::unique_ptr<Optimizer> make_simulated_annealing(const SimulatedAnnealingOptions& options);
 
 }  // namespace fretwork::optimization

@@ -37,13 +37,14 @@ struct KnownValueOptions {
 /// value is known in closed form. The scale of a known value is that of the problem (StudyProblem::scale).
 /// For calibrations, the scale is the lowest value. For synthetic problems, the scale is 1, because the
 /// lowest value is 0. For analytic problems, the scale is the median of (value - minimum) over 1,001 spread
-/// points. Throws base::Stopped.
+/// points. Throws InputError if an option is invalid, and as make_study_problem() and minimize().
 std::vector<KnownValue> find_known_values(const std::vector<std::string>& problems,
                                           const KnownValueOptions& options);
 
-/// Replace each known value by the best value in a table of results, if the table's value is lower. If the
-/// old value is also the scale, so is the new value; another scale stays. Values that are known in closed
-/// form stay. Throws InputError.
+/// Replace each known value by the best value in a table of results, if the table's value is lower by more
+/// than 1e-9 of the known value. If the old value is also the scale, so is the new value; another scale
+/// stays. Values that are known in closed form stay. Throws InputError if the file is not a table of runs, or
+/// if a value to compare is negative.
 void improve_known_values(std::vector<KnownValue>& values, const std::filesystem::path& results);
 
 }  // namespace fretwork::optimization::study

@@ -31,7 +31,8 @@ struct Landscape {
     std::string sections;
 };
 
-/// Explore the problems with these ids. Throws base::Stopped.
+/// Explore the problems with these ids. Throws InputError if an option is invalid, NumericalError if a
+/// problem does not offer residuals and curvatures, and as make_study_problem() and minimize().
 Landscape explore_landscape(const std::vector<std::string>& problems, const LandscapeOptions& options);
 
 }  // namespace fretwork::optimization::study

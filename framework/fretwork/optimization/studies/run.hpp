@@ -40,7 +40,7 @@ struct RunRecord {
     long budget = 0;
     optimization::OptimizationReport report;  ///< outcome of the run
     /// Objective at the final point of the method; its evaluation is not charged. The best objective if the
-    /// final point is not known.
+    /// final point is not known or outside the bounds.
     double last_value = 0.0;
     /// Largest component of the distance between the best point and the known optimum, as a share of the box;
     /// negative: the optimum is not known, or the run has no best point.
@@ -58,7 +58,7 @@ struct RunTarget {
     Eigen::VectorXd optimum{};                      ///< the point of the minimum; empty: not known
 };
 
-/// Run a contender on a problem. Throws base::Stopped once the budget's control asks to stop.
+/// Run a contender on a problem. Throws as optimization::minimize().
 RunRecord record_run(const RunTarget& target, const Contender& contender, const RunKey& key,
                      const RunConditions& conditions);
 

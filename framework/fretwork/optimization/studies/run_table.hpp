@@ -24,7 +24,8 @@ class RunTable {
   public:
     RunTable() = default;
     /// Parse a table. Throws InputError that names file and line if a line is not a row of a table of runs,
-    /// or if its budget, seed, number of starts or command differs from `conditions` or `contenders`.
+    /// if its budget, seed, number of starts or command differs from `conditions` or `contenders`, or if its
+    /// run appears twice.
     RunTable(std::string_view text, const std::string& source, const RunConditions& conditions,
              std::span<const Contender> contenders);
 

@@ -38,11 +38,12 @@ ProblemFamily analytic_family();
 /// The ids of the analytic problems.
 std::vector<std::string> analytic_problem_ids();
 
-/// Make the problem with an id. Throws InputError if there is no such problem.
+/// Make the problem with an id. Throws InputError if there is no such family, and as ProblemFamily::make.
 StudyProblem make_study_problem(const std::string& id, const ProblemFamilies& families);
 
 /// Read a list of ids, one on each line; empty lines are skipped. Throws InputError that names file and line
-/// if an id is unknown or appears twice.
+/// if an id is unknown or appears twice. Throws InputError if the file cannot be read or has no id, and as
+/// make_study_problem().
 std::vector<std::string> read_problem_ids(const std::filesystem::path& path, const ProblemFamilies& families);
 
 /// The ids that `choice` selects, in the order of `ids`. The choice is "all", or words joined by commas. A

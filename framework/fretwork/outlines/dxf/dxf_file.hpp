@@ -29,6 +29,7 @@ struct DxfEntity {
 /// file and line.
 class DxfFile {
   public:
+    /// Throws InputError if the text is not an ASCII DXF file, or has no section ENTITIES.
     DxfFile(std::string source, std::string text);
 
     struct Block {

@@ -33,7 +33,7 @@ class MeshText {
     /// Read the text of a file. Throws InputError if the file cannot be read.
     explicit MeshText(const std::filesystem::path& path);
 
-    /// The next line that has words. Text after # is skipped.
+    /// The next line that has words; nothing at the end of the file. Text after # is skipped.
     std::optional<TextLine> next_line();
     /// The next line that has words. Throws InputError if there is none; the message says that `wanted` is
     /// missing.
@@ -48,14 +48,15 @@ class MeshText {
     /// The value of a word, which must be a finite number.
     [[nodiscard]] double number(const TextLine& line, std::string_view word) const;
     [[nodiscard]] long long whole_number(const TextLine& line, std::string_view word) const;
-    /// The number of `things` that the file states. Throws InputError if this number is below zero, above the
-    /// number of bytes in the file or, for "faces", above 250,000.
+    /// The number of `things` that the file states. Throws InputError if this is not a whole number, or if it
+    /// is below zero, above the number of bytes in the file or, for "faces", above 250,000.
     [[nodiscard]] std::size_t count(const TextLine& line, std::string_view word,
                                     const std::string& things) const;
     /// The point given by three words, starting with word `first`.
     [[nodiscard]] std::array<double, 3> point(const TextLine& line, std::size_t first) const;
 
-    /// Check a face and add it to the mesh. `vertices` are indices of points, counted from 0.
+    /// Check a face and add it to the mesh. `vertices` are indices of points, counted from 0. Throws
+    /// InputError with `place` if the face is not as MeshFile::faces requires, or is one too many.
     void add_face(const std::string& place, const std::vector<long long>& vertices, std::size_t vertex_count,
                   MeshFile& mesh) const;
 

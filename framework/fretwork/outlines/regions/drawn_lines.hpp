@@ -21,10 +21,10 @@ struct Enclosed {
 double widest_gap(double tolerance);
 
 /// Join the open lines into closed curves, and add the closed lines. Remarks report closed gaps and lines
-/// drawn twice. `tolerance` is the tolerance of flattening, m.
+/// drawn twice. `tolerance` is the tolerance of flattening, m. Throws GeometryError as contours_of().
 Enclosed enclosed_by(DrawnLines lines, double tolerance, Remarks& remarks);
 
-/// The index of the longest of the lines `which`. Pre: `which` is not empty.
+/// The index of the longest of the lines `which`, by the diagonals of their boxes. Pre: `which` is not empty.
 std::size_t longest_of(const std::vector<geometry::Polygon>& lines, const std::vector<std::size_t>& which);
 
 /// Add a remark that the open lines `which` are left out; `place` says where the longest lies. Pre: `which`

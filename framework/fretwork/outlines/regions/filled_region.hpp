@@ -48,11 +48,12 @@ struct Region {
 };
 
 /// The union of the areas that a picture fills. Each part of the union is at least `tolerance` (m) wide at
-/// its widest place.
+/// its widest place. Throws GeometryError as make_line_map() and region_of_map().
 Region filled_region(const Picture& picture, double tolerance);
 
 /// The region that nested closed curves fill: a curve inside another bounds a hole, a curve inside that hole
-/// bounds a filled area again, and so on. Throws GeometryError if curves are nested too deeply.
+/// bounds a filled area again, and so on. `tolerance` is as for filled_region(). Throws GeometryError as
+/// filled_region(), and if curves are nested too deeply.
 Region nested_region(const std::vector<geometry::Polygon>& curves, double tolerance);
 
 /// The outer contours of the areas that lines enclose. An area that a line divides has one contour. Loose
@@ -61,6 +62,7 @@ struct Contours {
     std::vector<geometry::Polygon> closed;
     std::vector<std::size_t> open;  ///< indices of the lines that enclose nothing
 };
+/// Throws GeometryError as make_line_map().
 Contours contours_of(const std::vector<geometry::Polygon>& lines);
 
 }  // namespace fretwork::outlines::detail

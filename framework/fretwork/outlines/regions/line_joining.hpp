@@ -30,8 +30,8 @@ struct JoiningTolerance {
 /// Join the ends of open polylines of two points or more.
 JoinedLines join_lines(const std::vector<geometry::Polygon>& lines, const JoiningTolerance& tolerance);
 
-/// Closed curves without repeated curves. Curves are the same if their boxes and areas agree up to `same` (m)
-/// and each lies on the other, up to flattening.
+/// Closed curves without repeated curves. Curves are the same if their boxes agree up to `same` (m), their
+/// areas agree up to `same` times the perimeter, and each lies on the other, up to flattening.
 struct DistinctCurves {
     std::vector<geometry::Polygon> curves;
     int doubled = 0;

@@ -10,8 +10,9 @@
 namespace fretwork::outlines::detail {
 
 /// The parts of a map. Filled faces that share a side belong to the same part. A part that touches itself at
-/// a point is opened at that point, so that every part is an outline. Throws GeometryError if curves cross at
-/// places too near to each other.
+/// a point is opened at that point by `tolerance` (m), so that every part is an outline. Parts narrower than
+/// `tolerance` are left out. Throws GeometryError if curves cross at places too near to each other, and as
+/// make_line_map().
 Region region_of_map(LineMap& lines, double tolerance);
 
 /// The points along a closed chain of halfedges.

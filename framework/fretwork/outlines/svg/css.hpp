@@ -51,7 +51,8 @@ class CssRules {
     /// Add the rules of one style sheet that hold for all media or for screens. Rules with unsupported
     /// selectors, such as `:hover`, are left out.
     void add(std::string_view text);
-    /// The declarations that apply to an element, the strongest last. `!important` is not considered.
+    /// The declarations that apply to an element, the strongest last. `!important` is not considered. Throws
+    /// as matches(); all calls share one count of tests.
     [[nodiscard]] std::vector<const CssDeclaration*> of(pugi::xml_node node) const;
 
   private:

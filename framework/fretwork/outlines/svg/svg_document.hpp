@@ -15,6 +15,7 @@ namespace fretwork::outlines::detail {
 /// The style of one element, from style sheets, the attribute `style` and presentation attributes.
 class SvgProperties {
   public:
+    /// Throws as CssRules::of().
     SvgProperties(pugi::xml_node node, const CssRules& rules);
     /// The value of a property by the cascade; empty if it is not set.
     [[nodiscard]] std::string_view find(std::string_view name) const;
@@ -28,7 +29,7 @@ class SvgProperties {
 /// A drawing as XML, with its elements by id, its style sheets, and the places of elements for messages.
 class SvgDocument {
   public:
-    /// Throws InputError if the text is not XML, or not SVG.
+    /// Throws InputError if the text is not XML, or not SVG, and as with_entities_replaced().
     SvgDocument(std::string source, std::string text);
 
     [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }

@@ -16,7 +16,8 @@ struct SvgMeasure {
     double font_size = 16.0;
 };
 
-/// One element, with functions that read its lengths and curves.
+/// One element, with functions that read its lengths and curves. They throw InputError with file and place if
+/// a value is malformed.
 class SvgElement {
   public:
     SvgElement(pugi::xml_node node, const SvgProperties& properties, const SvgDocument& document)
@@ -32,8 +33,8 @@ class SvgElement {
     /// The four numbers of `viewBox`, if the element has one. Throws InputError if there are not four
     /// numbers, or if a size is below zero.
     [[nodiscard]] std::optional<std::array<double, 4>> view_box() const;
-    /// The curves of a shape (path, polygon, polyline, rect, circle, ellipse, line); empty if its size is
-    /// zero.
+    /// The curves of a shape (path, polygon, polyline, rect, circle, ellipse, line); empty for a rect, circle
+    /// or ellipse of size zero.
     [[nodiscard]] std::vector<Subpath> subpaths(std::string_view shape, const SvgMeasure& measure) const;
     /// The map that `transform` and `transform-origin` state.
     [[nodiscard]] Affine transform(const SvgMeasure& measure) const;

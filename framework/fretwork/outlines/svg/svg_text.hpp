@@ -40,7 +40,7 @@ Affine parse_svg_transform(std::string_view text);
 /// A length in user units (a number with or without px, mm, cm, in, pt, pc, Q; 96 px to an inch), or relative
 /// to the viewport (percent) or the font size (em, ex or rem).
 struct SvgLength {
-    double value = 0.0;
+    double value = 0.0;  ///< multiple of the unit; 50 % has the value 0.5
     enum class Unit { Pixel, Percent, Em, Rem } unit = Unit::Pixel;
 };
 SvgLength parse_svg_length(std::string_view text);

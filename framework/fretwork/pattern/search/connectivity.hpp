@@ -39,8 +39,8 @@ class Connectivity {
 
     /// True if the fan without its unused nodes has one component, or if the fan has no edge.
     [[nodiscard]] bool is_connected() const;
-    /// True if the fan, with a further node outside that is connected to all interface nodes, has an
-    /// articulation point.
+    /// True if a node of the fan is an articulation point when a further node outside is connected to all
+    /// interface nodes.
     [[nodiscard]] bool has_articulation() const;
 
   private:

@@ -9,7 +9,8 @@
 
 namespace fretwork::pattern::detail {
 
-/// A test that finds the rules that a graph breaks. Each rule is tested independently of the others.
+/// A test that finds the rules that a graph breaks. Each rule is tested independently of the others. The test
+/// refers to the filters, which must outlive it.
 template <class Word>
 class RuleTest {
   public:

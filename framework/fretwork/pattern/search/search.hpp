@@ -12,7 +12,8 @@
 
 namespace fretwork::pattern::detail {
 
-/// The rules of an enumeration, compiled to masks over one machine word of candidate edges.
+/// The rules of an enumeration, compiled to masks of candidate edges. The problem refers to the filters,
+/// which must outlive it.
 template <class Word>
 class SearchProblem {
   public:

@@ -75,8 +75,9 @@ struct CalibrationInput {
 /// parameters is only compared with the responses: by its linear displacements if it is for small
 /// displacements, else by its nonlinear responses. The result depends on the input and the options alone.
 /// Throws InputError if an option or the input is invalid, and as build_tile(). Throws NumericalError if no
-/// sample can be fitted, if the tile is a mechanism under a scenario, if no start of the search gave a
-/// descent, or if a model without parameters does not converge where the pattern does. Throws base::Stopped.
+/// sample can be fitted, if the tile is a mechanism under a scenario (InputError if the model uses
+/// RingHexagon), if no start of the search gave a descent, or if a model without parameters does not converge
+/// where the pattern does. Throws base::Stopped, and as optimization::minimize().
 Calibration calibrate(const TileModel& model, const CalibrationInput& input,
                       const CalibrationOptions& options = {});
 

@@ -7,14 +7,14 @@
 
 namespace fretwork::reduction {
 
-/// The calibration of any linear tile model. The tile is built and condensed at each point; derivatives are
-/// central differences, but one-sided at a bound. The variables are the parameters, or the natural logarithms
-/// of parameters with a logarithmic scale.
+/// The calibration of any tile model by its linear displacements. The tile is built and condensed at each
+/// point; derivatives are central differences, but one-sided at a bound. The variables are the parameters, or
+/// the natural logarithms of parameters with a logarithmic scale.
 class DifferenceProblem final : public CalibrationProblem {
   public:
     /// Make the problem, which keeps references to model, tile and objective. Throws InputError if the bounds
-    /// of a parameter are invalid. Throws NumericalError if a tile with all parameters in the middle of their
-    /// bounds is a mechanism under a scenario.
+    /// of a parameter are invalid. Throws as ModelTile::displacements() for a tile with all variables in the
+    /// middle of their bounds, for example NumericalError if it is a mechanism under a scenario.
     DifferenceProblem(base::Borrowed<TileModel> model, base::Borrowed<ModelTile> tile,
                       base::Borrowed<Objective> objective, const Setting& setting);
 
@@ -37,8 +37,8 @@ class DifferenceProblem final : public CalibrationProblem {
                                                               double smoothing) const override;
 
     [[nodiscard]] std::vector<double> parameter_values(const Eigen::VectorXd& point) const override;
-    /// The displacements are not finite if round-off makes the stiffness indefinite, which can happen near
-    /// the bounds.
+    /// The displacements are not finite where ModelTile::displacements() throws NumericalError, for example
+    /// because round-off makes the stiffness indefinite near the bounds.
     [[nodiscard]] UnitDisplacements displacements(const Eigen::VectorXd& point) const override;
 
   private:

@@ -25,7 +25,7 @@ struct ErrorMetric {
 
 /// Check that responses fit a setting: one for each scenario, in order, all with the same interface nodes.
 /// Throws InputError.
-/// @param nodes  number of interface nodes; none: that of the first sample with as many on each side
+/// @param nodes  number of interface nodes; none: that of the first sample, equally many on each side
 void check_fit(const std::vector<Response>& responses, const Setting& setting,
                std::optional<Eigen::Index> nodes = {});
 

@@ -22,7 +22,7 @@ struct NamedSetting {
 /// - synthetic/N: the paper's model, fitted to its own displacements at a random point in the middle 80 % of
 ///   the range of each variable;
 /// - analytic/NAME: a function of the literature.
-/// Throws InputError if a setting's name is not valid.
+/// Throws InputError if a setting's name is not valid. Making a calibration throws as compute_responses().
 optimization::study::ProblemFamilies study_families(const std::vector<NamedSetting>& settings = {});
 
 /// The ids of the problems of a study: `patterns` patterns of the paper's layout, 12 synthetic problems, and

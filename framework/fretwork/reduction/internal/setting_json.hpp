@@ -10,7 +10,7 @@ namespace fretwork::reduction {
 
 /// Read a setting as it stands in its own file. Throws InputError with source and JSON pointer.
 Setting read_setting(const base::JsonReader& json);
-/// Read "centreline" or "stiff".
+/// Read "centreline" or "stiff". Throws InputError with source and JSON pointer.
 Joints read_joints(const base::JsonReader& json);
 /// The inverse of read_setting.
 base::Json setting_json(const Setting& setting);

@@ -12,8 +12,8 @@ namespace fretwork::reduction {
 /// nodes. This reduced model is exact for small displacements and needs no calibration.
 ///
 /// Returns the 6n x 6n stiffness of the n interface nodes in their order (each with ux uy uz rx ry rz; SI,
-/// global axes): symmetric, positive semidefinite, rank 6n - 6. Throws InputError if an interface node has no
-/// beam.
+/// global axes): symmetric, positive semidefinite, rank 6n - 6 if the frame is connected. Throws InputError
+/// if an interface node has no beam, and as mechanics::assemble() and mechanics::condense().
 Eigen::MatrixXd condensed_frame(const mechanics::Frame& tile, int interface_nodes);
 
 /// The row `condensed` of the catalogue. The model has no parameters, and congruent tiles are condensed once.

@@ -28,10 +28,11 @@ class InnerNodes {
     /// The rest positions of the inner nodes, m, in the tile's own axes.
     [[nodiscard]] std::span<const Eigen::Vector3d> places() const;
     /// The displacements of the inner nodes for given displacements of the interface nodes, with one row for
-    /// each node. All displacements are small and in the tile's own axes.
+    /// each node. All displacements are small and in the tile's own axes. Throws as mechanics::assemble() and
+    /// mechanics::following().
     [[nodiscard]] mechanics::NodeValues follow(const mechanics::NodeValues& interface_nodes) const;
     /// The transpose of follow(): turns a function's gradient with respect to the inner nodes' rows into its
-    /// gradient with respect to the interface nodes' rows.
+    /// gradient with respect to the interface nodes' rows. Throws as follow().
     [[nodiscard]] mechanics::NodeValues pull_back(const mechanics::NodeValues& inner_nodes) const;
 
   private:

@@ -78,8 +78,9 @@ struct TileModel {
         problem{};
 };
 
-/// Build a tile by a model. Throws as the model's `build`. Throws InputError if the tile resists a rigid
-/// motion, because such a tile would act as a support; the message names the motion.
+/// Build a tile by a model. Throws as the model's `build`. Throws InputError if an element other than a beam
+/// has a stiffness that is not finite. Throws InputError that names the motion if such an element resists a
+/// rigid motion, because the tile would then act as a support.
 std::shared_ptr<const TileStructure> build_tile(const TileModel& model, const TileInput& input);
 
 /// The built-in tile models, in the order in which commands list them.

@@ -56,8 +56,8 @@ struct BeamMotion {
     Displacements displacements = Displacements::Small;
 };
 
-/// A tile as built by a tile model, independent of its place in the surface. Congruent tiles share one
-/// TileStructure. It is immutable, so threads may share it, too.
+/// A tile as built by a tile model, in its own axes. Congruent tiles may share one TileStructure (see
+/// Sharing). It is immutable, so threads may share it, too.
 class TileStructure {
   public:
     TileStructure() = default;
@@ -68,10 +68,12 @@ class TileStructure {
     /// The rest positions of the tile's inner nodes, m, in the tile's own axes.
     [[nodiscard]] virtual std::span<const Eigen::Vector3d> inner_nodes() const = 0;
 
-    /// Add the tile's beams and elements to a surface. Pre: the surface has the tile's nodes.
+    /// Add the tile's beams and elements to a surface. Pre: the surface has the tile's nodes. Throws
+    /// InputError if a stiffness of the tile does not fit the number of nodes.
     virtual void add_to(StructureParts& surface, const TilePlace& place) const = 0;
 
-    /// The motion of the pattern's beams; nothing if the tile model does not know this motion.
+    /// The motion of the pattern's beams; nothing if the tile model does not know this motion, or if no
+    /// corotating axes exist (see mechanics::corotational_motion()).
     [[nodiscard]] virtual std::optional<BeamMotion> beam_motion(const TileMotion& motion) const = 0;
 
     /// The gradient of a function of beam_motion() with respect to the rows of `motion.nodes`. `by_beams` is
@@ -100,16 +102,16 @@ std::shared_ptr<const TileStructure> beam_tile(mechanics::Frame frame, int inter
                                                TileBeams beams = TileBeams::Substitutes);
 
 /// A tile given by its stiffness (6n x 6n, in its own axes) for small displacements of its n interface nodes.
-/// The tile has no inner nodes. Throws InputError unless the stiffness has 6n rows and columns.
+/// The tile has no inner nodes. Throws InputError unless the stiffness is square with a multiple of six rows.
 ///
 /// @param inner  the motion of the beams that were condensed; null: not known
 std::shared_ptr<const TileStructure> stiffness_tile(Eigen::MatrixXd stiffness,
                                                     std::shared_ptr<const InnerNodes> inner = nullptr);
 
-/// The motion of a tile's condensed beams at small displacements.
+/// The motion of a tile's condensed beams at small displacements. Throws as InnerNodes::follow().
 BeamMotion condensed_motion(const InnerNodes& inner, const TileMotion& motion);
 /// The gradient of a function of condensed_motion() with respect to the rows of the interface nodes, in the
-/// tile's own axes.
+/// tile's own axes. Throws as InnerNodes::follow().
 /// @param turn      rotates the tile's own axes to the surface's axes
 /// @param by_beams  the gradient of the function with respect to the rows of the beams' nodes, in the
 /// surface's axes
@@ -123,7 +125,8 @@ mechanics::NodeValues turned(const mechanics::NodeValues& rows, const Eigen::Mat
 /// elements follow. Throws as mechanics::assemble, and Stopped.
 mechanics::Assembly assemble(const StructureParts& parts, const base::Control& control = {});
 
-/// The components of a single tile. The first nodes are the interface nodes.
+/// The components of a single tile. The first nodes are the interface nodes, whose rest positions (m) are
+/// given. Throws as TileStructure::add_to().
 StructureParts tile_parts(const TileStructure& tile, std::span<const Eigen::Vector3d> interface_nodes);
 
 }  // namespace fretwork::reduction

@@ -24,8 +24,8 @@ class RingHexagon {
     /// True if the setting's polygon is a hexagon and the layout has one interface node on each side.
     static bool fits(const pattern::NodeLayout& layout, const Setting& setting);
 
-    /// Prepare a solver for a setting. Throws InputError unless the setting's polygon is a hexagon and each
-    /// scenario has enough supports.
+    /// Prepare a solver for a setting. Throws InputError unless the setting is valid, its polygon is a
+    /// hexagon, and each scenario has enough supports.
     explicit RingHexagon(const Setting& setting);
     RingHexagon(RingHexagon&&) noexcept;
     RingHexagon& operator=(RingHexagon&&) noexcept;

@@ -19,7 +19,7 @@ inline constexpr int kRingParts = 10;
 inline constexpr int kRingTheta = 8;
 /// The index of R among the parts.
 inline constexpr int kRingR = 9;
-/// All parts of a ring, in this order.
+/// All parts of a ring, in the order that kRingParts states.
 using RingParts = Eigen::Matrix<double, kRingParts, 1>;
 
 /// The bounds of a calibration. A, I2, I3 and J lie within [0.001, 1000] times the value of the setting's
@@ -34,7 +34,7 @@ struct RingBounds {
 RingBounds ring_bounds(const Setting& setting);
 
 /// The scale of each part: the value of the setting's section, 1 rad, or the centroid-to-side distance.
-/// Scaled parts are numbers near 1.
+/// A part divided by its scale has no unit.
 RingParts ring_units(const Setting& setting);
 
 /// The map from a tile model's parameters to the parts of a ring with links: parts = ties * parameters. Each
@@ -42,7 +42,8 @@ RingParts ring_units(const Setting& setting);
 struct RingParameters {
     std::string model;               ///< name of the tile model
     std::vector<std::string> names;  ///< names of the parameters
-    Eigen::MatrixXd ties;            ///< matrix of zeros and ones with one column for each parameter
+    /// Matrix of zeros and ones with one row for each part and one column for each parameter.
+    Eigen::MatrixXd ties;
 
     /// The first part that a parameter sets.
     [[nodiscard]] Eigen::Index part_of(Eigen::Index parameter) const;

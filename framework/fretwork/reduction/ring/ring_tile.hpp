@@ -16,7 +16,7 @@ namespace fretwork::reduction {
 /// scaled about the center so that R replaces the apothem. In another polygon, each ring node keeps its
 /// barycentric coordinates in its sector. The paper has one interface node on each side, so its ring has as
 /// many nodes as the polygon has sides. The material is the setting's. Throws GeometryError if the polygon is
-/// not convex.
+/// not convex and counterclockwise.
 mechanics::Frame ring_tile(const RingParts& parts, const pattern::NodeLayout& layout, const Setting& setting,
                            const geometry::Polygon& polygon);
 

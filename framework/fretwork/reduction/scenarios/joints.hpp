@@ -16,6 +16,8 @@ namespace fretwork::reduction {
 /// node. At an angle of half a turn or more, they separate at the node itself. The joint ends where the bar
 /// has separated from both neighbours. Beyond a side of the polygon, the neighbouring tile is taken to be the
 /// same tile, turned by half a turn about the side's middle, as in a regular surface of one pattern.
+///
+/// @param places  positions of the fan's nodes, m, as from pattern::place_fan()
 std::vector<double> joint_reaches(const pattern::Fan& fan, std::span<const geometry::Point2> places);
 
 /// A bar between two nodes.
@@ -28,10 +30,11 @@ struct BarPlace {
 ///
 /// With Joints::Stiff, the beam is as stiff as a bar with two rigid ends. The total rigid length is
 /// kStiffShare times the joint reach. Let L be the bar's length and l the length of its elastic rest, at
-/// least kLeastElasticShare times L. The stiffness in stretching and torsion grows by the factor L / l. The
-/// stiffness in in-plane bending grows by the factor (L / l)^3, which is exact for ends that move sideways
-/// without turning. The stiffness in out-of-plane bending does not change, because bars side by side in a
-/// joint are together no stiffer than one by one. The mass does not change either.
+/// least kLeastElasticShare times L. The stiffness in stretching, torsion and in-plane shear grows by the
+/// factor L / l. The stiffness in in-plane bending grows by the factor (L / l)^3, which is exact for ends
+/// that move sideways without turning. The stiffness in out-of-plane bending and shear does not change,
+/// because bars side by side in a joint are together no stiffer than one by one. The mass does not change
+/// either.
 TileMaterial bar_of(const Setting& setting, const BarPlace& place);
 
 /// The rigid share of the joint reach, from a comparison with solids (experiments/joints).

@@ -27,7 +27,7 @@ void write_setting(const Setting& setting, const std::filesystem::path& path);
 
 /// The setting as JSON text, as libraries store it.
 std::string setting_text(const Setting& setting);
-/// The inverse of setting_text; `source` names the text in messages.
+/// The inverse of setting_text; `source` names the text in messages. Throws InputError.
 Setting parse_setting(std::string_view text, std::string source);
 
 /// The setting without the strength and the section's shape, on which no response depends. The text of the

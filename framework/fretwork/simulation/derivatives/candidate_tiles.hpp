@@ -25,7 +25,7 @@ class CandidateTiles {
     /// tile has no beam; Stopped.
     CandidateTiles(const Surface& surface, std::vector<pattern::NamedPattern> patterns,
                    const Options& options);
-    /// Condense every pattern in every class of congruent tiles.
+    /// Condense every pattern with the default options. Throws as above.
     CandidateTiles(const Surface& surface, std::vector<pattern::NamedPattern> patterns)
         : CandidateTiles(surface, std::move(patterns), Options{}) {}
 
@@ -38,7 +38,8 @@ class CandidateTiles {
     /// The class of a tile.
     [[nodiscard]] std::size_t class_of(tiling::TileIndex tile) const { return class_of_[tile]; }
 
-    /// The condensed stiffness K, 6n x 6n, in the axes in which the tiles of a class are built.
+    /// The condensed stiffness K (SI), 6n x 6n for n interface nodes, in the axes in which the tiles of a
+    /// class are built.
     [[nodiscard]] Eigen::MatrixXd stiffness(std::size_t tile_class, std::size_t pattern) const;
     /// The stiffnesses of all patterns, one column for each: the lower triangle of K, column by column.
     [[nodiscard]] const Eigen::MatrixXd& packed(std::size_t tile_class) const {

@@ -38,8 +38,9 @@ struct Linearization {
     mechanics::EquilibriumTangent tangent;  ///< response of the session's structure to small changes
     Eigen::Index reported_nodes = 0;        ///< number of nodes in results, which come first
     base::IndexVector<tiling::TileIndex, TileLinearization> tiles;  ///< linearization of each tile
-    mechanics::NodeValues loads;                                    ///< applied loads, one row for each node
-    Eigen::Vector3d gravity = Eigen::Vector3d::Zero();              ///< m/s^2
+    /// Applied loads (N, N m), one row for each node of the structure, also of those that results leave out.
+    mechanics::NodeValues loads;
+    Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< m/s^2
 };
 
 }  // namespace fretwork::simulation

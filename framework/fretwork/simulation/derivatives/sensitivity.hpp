@@ -24,8 +24,8 @@ struct TileSensitivity {
 /// The derivatives of a function J of a surface's displacements at an equilibrium, with respect to loads,
 /// held values and tiles. The adjoint method gives all derivatives with one back-substitution.
 struct Sensitivity {
-    /// Derivatives of J with respect to forces and moments on each node: the adjoint motions l. Moments are
-    /// about the surface's axes.
+    /// Derivatives of J with respect to forces and moments on the nodes, one row for each node: the adjoint
+    /// motions l. Moments are about the surface's axes.
     mechanics::NodeValues loads;
     /// The derivatives of J with respect to the values of held components (prescribed or zero), one row for
     /// each node; zero for free components.
@@ -38,7 +38,7 @@ struct Sensitivity {
 };
 
 /// The sensitivity of a function J with a given gradient. Throws InputError if the number of rows of the
-/// gradient is wrong; Stopped.
+/// gradient is wrong; NumericalError if the tangent is nearly singular; Stopped.
 /// @param gradient  the derivatives of J with respect to displacements and rotation vectors, one row for each
 /// node of the surface's results
 Sensitivity sensitivity(const Linearization& linearization, const mechanics::NodeValues& gradient,
@@ -57,7 +57,8 @@ Eigen::MatrixXd pattern_derivatives(const Sensitivity& sensitivity, const Candid
 
 /// The derivative of J along a curve of settings, at 0 of its parameter. Sections, joints, material and
 /// density act on the tiles' stiffness and weight. The derivatives of these two are central differences of
-/// fourth order; J itself is not differenced. NaN if a tile has no TileSensitivity::strains.
+/// fourth order; J itself is not differenced. NaN if a tile has no TileSensitivity::strains. Throws as
+/// rates_along().
 /// @param setting  the curve, evaluated from -2 `step` to 2 `step`
 /// @param step  the step of the curve's parameter for the differences
 double derivative_along(const Sensitivity& sensitivity, const Surface& surface,

@@ -18,7 +18,8 @@ struct TileRate {
 };
 
 /// The derivatives of every tile, at 0 of the curve's parameter, by central differences of fourth order.
-/// Congruent tiles with the same pattern share a TileRate. Throws InputError if a tile is not painted.
+/// Congruent tiles with the same pattern share a TileRate. Throws InputError if a tile is not painted, or if
+/// an interface node has no beam.
 /// @param setting  the curve of sections, joints, material or density, evaluated from -2 `step` to 2 `step`
 /// @param step  the step of the curve's parameter for the differences
 base::IndexVector<tiling::TileIndex, std::shared_ptr<const TileRate>> rates_along(

@@ -32,8 +32,8 @@ struct SmoothStress {
 
 /// The smooth stress in a solution since the session's last edit. Value and gradient are exact for condensed
 /// and corotational tiles, because their beams depend linearly on the strains of the tile. Throws InputError
-/// for other tiles, because their stresses or derivatives of stresses are not known, and as
-/// Session::require_since_edit().
+/// for other tiles, because their stresses or derivatives of stresses are not known, if an option is invalid,
+/// and as Session::require_since_edit().
 SmoothStress smooth_stress(const Session& session, const mechanics::Solution& solution,
                            const SmoothStressOptions& options = {});
 
@@ -46,7 +46,8 @@ struct SettingCurve {
 
 /// The derivative of the smooth stress along a curve of settings at fixed nodes, at 0 of the curve's
 /// parameter, by central differences of fourth order. The total derivative is the sum of this one and
-/// derivative_along().
+/// derivative_along(). Throws InputError if an option is invalid, if the stress of a beam is not known, and
+/// as beam_state() of a result.
 double smooth_stress_along(const Session& session, const SurfaceResult& result, const SettingCurve& curve,
                            const SmoothStressOptions& options = {});
 

@@ -21,17 +21,17 @@ struct Conditions {
     std::size_t weights = 0;                  ///< number of entries of `loads` that are shares of the weight
 };
 
-/// Apply a load case to the nodes of a surface. Throws InputError if an entry selects no node, if two entries
+/// Apply a load case to the nodes of a surface. Throws InputError as check_selections(), if two entries
 /// prescribe different values of one component, if the load case combines others (combined() merges them), or
 /// if gravity acts on beams without density or on unpainted tiles.
 Conditions resolve(const LoadCase& load_case, const Surface& surface);
 /// Apply a load case to the nodes of a surface. `tile_masses` has the masses of all tiles, kg, and may be
-/// empty if needs_masses() is false.
+/// empty if needs_masses() is false. Throws as above, but not because of unpainted tiles.
 Conditions resolve(const LoadCase& load_case, const Surface& surface, std::span<const double> tile_masses);
 /// True if the load case has gravity and the surface has mass.
 bool needs_masses(const LoadCase& load_case, const Surface& surface);
 
-/// The loads, one row for each of `nodes` nodes; interface nodes come first.
+/// The loads (N, N m), one row for each of `nodes` nodes; interface nodes come first.
 mechanics::NodeValues load_rows(const Conditions& conditions, std::size_t nodes);
 
 /// Apply conditions to an assembly: add the supports, and replace prescribed displacements and loads. The
@@ -61,8 +61,8 @@ struct EntryMarks {
 /// check_selections().
 EntryMarks entry_marks(const LoadCase& load_case, const tiling::Tessellation& tessellation);
 
-/// Check that every entry of a load case selects interface nodes of a tessellation, painted or not. Throws
-/// InputError that names the load case and the entry.
+/// Check that every entry of a load case has its place on a tessellation, painted or not: interface nodes,
+/// tiles, or a line along the rim. Throws InputError that names the load case and the entry.
 void check_selections(const LoadCase& load_case, const tiling::Tessellation& tessellation);
 
 }  // namespace fretwork::simulation

@@ -15,7 +15,8 @@ std::vector<std::string> entry_texts(const LoadCase& load_case, const tiling::Te
 
 /// Warnings, one line each, about values that look like errors of units: points away from the surface,
 /// displacements larger than the surface, rotations of more than a turn, loads of more than three hundred
-/// times the surface's weight, and gravity of more than ten times the earth's gravity.
+/// times the surface's weight (if it is known), and gravity of more than ten times the earth's gravity.
+/// Throws InputError as resolve().
 std::vector<std::string> warnings_about(const LoadCase& load_case, const Surface& surface);
 
 }  // namespace fretwork::simulation

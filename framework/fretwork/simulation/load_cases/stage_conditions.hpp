@@ -19,7 +19,7 @@ namespace fretwork::simulation {
 class StageConditions {
   public:
     /// Begin with the supports of the plan, and without loads. The surface and the plan must outlive the
-    /// conditions.
+    /// conditions. Throws InputError if a support selects no node.
     StageConditions(const Surface& surface, const StagePlan& plan);
 
     /// The conditions at the end of the next load stage; see LoadStage.
@@ -59,7 +59,7 @@ LoadCase stage_load_case(const StagePlan& plan, const std::string& name);
 /// have one name, with the load stage if it changes nothing, and with the load stage and the entry in these
 /// cases: an entry selects no node; a load case does not exist or is named twice in one load stage; one load
 /// stage gives two values to a component, or names it in two of `free`, `keep` and `prescribed`; an entry of
-/// `free` releases nothing, or a support that was moved.
+/// `free` releases nothing, or a support that was moved. Throws InputError as resolve() for the load cases.
 void check_stages(const Surface& surface, const StagePlan& plan);
 
 }  // namespace fretwork::simulation

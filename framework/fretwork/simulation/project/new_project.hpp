@@ -54,11 +54,12 @@ struct NewProject {
 
 /// Tile an outline with tiling_options(), or take the tiles of a mesh, and paint them. `library` may be null;
 /// the project takes the library's setting, but no link to the library. Throws as tiling::tessellate(), with
-/// the outline's name, as tiling::read_mesh_tessellation(), and as paint(). Throws InputError if the library
-/// has another layout or setting.
+/// the outline's name, as tiling::read_mesh_tessellation(), and as paint(). Throws InputError if the layout
+/// is unknown, or if the library has another layout or setting.
 NewProject make_project(const outlines::Outline& outline, const NewProjectOptions& options,
                         const library::Library* library);
-/// Tile several separate outlines, part by part, as one tessellation, and paint it.
+/// Tile several separate outlines, part by part, as one tessellation, and paint it. Throws as above, and
+/// InputError if there is no part.
 NewProject make_project(const std::vector<outlines::Outline>& parts, const NewProjectOptions& options,
                         const library::Library* library);
 

@@ -112,19 +112,21 @@ struct PaintingGround {
 };
 
 /// Paint all tiles by a choice. Returns the painted tiles: all; with colours, those on a colour of the
-/// palette; with monostate, none. Throws InputError that names a file, or an invalid entry of the choice:
-/// "patterns", "palette", "property" or "library".
+/// palette; with monostate, none. Throws InputError that names a file, an invalid entry of the choice
+/// ("patterns", "palette", "property" or "library"), or a pattern whose weight is not above zero; and as
+/// reduction::effective_properties().
 std::vector<tiling::TileIndex> paint(tiling::Tessellation& tessellation, const PaintingChoice& choice,
                                      const PaintingGround& ground);
 /// Paint some tiles by a choice; other tiles keep their patterns. Random paintings and fields paint the tiles
 /// in the order of `tiles`. With a painting file, each tile takes the pattern that the file gives this tile.
 /// With colours, tiles on a colour that is not in the palette keep their patterns. Returns the painted tiles.
+/// Throws as above. Pre: the tiles exist.
 std::vector<tiling::TileIndex> paint(tiling::Tessellation& tessellation,
                                      std::span<const tiling::TileIndex> tiles, const PaintingChoice& choice,
                                      const PaintingGround& ground);
 
 /// Replace the patterns of the listed tiles by their mirror images. Throws InputError that names a pattern
-/// without a mirror image in the layout, or a tile that is not painted.
+/// without a mirror image in the layout, or a tile that is not painted. Pre: the tiles exist.
 void mirror(tiling::Tessellation& tessellation, std::span<const tiling::TileIndex> tiles,
             const pattern::NodeLayout& layout);
 

@@ -42,7 +42,8 @@ std::vector<tiling::TileIndex> paint(Project& project, std::span<const tiling::T
 void end_recipes(Project& project, std::span<const tiling::TileIndex> tiles);
 
 /// Paint the tiles of every recipe again, such as after a retiling or with another setting. `library` may be
-/// null: then properties of patterns are computed. Throws InputError that names the recipe by its number.
+/// null: then properties of patterns are computed. Throws InputError that names the recipe by its number, or
+/// as setting_of().
 void apply_recipes(Project& project, const library::Library* library);
 
 }  // namespace fretwork::simulation

@@ -46,8 +46,8 @@ struct Project {
 /// and the project has none or several. Throws as combined().
 LoadCase find_load_case(const Project& project, const std::string& name);
 
-/// The name of each tile's own tile model, "" for tiles without one. The vector is empty if no tile has
-/// one. Throws InputError if a tile is not there.
+/// The name of each tile's own tile model, "" for tiles without one. The vector is empty if
+/// Project::tile_models is empty. Throws InputError if a tile is not there.
 std::vector<std::string> models_by_tile(const Project& project);
 /// The inverse of models_by_tile(): each model with its tiles, sorted by the models' names.
 std::vector<Project::TileModelChoice> tile_model_choices(const std::vector<std::string>& models);

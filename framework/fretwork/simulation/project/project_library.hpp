@@ -40,8 +40,9 @@ std::optional<library::Library> open_project_library(const std::string& project_
 /// in any other value.
 reduction::Setting setting_of(const Project& project, const library::Library* library);
 
-/// True if a project with this choice of models needs its library: a tile's model has calibrated parameters,
-/// or the project has no setting. Otherwise the results do not depend on the library.
+/// True if a project with this choice of models needs its library: the chosen model or a tile's own model has
+/// calibrated parameters, or the project has no setting. Otherwise the results do not depend on the library.
+/// Throws InputError if a model is unknown.
 bool needs_library(const Project& project, const ModelChoice& choice);
 
 /// Read a project, and check that the tile models assigned to individual tiles exist. Throws InputError that

@@ -61,7 +61,7 @@ struct CarriedOver {
 /// layout, new tiles have neither pattern nor recipe, and the link to the library is removed. The first
 /// vertices of the new tiles are kept, because a turn by a vertex does not change the bars of a fan.
 ///
-/// Throws InputError, with the load case and the entry, if an entry selects no node of the new tiles.
+/// Throws InputError, with the load case and the entry, if an entry has no place on the new tiles.
 CarriedOver carry_over(const Project& project, const NewTiles& tiles);
 
 /// The result of retile().

@@ -47,12 +47,12 @@ struct BeamTable {
 };
 
 /// The table of a result, with the strength of the setting's material, if the setting has one. Throws
-/// InputError if the numbers of nodes show that the result is not of the surface, or if a tile model of the
-/// result is not in `models`.
+/// InputError as beam_state() of a result.
 BeamTable beam_table(const Surface& surface, const SurfaceResult& result,
                      std::span<const reduction::TileModel> models = reduction::tile_models());
 
-/// The tables of a result at the end of each of its load steps or stages. Throws as beam_table().
+/// The tables of a result at the end of each of its load steps or stages, one for each of Result::load_steps.
+/// Throws as beam_table().
 std::vector<BeamTable> step_beam_tables(
     const Surface& surface, const SurfaceResult& result,
     std::span<const reduction::TileModel> models = reduction::tile_models());
@@ -71,7 +71,7 @@ std::string utilization_formula(const BeamTable& table);
 /// stresses at both ends, the largest stresses, and the utilization (empty without strength).
 std::string beam_table_csv(const BeamTable& table, const Surface& surface);
 /// The table as JSON: `{"format", "joints", "strength", "utilization_formula", "unknown_beams",
-/// "beams": [..]}`.
+/// "beams": [..]}`. Throws NumericalError if a value is not finite.
 std::string beam_table_json(const BeamTable& table, const Surface& surface);
 
 }  // namespace fretwork::simulation

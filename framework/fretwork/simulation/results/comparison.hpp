@@ -45,8 +45,8 @@ double largest_rotation(const SurfaceResult& result, const mechanics::Solution& 
 /// Compare two results of one surface. Nodes are matched by id. Throws InputError if a result did not
 /// converge; if an interface node of one result is missing in the other or lies at another place; if the
 /// subjects differ in tessellation, painting, setting, load case or load stages; if both results have the
-/// same model and the same solver; or if only the second result has the full model. Subjects are compared if
-/// both results have one.
+/// same model and the same solver; if only the second result has the full model; if there are no interface
+/// nodes; or if displacements are too large to be compared. Subjects are compared if both results have one.
 Comparison compare(const SurfaceResult& full, const SurfaceResult& reduced);
 
 /// The comparison in a few lines for people.

@@ -10,9 +10,9 @@
 namespace fretwork::simulation {
 
 /// The limit of ModelDoubt::tile_rotation, rad. A result is doubtful, and its error is estimated, if one of
-/// three limits is exceeded (kDoubtfulRotation, kDoubtfulChange or kDoubtfulIterations), or if stability was
-/// lost on the way. In experiments/error_warnings, this is so for every result with an error of 5 % at its
-/// worst node.
+/// three limits is exceeded (kDoubtfulRotation, kDoubtfulChange or kDoubtfulIterations), or if a loss of
+/// stability is listed (Solution::stability_losses; a converged path along the primary branch lists none). In
+/// experiments/error_warnings, this is so for every result with an error of more than 5 % at its worst node.
 inline constexpr double kDoubtfulRotation = 0.09;
 /// The limit of ModelDoubt::change, the distance between a corotational solution and a mixed solution, as a
 /// share of the largest displacement.
@@ -27,12 +27,12 @@ inline constexpr double kWarnedError = 0.05;
 inline constexpr double kWarnedEstimate = 0.03;
 
 /// The indicators of the last solution of a session, which must be nonlinear. ModelDoubt::change is 0 if the
-/// solution has not converged.
+/// solution has not converged. Throws InputError as Session::tile_deformations(), or as compare().
 ModelDoubt model_doubt(const Session& session, const SurfaceResult& result);
 /// The indicators of a solution with these deformations of its tiles.
 ModelDoubt model_doubt(std::span<const TileDeformation> tiles);
 
-/// True if an indicator of a result is above its limit, or if stability was lost on the way: the error then
+/// True if an indicator of a result is above its limit, or if a loss of stability is listed: the error then
 /// has to be estimated. False if the result has no model_doubt.
 bool is_doubtful(const SurfaceResult& result);
 

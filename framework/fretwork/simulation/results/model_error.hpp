@@ -37,19 +37,19 @@ struct BetterSolution {
 /// Solve a session of corotational or mixed tiles again, with all beams in the worst tiles; their share is
 /// better_share(). `own` is the session's last solution. The session keeps these tiles with all of their
 /// beams, and its model is then `corotational`. If the corotational solution has not converged, it is
-/// returned, and the session does not change.
+/// returned, and the session does not change. Throws as Session::solve().
 BetterSolution better_solution(Session& session, const SurfaceResult& own, const ModelDoubt& doubt,
                                const base::Control& control = {});
 
 /// True if the estimate of a solution's error begins with that solution: a nonlinear solution of the model
-/// `corotational` or of a mixed model.
+/// `corotational` or of a mixed model. Throws InputError if a model is unknown.
 bool begins_with_own_solution(const Surface& surface, const SimulationOptions& options);
 /// The options of the session that estimates the error: `options` if begins_with_own_solution(), otherwise
 /// options of corotational tiles.
 SimulationOptions estimating_options(const Surface& surface, SimulationOptions options);
 /// Estimate the error of a result, and of its largest stress, from a better solution of a session with
-/// estimating_options(). None if a solution has not converged. Pre: the result belongs to the surface and has
-/// a subject.
+/// estimating_options(). None if a solution has not converged. Throws as Session::solve() and compare(). Pre:
+/// the result belongs to the surface and has a subject.
 /// @param turned  the last solution of the session
 /// @param doubt  the indicators of `turned`, for better_share()
 std::optional<ModelError> estimate_model_error(Session& session, const SurfaceResult& turned,
@@ -58,18 +58,18 @@ std::optional<ModelError> estimate_model_error(Session& session, const SurfaceRe
                                                const base::Control& control = {});
 
 /// Estimate the error of a solution of reduced tiles, relative to the full model, by its difference from a
-/// better solution. None if one of the two has not converged. Stresses are not compared.
+/// better solution. None if one of the two has not converged. Stresses are not compared. Throws as compare().
 std::optional<ModelError> model_error(const SurfaceResult& result, const SurfaceResult& better);
 /// The share of a surface's tiles in a list.
 double share_of(std::span<const tiling::TileIndex> tiles, const Surface& surface);
 /// Estimate the errors of solutions at the ends of load stages as in model_error(). The result has the
 /// largest errors, as shares of the largest displacement and norm at the end of any load stage. None if a
-/// solution has not converged, or if the results differ in the number of load stages.
+/// solution has not converged, or if the results differ in the number of load stages. Throws as compare().
 std::optional<ModelError> staged_model_error(const SurfaceResult& result, const SurfaceResult& better);
 
 /// Estimate the relative error of the largest von Mises stress of a table from a refined solution that began
 /// with the full tiles of the better solution. None if the refinement is not settled, or if the table has
-/// unknown beams.
+/// unknown beams or no beams.
 std::optional<double> stress_error(const BeamTable& table, const RefinedStress& refined);
 /// Estimate the error of the largest von Mises stress at the ends of load stages, from one table for each
 /// load stage. The result is the largest error, as a share of the largest stress at the end of any load

@@ -17,7 +17,8 @@ namespace fretwork::simulation {
 ///
 /// The tessellation's hash covers its polygons, its interface nodes and the node layout, but not each tile's
 /// first vertex. The painting's hash covers each tile's pattern and first vertex. The setting's hash covers
-/// all values but the strength and the section's shape.
+/// all values but the strength and the section's shape. Throws InputError if a model is unknown, and
+/// NumericalError as load_case_text().
 ///
 /// @param full_tiles  the tiles with all of their beams in the result of a mixed model, ascending
 ResultSubject result_subject(const Surface& surface, const LoadCase& load_case,
@@ -37,7 +38,8 @@ void check_subject(const ResultSubject& subject, const std::string& source,
                    std::span<const reduction::TileModel> models = reduction::tile_models());
 
 /// The differences between two subjects ("the painting, the setting"), load case and load stages included;
-/// empty if there are none. Models and descriptions of load cases are not compared.
+/// empty if there are none. Models and descriptions of load cases are not compared. Throws InputError if the
+/// text of a load case or of load stages is invalid.
 std::string subject_difference(const ResultSubject& left, const ResultSubject& right);
 
 /// The common data of the subjects of all results of a surface. Compute it only once, because hashes take

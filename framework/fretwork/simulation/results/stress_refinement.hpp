@@ -25,7 +25,8 @@ std::vector<tiling::TileIndex> tiles_around(const Surface& surface, const BeamRo
 
 /// Solve a session of reduced tiles repeatedly, because stresses peak at few places, and reduced tiles smooth
 /// the peaks. After each solution, the tiles around the most stressed beam get all of their beams. The
-/// refinement ends if these tiles already have all of them. The session keeps the changed tile models.
+/// refinement ends if these tiles already have all of them, if a solution has not converged, or if no stress
+/// is known. The session keeps the changed tile models. Throws as Session::solve().
 ///
 /// @param full_tiles  the tiles with all of their beams in the first solution
 RefinedStress refine_stress(Session& session, std::vector<tiling::TileIndex> full_tiles,
@@ -37,8 +38,8 @@ RefinedStress refine_stress(Session& session, SurfaceResult first, std::vector<t
 
 /// Refine the stress of a nonlinear result of corotational or mixed tiles from a file. The first solution
 /// starts from rest along the primary path, and has the same tiles with all of their beams as the result.
-/// Throws InputError if the result has another model, is linear, or is a result of load stages. Pre: the
-/// result has a subject.
+/// Throws InputError if the result has another model, is linear, or is a result of load stages; and as above.
+/// Pre: the result has a subject.
 RefinedStress refine_stress(const Surface& surface, const SurfaceResult& result,
                             const base::Control& control = {});
 

@@ -19,7 +19,8 @@ struct SurfaceBeams {
     std::vector<Eigen::Vector3d> nodes;
     std::vector<std::array<mechanics::NodeIndex, 2>> ends;  ///< the two ends of each beam
     std::vector<tiling::TileIndex> tiles;                   ///< tile of each beam
-    std::vector<double> joint_reaches;                      ///< reduction::joint_reaches of each beam
+    /// reduction::joint_reaches() of each beam, in widths of a bar.
+    std::vector<double> joint_reaches;
     /// The beginning of a tile's inner nodes and beams.
     struct Start {
         std::size_t inner_node = 0;  ///< index of the tile's first inner node
@@ -34,8 +35,8 @@ SurfaceBeams surface_beams(const Surface& surface);
 
 /// The distance below which two nodes at rest are the same node, m.
 inline constexpr double kSamePlace = 1e-9;
-/// True if the nodes of a result lie at these places, in this order. Equal numbers do not suffice: a model
-/// with nodes of its own in each tile may have as many of them as the patterns.
+/// True if the nodes of a result lie at these places, in this order. To compare the numbers of nodes does not
+/// suffice: a model with inner nodes of its own may have as many as the patterns.
 bool has_nodes_at(const SurfaceResult& result, std::span<const Eigen::Vector3d> places);
 
 /// For each beam, an object that computes section forces from the motions of the beam's ends.
@@ -44,7 +45,7 @@ std::vector<mechanics::BeamSection> beam_sections(const SurfaceBeams& beams,
 
 /// The displacements and forces of the beams of a surface. Values that a tile model does not give are NaN.
 struct BeamState {
-    mechanics::NodeValues nodes;  ///< displacements, one row for each node of the beams
+    mechanics::NodeValues nodes;  ///< displacements (m, rad), one row for each node of the beams
     /// The section forces and stresses: two rows for each beam, one for each end, and the columns of
     /// kBeamFields.
     Eigen::Matrix<double, Eigen::Dynamic, 8> forces;
@@ -67,13 +68,14 @@ BeamState beam_state(const Session& session, const mechanics::Solution& solution
 /// The state of the beams in a result from a file. The tiles are built with the main model and the full tiles
 /// of the result's subject, and with the surface's own tile models; all must be rows of `models`. A result
 /// without a subject counts as one of the full model if it has a row for each node of the beams; otherwise,
-/// all values but the displacements of interface nodes are NaN. Throws InputError if the numbers of nodes
-/// show that the result does not belong to the surface with these tile models.
+/// all values but the displacements of interface nodes are NaN. Throws InputError if a tile model is unknown,
+/// if a tile is not painted or lacks a calibration, or if the numbers of nodes show that the result does not
+/// belong to the surface with these tile models.
 BeamState beam_state(const Surface& surface, const SurfaceResult& result, const SurfaceBeams& beams,
                      std::span<const mechanics::BeamSection> sections,
                      std::span<const reduction::TileModel> models = reduction::tile_models());
-/// The states of the beams at the end of each load step or stage of a result from a file. The tiles are built
-/// once. Throws as beam_state().
+/// The states of the beams at the end of each load step or stage of a result from a file, one for each of
+/// Result::load_steps. The tiles are built once. Throws as beam_state().
 std::vector<BeamState> step_beam_states(const Surface& surface, const SurfaceResult& result,
                                         const SurfaceBeams& beams,
                                         std::span<const mechanics::BeamSection> sections,

@@ -16,8 +16,8 @@ enum class ModeKind {
 };
 
 /// The lowest modes of a surface with all of its beams, under the supports and (for buckling) the loads of a
-/// load case. A mode has one row for each node of surface_beams(). Throws as mechanics::vibration_modes, and
-/// InputError as surface_frame.
+/// load case. A mode has one row for each node of surface_beams(). Throws as mechanics::vibration_modes() or
+/// mechanics::buckling_modes(), and InputError as resolve() and surface_frame().
 std::vector<mechanics::Mode> surface_modes(const Surface& surface, const LoadCase& load_case, ModeKind kind,
                                            int count, const mechanics::ModeOptions& options = {});
 

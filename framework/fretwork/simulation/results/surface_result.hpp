@@ -88,7 +88,7 @@ SurfaceResult parse_surface_result(std::string_view text, const std::string& sou
 /// result has no subject.
 std::string surface_result_text(const SurfaceResult& result);
 
-/// Read a surface's result file. Throws as parse_surface_result.
+/// Read a surface's result file. Throws as parse_surface_result, and InputError if the file cannot be read.
 SurfaceResult read_surface_result(const std::filesystem::path& path);
 /// Write a surface's result file. Throws IoError, or as surface_result_text(). After an error, the file is as
 /// before.

@@ -46,7 +46,7 @@ struct Candidate {
 
 /// A rough prediction of the tiling from a start: its irregularity, and the distance of the sites that gives
 /// the wanted sides. A sketch is cheap and suffices to discard the worst starts. make_sketch() reports at
-/// most rough_steps() steps of progress.
+/// most rough_steps() steps of progress. Throws base::Stopped.
 struct Sketch {
     double irregularity = 0.0;
     double factor = 0.0;
@@ -56,7 +56,7 @@ Sketch make_sketch(const TilingProblem& problem, const Start& start, SharedTask&
 std::size_t rough_steps(const TessellationOptions& options);
 
 /// Make the tiling from a start, with the distance of sites that gives the wanted sides. Usually reports
-/// fewer than candidate_steps() steps of progress.
+/// fewer than candidate_steps() steps of progress. Throws base::Stopped.
 Candidate make_candidate(const TilingProblem& problem, const Start& start, SharedTask& task);
 std::size_t candidate_steps(const TessellationOptions& options);
 

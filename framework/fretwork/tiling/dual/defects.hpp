@@ -43,7 +43,8 @@ struct Shape {
 /// that at most two tiles share a side, and that sides connect all tiles. Exact tests also check that the
 /// rim of the tiles is one simple curve for the boundary and one for each hole, and that these curves do not
 /// cross. If all tests are passed, the tiles cover the inside of their rim exactly once and have the
-/// outline's topology. Short sides, sharp angles and uncovered areas are tested in floating point.
+/// outline's topology. Short sides, sharp angles and uncovered areas are tested in floating point. Throws
+/// base::Stopped.
 Shape compare_with_outline(const Dual& dual, const Rim& rim, const SizeField& field,
                            const QualityLimits& limits, const base::Control& control);
 

@@ -35,7 +35,7 @@ struct Dual {
 /// The dual of a triangulation. A triangle of three sites gives an inner vertex: the circumcenter, or the
 /// point of the triangle nearest to the circumcenter. In a triangle of two sites and a rim point, the side
 /// between the two tiles ends on the outline. A corner of the outline is a vertex of its tile if the tile
-/// stays convex. Pre: ears have been flipped (flip_ears).
+/// stays convex. Throws base::Stopped. Pre: ears have been flipped (flip_ears).
 Dual dual_of(const Rim& rim, const Triangulation& triangulation, const SharedTask& task);
 
 /// The polygon of a tile.

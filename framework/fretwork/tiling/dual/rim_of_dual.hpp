@@ -16,6 +16,7 @@ struct DualRim {
     std::vector<DualVertexIndex> knots;
 };
 
+/// The rim of a dual. Throws base::Stopped.
 DualRim rim_of(const Dual& dual, const base::Control& control);
 
 /// The lines of the rim as polygons; the outer line comes first. Pre: there is at least one line.
@@ -27,6 +28,7 @@ struct Pieces {
     int count = 0;
     std::size_t cell_of_smallest = 0;
 };
+/// Throws base::Stopped.
 Pieces pieces_of(const Dual& dual, const base::Control& control);
 
 }  // namespace fretwork::tiling::detail

@@ -21,7 +21,8 @@ enum class Dithering {
     ErrorDiffusion  ///< the error is passed on
 };
 
-/// Paint the listed tiles, in order, with the patterns that have the values nearest to the wanted values.
+/// A painting of the listed tiles, in order, with the patterns that have the values nearest to the wanted
+/// values. Entry k of `wanted` and of Painting::tiles is for tile k of the list.
 ///
 /// Error diffusion [FloydSteinberg1976] on tiles: the neighbours that come later in the order share a tile's
 /// error equally; if a tile has no such neighbour, the next tile in the order gets the error. With error

@@ -13,9 +13,9 @@
 
 namespace fretwork::tiling {
 
-/// The patterns with these ids, in order, checked for use in a painting. Throws InputError that names the
-/// pattern and the rule if a pattern crosses itself, misses an interface node, is not connected, has a part
-/// that carries no force, or appears twice.
+/// The patterns with these ids, in order, checked for use in a painting. Throws InputError if an id is not
+/// valid. Throws InputError that names the pattern and the rule if a pattern crosses itself, misses an
+/// interface node, is not connected, has a part that carries no force, or appears twice.
 std::vector<pattern::NamedPattern> make_palette(const pattern::NodeLayout& layout,
                                                 std::span<const std::string> ids);
 
@@ -64,7 +64,7 @@ struct WeightedPattern {
 };
 
 /// A random painting for `tiles` tiles. The same seed gives the same painting on every machine. Throws
-/// InputError if there are no patterns or a weight is not above zero.
+/// InputError if there are no patterns or a weight is not a finite number above zero.
 Painting random_painting(std::size_t tiles, std::span<const WeightedPattern> patterns, std::uint64_t seed);
 
 /// Paint the listed tiles with the patterns of the painting: tile k of the list as entry k of its tiles. All

@@ -10,10 +10,11 @@
 
 namespace fretwork::tiling {
 
-/// The smallest box around all tiles.
+/// The smallest box around all tiles; all zeros if there are none.
 geometry::Box bounding_box(const Tessellation& tessellation);
 
-/// The centroid of each tile. A tile lies in a box, a circle or a polygon if its centroid does.
+/// The centroid of each tile. A tile lies in a box, a circle or a polygon if its centroid does. Both
+/// tile_centers() and tiles_in() throw GeometryError if a tile has no area.
 base::IndexVector<TileIndex, geometry::Point2> tile_centers(const Tessellation& tessellation);
 
 /// The tiles in a list of numbers and ranges ("3,7-11"), each tile once, ascending. Throws InputError that

@@ -10,7 +10,8 @@ namespace fretwork::tiling::detail {
 
 /// Sites, the approximate centers of tiles: the inner vertices of an isotropic triangle mesh inside the rim
 /// (CGAL's isotropic_remeshing; the rim is protected), except those near the rim. `edge` is the wanted length
-/// of the triangles' edges, m. Every read access to a vertex or a face checks for a stop.
+/// of the triangles' edges, m. Every read access to a vertex or a face checks for a stop. All functions here
+/// throw base::Stopped.
 std::vector<geometry::Point2> remeshed_sites(const Rim& rim, double edge, int iterations,
                                              const SharedTask& task);
 

@@ -24,8 +24,8 @@ struct Triangulation {
     [[nodiscard]] bool is_rim(PointIndex point) const { return point < rim_count; }
 };
 
-/// The constrained Delaunay triangulation: the rim's sides are edges, and no triangle lies outside. Pre: the
-/// sites lie strictly inside and are distinct.
+/// The constrained Delaunay triangulation: the rim's sides are edges, and no triangle lies outside. Throws
+/// base::Stopped. Pre: the sites lie strictly inside and are distinct.
 Triangulation triangulate(const Rim& rim, const std::vector<geometry::Point2>& sites, const SharedTask& task);
 
 /// The center of the circle through three points, which must not lie on a line.
