@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <exception>
 #include <filesystem>
 #include <new>
 #include <string>
@@ -90,6 +91,9 @@ int main(int argc, char** argv) {
         app::complain(error.path1().string() + ": " + error.code().message());
     } catch (const std::bad_alloc&) {
         app::complain("out of memory");
+    } catch (const std::exception& defect) {
+        app::complain(base::defect_text(defect));
+        return static_cast<int>(app::ExitCode::Defect);
     }
     return static_cast<int>(app::ExitCode::BadInput);
 }

@@ -6,7 +6,12 @@
 namespace fretwork::app {
 
 /// How a command ends. Bad input and wrong usage are exceptions, and become exit code 2 in `main`.
-enum class ExitCode { Done = 0, DidNotSucceed = 1, BadInput = 2 };
+enum class ExitCode {
+    Done = 0,
+    DidNotSucceed = 1,  ///< ran, but not converged, out of tolerance, nothing found
+    BadInput = 2,       ///< bad input or usage
+    Defect = 70,        ///< a defect of the program itself (EX_SOFTWARE of sysexits.h)
+};
 
 /// Each of these functions adds one verb to the command line: its options, its help with an example, and its
 /// action. The verb writes how it ended to `exit_code` (Done if it writes nothing).

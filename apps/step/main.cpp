@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <new>
 #include <optional>
@@ -119,8 +120,13 @@ int main(int argc, char** argv) {
         return 0;
     } catch (const base::Error& error) {
         std::fprintf(stderr, "fretwork-step: %s\n", error.what());
+    } catch (const std::filesystem::filesystem_error& error) {
+        std::fprintf(stderr, "fretwork-step: %s: %s\n", error.path1().c_str(), error.code().message().c_str());
     } catch (const std::bad_alloc&) {
         std::fputs("fretwork-step: out of memory\n", stderr);
+    } catch (const std::exception& defect) {
+        std::fprintf(stderr, "fretwork-step: %s\n", base::defect_text(defect).c_str());
+        return 70;  // a defect of the program itself, as in fretwork
     }
     return 2;
 }

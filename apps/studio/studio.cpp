@@ -109,12 +109,8 @@ void Studio::Impl::received(ClientId client, std::string_view message) {
         const JsonReader json = JsonReader::from_text(message, kMessageSource);
         if (const auto number = json.find("id")) id = number->integer(0, 1LL << 53);
         dispatch({client, id, json});
-    } catch (const base::Error& error) {
-        pages_.refuse(client, id.is_null() ? number_of(message) : id, in_words(error));
-    } catch (const std::filesystem::filesystem_error& error) {
-        pages_.refuse(client, id, in_words(error));
-    } catch (const std::bad_alloc&) {
-        pages_.refuse(client, id, "out of memory");
+    } catch (...) {
+        pages_.refuse(client, id.is_null() ? number_of(message) : id, error_in_words());
     }
 }
 

@@ -35,10 +35,8 @@ void do_or_refuse(const std::function<void(HttpAnswer)>& answer, const Work& wor
         work();
     } catch (const base::InputError& error) {
         answer(refused(422, in_words(error)));
-    } catch (const base::Error& error) {
-        answer(refused(503, error.what()));
-    } catch (const fs::filesystem_error& error) {
-        answer(refused(503, in_words(error)));
+    } catch (...) {
+        answer(refused(503, error_in_words()));
     }
 }
 

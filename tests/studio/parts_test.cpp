@@ -19,6 +19,7 @@
 
 #include <future>
 #include <random>
+#include <stdexcept>
 
 namespace fretwork::studio {
 namespace THIS_TEST {
@@ -81,6 +82,15 @@ TEST(StudioBackground, AFailureIsOneLineWhateverItQuotes) {
         {.work = [](const base::Control&) { throw base::InputError("lib.db", "", "'\xb0\n' is no pattern"); },
          .failed = [&failure](const std::string& error) { failure.set_value(error); }});
     EXPECT_EQ(failure.get_future().get(), "lib.db: '\\xb0\\x0a' is no pattern");
+}
+
+TEST(StudioBackground, ADefectOfTheProgramIsAFailureAndNotTheEnd) {
+    Background thread;
+    std::promise<std::string> failure;
+    thread.add({.work = [](const base::Control&) { throw std::out_of_range("map::at"); },
+                .failed = [&failure](const std::string& error) { failure.set_value(error); }});
+    EXPECT_EQ(failure.get_future().get(),
+              "a defect of the program; please report it with what led to it: map::at");
 }
 
 TEST(StudioHistory, MemoryStaysBoundedUnderRandomEdits) {

@@ -3,7 +3,6 @@
 #include <studio/server/progress.hpp>
 #include <studio/server/words.hpp>
 
-#include <new>
 #include <optional>
 #include <utility>
 
@@ -63,12 +62,8 @@ void Background::work(const Job& job, const std::stop_token& stop) {
         job.work({.stop = stop, .progress = &progress});
     } catch (const base::Stopped&) {
         job.failed(kCancelled);
-    } catch (const base::Error& error) {
-        job.failed(one_line(in_words(error)));
-    } catch (const std::filesystem::filesystem_error& error) {
-        job.failed(one_line(in_words(error)));
-    } catch (const std::bad_alloc&) {
-        job.failed("out of memory");
+    } catch (...) {
+        job.failed(one_line(error_in_words()));
     }
 }
 

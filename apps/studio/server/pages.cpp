@@ -74,10 +74,8 @@ void Pages::in_background(Background& thread, const Request& request,
     const auto finish = [this, request](const std::function<void()>& rest) {
         try {
             rest();
-        } catch (const base::Error& error) {
-            refuse(request, in_words(error));
-        } catch (const std::filesystem::filesystem_error& error) {
-            refuse(request, in_words(error));
+        } catch (...) {
+            refuse(request, error_in_words());
         }
     };
     thread.add({.work =

@@ -3,6 +3,8 @@
 #include <studio/server/words.hpp>
 
 #include <algorithm>
+#include <exception>
+#include <new>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -126,6 +128,20 @@ std::string in_words(const base::Error& error) {
 std::string in_words(const std::filesystem::filesystem_error& error) {
     const std::string file = error.path1().string();
     return (file.empty() ? "" : file + ": ") + error.code().message();
+}
+
+std::string error_in_words() {
+    try {
+        throw;
+    } catch (const base::Error& error) {
+        return in_words(error);
+    } catch (const std::filesystem::filesystem_error& error) {
+        return in_words(error);
+    } catch (const std::bad_alloc&) {
+        return "out of memory";
+    } catch (const std::exception& defect) {
+        return base::defect_text(defect);
+    }
 }
 
 std::string one_line(const std::string& text) {

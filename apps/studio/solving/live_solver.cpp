@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <numbers>
 
 namespace fretwork::studio {
@@ -127,10 +126,8 @@ void LiveSolver::answer(const Attempt& attempt) {
         solve(attempt);
     } catch (const base::Stopped&) {
         return;  // newer input is there
-    } catch (const base::Error& error) {
-        listener_.failed(attempt.input, one_line(in_words(error)));
-    } catch (const std::bad_alloc&) {
-        listener_.failed(attempt.input, "out of memory");
+    } catch (...) {
+        listener_.failed(attempt.input, one_line(error_in_words()));
     }
     end_attempt(began);
 }

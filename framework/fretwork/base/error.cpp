@@ -14,6 +14,10 @@ std::string text_of(const ErrorData& data) {
     return text + data.problem;
 }
 
+std::string defect_text(const std::exception& defect) {
+    return std::string("a defect of the program; please report it with what led to it: ") + defect.what();
+}
+
 bool names_source(const Error& error, const std::string& source) {
     return std::ranges::find(error.data().where, source, &ErrorPlace::source) != error.data().where.end();
 }

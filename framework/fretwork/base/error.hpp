@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -109,6 +110,10 @@ auto located(const std::string& source, const std::string& place, const Work& wo
         throw within(source, place, error);
     }
 }
+
+/// The text for a person about an exception that is not foreseen: the program has a defect, which is to be
+/// reported.
+[[nodiscard]] std::string defect_text(const std::exception& defect);
 
 /// True if `source` is among the sources of the error.
 [[nodiscard]] bool names_source(const Error& error, const std::string& source);

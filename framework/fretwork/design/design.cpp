@@ -179,7 +179,7 @@ class Designer {
             const int before = trials_.solutions();
             DesignOptions fitting = options_;
             fitting.most_solutions = search_.most_solutions() + kMostFitting;
-            detail::fit_starts(trials_, starts, fitting);
+            detail::fit_starts(trials_, starts, fitting, time_);
             search_.grant(trials_.solutions() - before);
             search_.note(starts.front());
             detail::add_reached_curvatures(trials_, starts, report_.gamut);

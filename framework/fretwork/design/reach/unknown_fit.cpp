@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 
 namespace fretwork::design::detail {
@@ -15,6 +16,8 @@ constexpr int kMostHalvings = 3;
 constexpr double kSmallGain = 1e-3;
 /// The largest number of uniform paintings that get their own best unknowns.
 constexpr std::size_t kFitted = 4;
+/// The share of a given time that the fit leaves for the search and the checks.
+constexpr double kLeftForSearch = 0.4;
 /// The largest factor by which a guess scales displacements.
 constexpr double kMostGuessed = 5.0;
 
@@ -59,16 +62,22 @@ Eigen::VectorXd wanted_step(Trials& trials, const Solved& current, const DesignO
     return best_steps(table, table.residual);
 }
 
-}  // namespace
+/// What one fit may use.
+struct FitLimits {
+    int steps;
+    std::function<bool()> may_solve;
+};
 
-Solved fit_unknowns(Trials& trials, Solved start, const DesignOptions& options, int steps) {
+/// The best values of the unknowns for a fixed painting, by Gauss-Newton steps. A step is halved until it
+/// lowers the objective, at most kMostHalvings times.
+Solved fit_unknowns(Trials& trials, Solved start, const DesignOptions& options, const FitLimits& limits) {
     Solved current = std::move(start);
     current.trial = trials.solve(current.point, options.control);  // tables are made at the last equilibrium
-    for (int count = 0; count < steps && current.trial.is_found; ++count) {
+    for (int count = 0; count < limits.steps && current.trial.is_found; ++count) {
         Eigen::VectorXd step = wanted_step(trials, current, options);
         double gained = 0.0;
         for (int halving = 0; halving <= kMostHalvings && gained <= 0.0; ++halving, step *= 0.5) {
-            if (trials.solutions() >= options.most_solutions) return current;
+            if (!limits.may_solve()) return current;
             Point next = current.point;
             next.unknowns = trials.bounded(current.point.unknowns + step);
             Trial trial = trials.solve(next, options.control);
@@ -81,7 +90,10 @@ Solved fit_unknowns(Trials& trials, Solved start, const DesignOptions& options, 
     return current;
 }
 
-void fit_starts(Trials& trials, std::vector<Solved>& starts, const DesignOptions& options) {
+}  // namespace
+
+void fit_starts(Trials& trials, std::vector<Solved>& starts, const DesignOptions& options,
+                const TimeLimit& time) {
     // Another factor or thickness nearly scales the displacements.
     std::ranges::stable_sort(starts, {},
                              [&](const Solved& own) { return trials.scaled_objective(own.trial); });
@@ -91,15 +103,19 @@ void fit_starts(Trials& trials, std::vector<Solved>& starts, const DesignOptions
             starts, [&](const Solved& own) { return trials.mass_of(own.point) <= options.max_mass; });
     };
     sort_by_mass();
+    const auto may_solve = [&] {
+        return trials.solutions() < options.most_solutions && time.has_left(kLeftForSearch * options.seconds);
+    };
     const auto fit = [&](Solved& start, int steps) {
-        Solved fitted = fit_unknowns(trials, start, options, steps);
+        if (!may_solve()) return;
+        Solved fitted = fit_unknowns(trials, start, options, {steps, may_solve});
         if (fitted.trial.is_found) start = std::move(fitted);
     };
     const auto sort = [&] {
         std::ranges::stable_sort(starts, {}, [](const Solved& own) { return own.trial.objective; });
         sort_by_mass();
     };
-    for (std::size_t i = 0; i < std::min(starts.size(), kFitted); ++i) {
+    for (std::size_t i = 0; i < std::min(starts.size(), kFitted) && may_solve(); ++i) {
         starts[i] = guessed(trials, starts[i], options);
         fit(starts[i], kFirstSteps);
     }
