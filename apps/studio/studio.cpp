@@ -91,9 +91,9 @@ Studio::Impl::~Impl() = default;
 std::string Studio::Impl::address() const {
     const bool is_version_6 = options_.address.find(':') != std::string::npos;
     const std::string host = is_version_6 ? "[" + options_.address + "]" : options_.address;
-    const std::string page = "http://" + host + ":" + std::to_string(server_.port()) + "/?token=" + token_;
-    if (!options_.layout) return page;
-    return page + "&page=layout&layout=" + escaped(*options_.layout);
+    std::string page = "http://" + host + ":" + std::to_string(server_.port()) + "/?token=" + token_;
+    if (options_.layout) page += "&page=layout&layout=" + escaped(*options_.layout);
+    return page;
 }
 
 void Studio::Impl::connected(ClientId) {}  // nothing until its hello

@@ -6,7 +6,9 @@
 #include <csignal>
 #include <fcntl.h>
 #include <future>
+#include <limits>
 #include <string>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -109,6 +111,16 @@ TEST(File, AFailedWriteLeavesTheOldFileAndNothingElse) {
 TEST(File, ADeviceWithoutAnEndIsRefused) {
     for (const char* device : {"/dev/zero", "/dev/null"})
         EXPECT_THAT(complaint_of([&] { read_text_file(device); }), HasSubstr("is a device"));
+}
+
+/// A file in memory, because not every file system has files of this size.
+TEST(File, AHugeFileOfHolesIsRefused) {
+    const int huge = ::memfd_create("huge", MFD_CLOEXEC);
+    ASSERT_GE(huge, 0);
+    ASSERT_EQ(::ftruncate(huge, std::numeric_limits<off_t>::max()), 0);
+    EXPECT_THAT(complaint_of([&] { read_text_file("/proc/self/fd/" + std::to_string(huge)); }),
+                HasSubstr("is too large for the memory: 9223372036854775807 bytes"));
+    ::close(huge);
 }
 
 TEST(File, WritingThroughALinkReplacesWhatItLeadsTo) {

@@ -4,6 +4,9 @@
 #include <fretwork/base/files/scratch.hpp>
 
 #include <csignal>
+#include <cstdlib>
+#include <optional>
+#include <string>
 #include <sys/wait.h>
 
 namespace fretwork::base {
@@ -14,6 +17,29 @@ using test::TemporaryFolder;
 std::size_t entries(const std::filesystem::path& folder) {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), {}));
 }
+
+/// A variable of the environment that is set, or with a null pointer unset, until the end of a scope.
+class Variable {
+  public:
+    Variable(const char* name, const char* value) : name_(name) {
+        if (const char* before = std::getenv(name); before != nullptr) before_ = before;
+        set(value);
+    }
+    Variable(const Variable&) = delete;
+    Variable& operator=(const Variable&) = delete;
+    ~Variable() { set(before_ ? before_->c_str() : nullptr); }
+
+  private:
+    void set(const char* value) const {
+        if (value != nullptr) {
+            ::setenv(name_, value, 1);
+        } else {
+            ::unsetenv(name_);
+        }
+    }
+    const char* name_;
+    std::optional<std::string> before_;
+};
 
 class OfBothKinds : public testing::TestWithParam<Scratch::Kind> {};
 INSTANTIATE_TEST_SUITE_P(Scratch, OfBothKinds, testing::Values(Scratch::Kind::File, Scratch::Kind::Folder));
@@ -67,6 +93,19 @@ TEST(Scratch, LeavesFilesOfOthersAlone) {
     (void)folder.file("fretwork-123456", "mine");
     const Scratch scratch(folder.path() / "x", Scratch::Kind::File);
     EXPECT_EQ(entries(folder.path()), 3U);
+}
+
+TEST(Scratch, AMissingTemporaryFolderIsNamedWithTheVariableThatIsUsed) {
+    const Variable first("TMPDIR", nullptr);
+    const Variable third("TEMP", "/nowhere/third");
+    EXPECT_THAT(test::complaint_of([] {
+                    const Variable second("TMP", "/nowhere/second");
+                    (void)temporary_folder();
+                }),
+                testing::HasSubstr(", TMP, is '/nowhere/second': "));
+    const Variable second("TMP", nullptr);
+    EXPECT_THAT(test::complaint_of([] { (void)temporary_folder(); }),
+                testing::HasSubstr(", TEMP, is '/nowhere/third': "));
 }
 
 }  // namespace THIS_TEST

@@ -174,6 +174,14 @@ TEST(DesignHonesty, ComparesUtilizationWithItsErrorToTheLimit) {
     EXPECT_TRUE(keeps_utilization(options, 0.5 * options.max_utilization, 0.1 * options.max_utilization));
 }
 
+TEST(DesignHonesty, ALimitOfUtilizationNeedsAStrength) {
+    simulation::Project project = small_project();
+    project.setting->strength.reset();
+    DesignOptions options = test::design_options(project);
+    options.max_utilization = 0.5;
+    EXPECT_THROW((void)design(project, nullptr, planted(project), options), base::InputError);
+}
+
 /// Where mixtures of patterns leave much, the load and the patterns limit the result; planted targets are
 /// within reach of them.
 TEST(DesignHonesty, SaysWhatMixturesOfPatternsArePredictedToReach) {

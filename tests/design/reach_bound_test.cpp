@@ -56,6 +56,8 @@ TEST(DistanceToEllipsoid, OfABallIsTheDistanceFromItsMiddleLessItsRadius) {
     EXPECT_NEAR(distance_to_ellipsoid(0.25 * MatrixXd::Identity(4, 4), 1.6, point), point.norm() - 0.8, 1e-9);
     EXPECT_EQ(distance_to_ellipsoid(MatrixXd::Identity(4, 4), 10.0, point), 0.0);
     EXPECT_NEAR(distance_to_ellipsoid(MatrixXd::Zero(4, 4), 1.0, point), point.norm(), 1e-12);
+    const MatrixXd disc = Eigen::Vector3d(1.0, 1.0, 0.0).asDiagonal();
+    EXPECT_NEAR(distance_to_ellipsoid(disc, 1.0, Eigen::Vector3d(0.5, 0.0, 5.0)), 5.0, 1e-12) << "flat";
 }
 
 /// Against the nearest of many points on the ellipse.

@@ -9,6 +9,7 @@
 #include <fretwork/reduction/calibration/calibration_problem.hpp>
 
 #include <atomic>
+#include <pthread.h>
 #include <thread>
 
 namespace fretwork::library {
@@ -268,6 +269,22 @@ TEST_F(Fill, RefusesOptionsThatMakeNoSense) {
     EXPECT_THAT(complaint_of([&] { fill_all(library, options); }), HasSubstr("did you mean"));
     options = quick(-1);
     EXPECT_THAT(complaint_of([&] { fill_all(library, options); }), HasSubstr("threads"));
+}
+
+/// Stacks larger than the address space stand for a limit on threads, which does not hold for root.
+TEST_F(Fill, SaysThatNoThreadCanBeStarted) {
+    Library library = make_library(path(), {"0-1+1-6"});
+    pthread_attr_t usual;
+    ASSERT_EQ(::pthread_getattr_default_np(&usual), 0);
+    pthread_attr_t huge;
+    ASSERT_EQ(::pthread_attr_init(&huge), 0);
+    ASSERT_EQ(::pthread_attr_setstacksize(&huge, std::size_t{1} << 60U), 0);
+    ASSERT_EQ(::pthread_setattr_default_np(&huge), 0);
+    EXPECT_THAT(complaint_of([&] { fill_all(library); }), HasSubstr("no thread can be started"));
+    ASSERT_EQ(::pthread_setattr_default_np(&usual), 0);
+    ::pthread_attr_destroy(&huge);
+    ::pthread_attr_destroy(&usual);
+    EXPECT_EQ(fill_all(library).done, 1U);
 }
 
 TEST_F(Fill, StatisticsAreThoseOfTheStoredCalibrations) {

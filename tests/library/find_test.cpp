@@ -10,6 +10,7 @@ namespace fretwork::library {
 namespace THIS_TEST {
 
 using namespace test;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -89,6 +90,18 @@ TEST_F(Find, NamesWhatIsNoExpression) {
     EXPECT_THAT(complaint({.sort = "edges,"}), HasSubstr("sort: "));
     EXPECT_THAT(complaint({.sort = "edges, mass_per_area"}), HasSubstr("sort: "));
     EXPECT_THAT(complaint({.where = "edges = 2; DROP TABLE pattern"}), HasSubstr("where: "));
+}
+
+TEST_F(Find, RefusesBracketsThatLeadOutOfTheExpression) {
+    const auto names_the_bracket = HasSubstr("at ') ");
+    for (const char* trick : {"1) LIMIT (1", "1) UNION SELECT pattern_id FROM found WHERE (1",
+                              "1) GROUP BY (1", "edges -- '(\n) GROUP BY (1"}) {
+        EXPECT_THAT(complaint({.where = trick}), AllOf(HasSubstr("where: "), names_the_bracket)) << trick;
+        EXPECT_THAT(complaint({.sort = trick}), AllOf(HasSubstr("sort: "), names_the_bracket)) << trick;
+    }
+    for (const char* sound : {"pattern_id <> ')'", "pattern_id <> ''')'", "edges > (0) -- )",
+                              "((edges)) > (0)", "[edges] > 0 and \"edges\" > `edges` - (1)"})
+        EXPECT_EQ(ids({.where = sound}).size(), 4U) << sound;
 }
 
 /// Brackets and comments do not lead out of the expression, and no other table is read.

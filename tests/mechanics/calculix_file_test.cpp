@@ -297,6 +297,31 @@ TEST_F(CalculixFile, InvalidFrameIsReportedWithLabelsOfDeck) {
                 testing::AllOf(StartsWith(file), HasSubstr("density")));
 }
 
+TEST_F(CalculixFile, RefusesLabelsBelowOne) {
+    using testing::HasSubstr;
+    EXPECT_THAT(complaint("10, 0., 0., 0.", "-10, 0., 0., 0."), HasSubstr("line 5 has the label -10, where"));
+    EXPECT_THAT(complaint("20, 0.5, 0, 0", "0, 0.5, 0, 0"), HasSubstr("line 6 has the label 0, where"));
+    EXPECT_THAT(complaint("2, 30, 40", "-2, 30, 40"), HasSubstr("line 13 has the label -2, where"));
+    EXPECT_THAT(complaint("2, 30, 40", "0, 30, 40"), HasSubstr("line 13 has the label 0, where"));
+}
+
+TEST_F(CalculixFile, GravityMustActOnAllBeamsWhereverItStands) {
+    using testing::HasSubstr;
+    EXPECT_THAT(complaint("EALL, GRAV", "NONE, GRAV"),
+                HasSubstr("line 37 names the element set NONE, which does not exist"));
+    const auto early = [](const std::string& set) {
+        return "*DLOAD\n" + set + ", GRAV, 1, 1, 0, 0\n*Node, nset=Nall\n";
+    };
+    EXPECT_THAT(complaint("*Node, nset=Nall\n", early("NONE")),
+                HasSubstr("line 5 names the element set NONE, which does not exist"));
+    EXPECT_THAT(complaint("*ELSET, ELSET=EALL\nEBEAM", "*ELSET, ELSET=EALL\n1"),
+                HasSubstr("line 37 lets gravity act on EALL, a part of the beams"));
+    EXPECT_THAT(complaint("*ELEMENT, TYPE=B31, ELSET=EBEAM\n",
+                          "*DLOAD\nEBEAM, GRAV, 1, 1, 0, 0\n*ELEMENT, TYPE=B31, ELSET=EREST\n"),
+                HasSubstr("line 13 lets gravity act on EBEAM, a part of the beams"));
+    EXPECT_EQ(changed("*Node, nset=Nall\n", early("EALL")).frame.gravity, Eigen::Vector3d(1.0, 0.0, -9.81));
+}
+
 TEST_F(CalculixFile, RefusesBadDecksWithLineNumber) {
     using testing::HasSubstr;
     EXPECT_THAT(complaint("1.E9, .25", "1.E9, .25, 293\n2.E9, .25, 400"),
@@ -305,7 +330,6 @@ TEST_F(CalculixFile, RefusesBadDecksWithLineNumber) {
     EXPECT_THAT(complaint(".02, .01", ".02, .01, .005"), HasSubstr("3 numbers, where no more than 2"));
     EXPECT_THAT(complaint("EALL, GRAV, 9.81, 0, 0, -1", "EALL, GRAV, 9.81, 0, 0, 0"),
                 HasSubstr("no direction"));
-    EXPECT_THAT(complaint("EALL, GRAV", "NONE, GRAV"), HasSubstr("a part of the beams"));
     EXPECT_THAT(complaint("20, 0.5, 0, 0", "20, half, 0, 0"), HasSubstr("line 6 has 'HALF'"));
     EXPECT_THAT(complaint("2, 30, 40", "2, 30, 41"), HasSubstr("node 41, which does not exist"));
     EXPECT_THAT(complaint("10, 30, 20", "10, 2000000000"), HasSubstr("line 17 generates 1999999991 labels"));

@@ -99,6 +99,20 @@ TEST_F(ResultFile, WrittenResultIsReadBackExactly) {
     EXPECT_TRUE(read.load_steps[0].stability_losses.empty());
 }
 
+// Modes of nodes that hardly move have large rotations, and stiff frames have reactions beyond all loads.
+TEST_F(ResultFile, LargeModesAndReactionsAreReadBack) {
+    Result written = some_result();
+    written.vibration_modes[0].shape(1, 3) = -714162679.3;
+    written.buckling_modes[0].shape(0, 5) = 1e21;
+    written.solution.reactions(0, 0) = -2e18;
+    written.solution.reactions(1, 4) = 2e30;
+    written.load_steps.back().reactions = written.solution.reactions;
+    const Result read = parse_result(result_text(written), "somewhere");
+    EXPECT_EQ(read.vibration_modes[0].shape, written.vibration_modes[0].shape);
+    EXPECT_EQ(read.buckling_modes[0].shape, written.buckling_modes[0].shape);
+    EXPECT_EQ(read.solution.reactions, written.solution.reactions);
+}
+
 TEST_F(ResultFile, TextIsReadAsTheFileIs) {
     const std::string text = result_text(some_result());
     EXPECT_EQ(result_text(parse_result(text, "somewhere")), text);

@@ -231,6 +231,12 @@ TEST(DxfDrawing, LooseLinesAreLeftOutAndRoomsAreOneShape) {
     EXPECT_THAT(file.remarks, ElementsAre(AllOf(HasSubstr("2 open lines"), HasSubstr("14.14 mm"))));
 }
 
+TEST(DxfDrawing, AClosedGapIsNoOpenLine) {
+    const OutlineFile file = read(square_of_lines(50) + line(100, 0, 110, 0) + line(110.01, 0, 120, 0));
+    EXPECT_THAT(file.remarks, Contains(HasSubstr("1 gap")));
+    EXPECT_THAT(file.remarks, Contains(HasSubstr("2 open lines")));
+}
+
 TEST(DxfDrawing, AnEndThatLiesOnALineButForRoundingIsJoinedToIt) {
     // A bay whose sides end 1 um before, and 1 um behind, the long line.
     const OutlineFile file = read(line(-50, 0, 50, 0) + line(-10, 0.001, -10, 20) + line(-10, 20, 10, 20) +

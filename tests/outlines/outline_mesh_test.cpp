@@ -53,6 +53,7 @@ TEST(OutlineMesh, ObjIndicesAreCheckedAndCountBackIfNegative) {
     EXPECT_THAT(refuse("o.obj", triangle + "f 1 2 4\n"), AllOf(HasSubstr("line 4"), HasSubstr("vertex 4")));
     EXPECT_THAT(refuse("o.obj", triangle + "f 0 1 2\n"), AllOf(HasSubstr("line 4"), HasSubstr("vertex 0")));
     EXPECT_THAT(refuse("o.obj", triangle + "f -4 1 2\n"), HasSubstr("vertex -4"));
+    EXPECT_THAT(refuse("o.obj", triangle + "f -9223372036854775808 1 2\n"), HasSubstr("vertex -92"));
     EXPECT_THAT(refuse("o.obj", triangle + "f 1 2 99999999999999999999\n"),
                 HasSubstr("is not a whole number"));
     EXPECT_THAT(refuse("o.obj", triangle + "f 1 2\n"), HasSubstr("2 vertices"));

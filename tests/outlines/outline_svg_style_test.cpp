@@ -9,6 +9,7 @@ namespace THIS_TEST {
 
 using test::complaint_of;
 using test::TemporaryFolder;
+using testing::AllOf;
 using testing::HasSubstr;
 
 /// A square of 10 mm that is always there beside one of 20 mm with the given attributes: whether that is
@@ -135,7 +136,7 @@ TEST(SvgStyle, SheetsThatWouldTakeForeverAreRefused) {
     EXPECT_THAT(complaint_of([&] {
                     is_filled("", "<style>x g g g g g g g g g g g g g g rect { fill: none }</style>" + deep);
                 }),
-                HasSubstr("too intricate"));
+                AllOf(HasSubstr("o.svg"), HasSubstr("too intricate")));
 }
 
 }  // namespace THIS_TEST

@@ -77,6 +77,12 @@ TEST(Census, FiltersThatAreSwitchedOnGetAColumnBeforeValid) {
         "asymmetric,lacks_required,valid");
 }
 
+TEST(Census, QuotesTheNamesOfFiltersThatNeedIt) {
+    Census census;
+    census.filters = {"long, thin", "no \"star\""};
+    EXPECT_EQ(census_csv(census), "edges,patterns,\"long, thin\",\"no \"\"star\"\"\",valid\n");
+}
+
 TEST(CensusOfALargeLayout, LeavesGraphColumnsEmpty) {
     NodeLayoutDescription description = find_node_layout("paper7").description();
     description.face.push_back({Rational(9, 20), Rational(1, 5), Rational(7, 20)});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pattern/small_layouts.hpp"
+#include "stops.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/pattern/census.hpp>
@@ -143,6 +144,27 @@ TEST(Enumerate, StopsInTheMiddleOfASearch) {
         EXPECT_THROW(for_each_pattern(layout, options, [&](const Pattern&) { ++visited; }), base::Stopped);
         EXPECT_EQ(visited, 0U) << "it was asked to stop before it began";
     }
+}
+
+// So few edges make so few nodes that no piece reaches the first look of the search itself.
+TEST(Enumerate, OfSmallPiecesStopsAtAnyLook) {
+    const NodeLayout layout = find_node_layout("paper7");
+    EnumerationOptions options;
+    options.edges = {1, 2};
+    options.threads = 1;
+    options.most_kept = 1;
+    fretwork::test::expect_stops_at_any_look(
+        [&](const base::Control& control) {
+            options.control = control;
+            count_patterns(layout, options);
+        },
+        [] {});
+    fretwork::test::expect_stops_at_any_look(
+        [&](const base::Control& control) {
+            options.control = control;
+            enumerate_patterns(layout, options);
+        },
+        [] {});
 }
 
 TEST(Enumerate, CountsAreThoseOfTheStream) {

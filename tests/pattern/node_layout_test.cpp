@@ -206,6 +206,8 @@ TEST(BadLayoutFile, EveryFaultNamesFileAndPlace) {
     EXPECT_THAT(file_refusal(head + R"("interface": ["1/2"], "face": [["1/3", "1/3", "1/2"]] })"),
                 AllOf(HasSubstr(".json: /face/0: node n1"), HasSubstr("7/6")));
     EXPECT_THAT(file_refusal(""), HasSubstr("malformed JSON"));
+    EXPECT_THAT(file_refusal(head + R"("center": false, "interface": ["1/2"]})"),
+                AllOf(HasSubstr(".json: /: layout 'x': "), HasSubstr("0 candidate edges")));
 }
 
 TEST(NodeLayout, IsEqualIfItsTextIs) {

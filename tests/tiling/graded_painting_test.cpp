@@ -237,6 +237,12 @@ TEST(ColouredDrawing, IsTheSameFromItsText) {
     EXPECT_EQ(drawing.colours(), outlines::ColouredDrawing(folder.file("regions.svg", kDrawing)).colours());
     EXPECT_THAT(complaint_of([] { (void)outlines::ColouredDrawing::parse("<svg", "my.svg"); }),
                 HasSubstr("my.svg"));
+    std::string deep = "<svg><style>x g g g g g g g g g g g g g g rect { fill: none }</style>";
+    for (int i = 0; i < 200; ++i) deep += "<g>";
+    deep += "<rect width='9' height='9'/>";
+    for (int i = 0; i < 200; ++i) deep += "</g>";
+    EXPECT_THAT(complaint_of([&] { (void)outlines::ColouredDrawing::parse(deep + "</svg>", "my.svg"); }),
+                HasSubstr("my.svg: its style sheets"));
 }
 
 TEST(ColouredDrawing, ColoursAreThoseOfCss) {
@@ -244,7 +250,8 @@ TEST(ColouredDrawing, ColoursAreThoseOfCss) {
          {"red", "RED", "#f00", "#ff0000", "rgb(255, 0, 0)", "rgb(100% 0% 0% / 50%)", "#f00f"})
         EXPECT_EQ(outlines::parse_colour(red), "#ff0000") << red;
     EXPECT_EQ(outlines::parse_colour("rebeccapurple"), "#663399");
-    EXPECT_NE(complaint_of([] { (void)outlines::parse_colour("reddish"); }), "");
+    for (const char* none : {"reddish", "rgb(nan, 0, 0)", "rgb(1, 2, 3, x)"})
+        EXPECT_NE(complaint_of([&] { (void)outlines::parse_colour(none); }), "") << none;
 }
 
 }  // namespace THIS_TEST

@@ -42,6 +42,15 @@ TEST(TessellateParts, TheReportIsOfAllTiles) {
     EXPECT_NEAR(both.report.covered_share, area / (0.09 + 0.04), 1e-9);
 }
 
+TEST(TessellateParts, APartWithoutInnerTilesLeavesTheShareOfInnerHexagons) {
+    const outlines::Outline strip = outlines::make_outline({{1, 0}, {1.3, 0}, {1.3, 0.04}, {1, 0.04}}, {});
+    const TessellationReport alone = tessellate(square_at(0, 0.3), kLayout, kOptions).report;
+    const TessellationReport both = tessellate_parts({square_at(0, 0.3), strip}, kLayout, kOptions).report;
+    ASSERT_EQ(tessellate(strip, kLayout, kOptions).report.inner_tiles, 0);
+    EXPECT_EQ(both.inner_tiles, alone.inner_tiles);
+    EXPECT_NEAR(both.inner_hexagon_share, alone.inner_hexagon_share, 1e-12);
+}
+
 TEST(TessellateParts, OnePartIsTiledAsByItself) {
     const TessellationResult alone = tessellate(square_at(0, 0.3), kLayout, kOptions);
     EXPECT_EQ(tessellate_parts({square_at(0, 0.3)}, kLayout, kOptions).tessellation.interface_nodes,

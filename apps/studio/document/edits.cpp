@@ -19,7 +19,7 @@ namespace fretwork::studio {
 using base::JsonReader;
 
 std::string read_model(const JsonReader& json, Mixed mixed) {
-    const std::string name = json.string();
+    std::string name = json.string();
     return json.located([&] {
         if (mixed == Mixed::Taken && simulation::mixed_share(name)) return name;
         return reduction::find_tile_model(name).name;

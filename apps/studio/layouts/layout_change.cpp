@@ -93,7 +93,8 @@ ExactPlace face_on_grid(const HandPlace& place, std::int64_t steps) {
 
 ExactPlace axis_on_grid(const HandPlace& place, std::int64_t steps) {
     const double half = std::round(0.5 * (place[1] + place[2]) * static_cast<double>(steps));
-    const auto both = static_cast<std::int64_t>(std::clamp(half, 1.0, static_cast<double>((steps - 1) / 2)));
+    const std::int64_t most = (steps - 1) / 2;
+    const auto both = static_cast<std::int64_t>(std::clamp(half, 1.0, static_cast<double>(most)));
     return face_place(both, both, steps);
 }
 

@@ -31,7 +31,7 @@ class Drawn {
     [[nodiscard]] std::vector<Pattern> in_order() {
         std::ranges::sort(kept_, {}, &std::pair<std::uint64_t, Pattern>::first);
         std::vector<Pattern> patterns;
-        for (auto& [number, pattern] : kept_) patterns.push_back(std::move(pattern));
+        for (const auto& [number, pattern] : kept_) patterns.push_back(pattern);
         return patterns;
     }
 

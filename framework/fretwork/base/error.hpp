@@ -118,6 +118,21 @@ auto located(const std::string& source, const std::string& place, const Work& wo
 /// True if `source` is among the sources of the error.
 [[nodiscard]] bool names_source(const Error& error, const std::string& source);
 
+/// Return the value of `work`. If `work` throws an InputError or a GeometryError that does not name `source`,
+/// throw a copy with this outer source.
+template <class Work>
+auto with_source(const std::string& source, const Work& work) {
+    try {
+        return work();
+    } catch (const GeometryError& error) {
+        if (names_source(error, source)) throw;
+        throw within(source, "", error);
+    } catch (const InputError& error) {
+        if (names_source(error, source)) throw;
+        throw within(source, "", error);
+    }
+}
+
 /// Copy an error and replace `source` by `name`. A file has a temporary name while it is written.
 template <class SomeError>
 [[nodiscard]] SomeError renamed(const SomeError& error, const std::string& source, const std::string& name) {

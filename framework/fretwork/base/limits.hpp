@@ -8,8 +8,8 @@ namespace fretwork::base {
 
 /// The smallest and the largest value of a quantity in an input, in SI units. The limits lie far beyond the
 /// sizes that can be built, but products of a few values within the limits neither underflow nor overflow. A
-/// value outside its limits is a mistake in units or in a program. Frames, results, settings and load cases
-/// are checked against these limits.
+/// value outside its limits is a mistake in units or in a program. Frames, displacements in results, settings
+/// and load cases are checked against these limits.
 struct Limits {
     double least;           ///< smallest value of a quantity that must be above zero
     double most;            ///< largest magnitude of any value

@@ -10,6 +10,8 @@
 #include <condition_variable>
 #include <future>
 #include <mutex>
+#include <string>
+#include <system_error>
 
 namespace fretwork::library {
 namespace {
@@ -53,9 +55,7 @@ class Filling {
         base::Progress& progress = options_.control.progress != nullptr ? *options_.control.progress : silent;
         report_.open = tasks_.size();
         progress.start("calibrate", tasks_.size());
-        auto computing = std::async(std::launch::async, [&] {
-            base::parallel_for(tasks_.size(), options_.threads, [&](std::size_t i) { work(tasks_[i]); });
-        });
+        std::future<void> computing = start_computing();
         const Abandonment at_exit{is_abandoned_};
         while (computing.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
             progress.update(wait_for_more());
@@ -77,6 +77,18 @@ class Filling {
         std::atomic<bool>& flag;
         ~Abandonment() { flag = true; }
     };
+
+    std::future<void> start_computing() {
+        try {
+            return std::async(std::launch::async, [this] {
+                base::parallel_for(tasks_.size(), options_.threads,
+                                   [this](std::size_t i) { work(tasks_[i]); });
+            });
+        } catch (const std::system_error& error) {
+            throw base::IoError(std::string("no thread can be started, and filling a library needs one: ") +
+                                error.what());
+        }
+    }
 
     void work(const Task& task) {
         if (is_abandoned_ || options_.control.stop_wanted()) return;

@@ -44,8 +44,8 @@ struct FillReport {
 /// process loses the patterns that are not stored yet, and a new call continues with them. The result does
 /// not depend on threads, interruptions, or the division of the patterns among several calls. A failed
 /// computation is recorded with its reason, and does not stop the rest. Apart from the list of patterns,
-/// memory does not grow with their number. Throws InputError if an option is invalid, and as Library::store;
-/// data that was stored before the error remains.
+/// memory does not grow with their number. Throws InputError if an option is invalid, IoError if no thread
+/// can be started, and as Library::store; data that was stored before the error remains.
 FillReport fill(Library& library, std::span<const pattern::NamedPattern> patterns,
                 const FillOptions& options);
 

@@ -74,6 +74,29 @@ class SearchOnly {
                            "'" + base::printable(expression) + "' is no expression of the columns" + problem);
 }
 
+/// The place of the last character of the text in quotes, the name in quotes or the comment that begins at a
+/// place; the place itself if none begins there. Quotes that are doubled inside a text divide it in two,
+/// which changes no bracket.
+std::size_t end_of_unread(std::string_view expression, std::size_t place) {
+    const char first = expression[place];
+    std::size_t end = place;
+    if (first == '\'' || first == '"' || first == '`') end = expression.find(first, place + 1);
+    if (first == '[') end = expression.find(']', place + 1);
+    if (expression.substr(place, 2) == "--") end = expression.find('\n', place);
+    return std::min(end, expression.size());
+}
+
+/// The place of the first bracket that closes more than the expression has opened, which would end the
+/// brackets that a query puts around the expression; npos if there is none.
+std::size_t find_leading_out(std::string_view expression) {
+    int depth = 0;
+    for (std::size_t i = 0; i < expression.size(); i = end_of_unread(expression, i) + 1) {
+        if (expression[i] == '(') ++depth;
+        if (expression[i] == ')' && --depth < 0) return i;
+    }
+    return std::string_view::npos;
+}
+
 /// Check an expression. Throws InputError that names the invalid expression and the place of the error in it.
 void check_expression(const Database& database, const char* name, const std::string& expression) {
     for (const std::string_view mark :
@@ -81,6 +104,10 @@ void check_expression(const Database& database, const char* name, const std::str
         if (expression.find(mark) != std::string::npos)
             refuse(name, expression, ": it may not have a semicolon, a comment, or the character NUL");
     }
+    if (const std::size_t place = find_leading_out(expression); place != std::string::npos)
+        refuse(name, expression,
+               " at '" + base::printable(expression.substr(place, 20)) +
+                   "': it closes a bracket that is not open");
     const std::string before = searched() + "SELECT 1 FROM found WHERE (";
     const std::string sql = before + expression + "\n)";
     sqlite3_stmt* statement = nullptr;

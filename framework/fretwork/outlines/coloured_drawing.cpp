@@ -28,7 +28,7 @@ ColouredDrawing::ColouredDrawing(std::unique_ptr<Impl> impl) : impl_(std::move(i
 ColouredDrawing::ColouredDrawing(const std::filesystem::path& path)
     : ColouredDrawing(parse(base::read_text_file(path), path.string())) {}
 ColouredDrawing ColouredDrawing::parse(std::string_view text, const std::string& source) {
-    return base::located<base::GeometryError>(source, "", [&] {
+    return base::with_source(source, [&] {
         return ColouredDrawing(std::make_unique<Impl>(Impl{detail::parse_svg_colours(text, source)}));
     });
 }

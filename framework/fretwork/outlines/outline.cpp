@@ -98,19 +98,7 @@ OutlineFile scaled_to_width(OutlineFile file, double width) {
 OutlineFile read_outline_file(const std::filesystem::path& path) {
     const std::string ending = base::ending_of(path);
     for (const Reader& reader : kReaders) {
-        if (reader.ending != ending) continue;
-        const auto has_name = [&](const base::Error& error) {
-            return base::names_source(error, path.string());
-        };
-        try {
-            return reader.read(path);
-        } catch (const base::GeometryError& error) {
-            if (has_name(error)) throw;
-            throw base::within(path.string(), "", error);
-        } catch (const base::InputError& error) {
-            if (has_name(error)) throw;
-            throw base::within(path.string(), "", error);
-        }
+        if (reader.ending == ending) return base::with_source(path.string(), [&] { return reader.read(path); });
     }
     throw base::InputError(
         path.string(), "",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/parallel.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/pattern/census.hpp>
 #include <fretwork/pattern/search/rule_counts.hpp>
 #include <fretwork/pattern/search/rule_test.hpp>
@@ -116,7 +117,7 @@ Census take_census(const NodeLayout& layout, const EnumerationOptions& options, 
 
 std::string census_csv(const Census& census) {
     std::string text = "edges,patterns";
-    for (const std::string& filter : census.filters) text += "," + filter;
+    for (const std::string& filter : census.filters) text += "," + base::csv_field(filter);
     text += ",valid\n";
     for (const CensusRow& row : census.rows) {
         text += std::to_string(row.edges) + "," + count_text(row.patterns);

@@ -131,7 +131,7 @@ NodeLayout read_node_layout(const JsonReader& json) {
     NodeLayoutDescription description = read_description(json);
     if (const auto fault = detail::find_layout_fault(description))
         throw base::InputError(json.source(), json.pointer() + fault->pointer, fault->message);
-    return NodeLayout(std::move(description));
+    return json.located([&] { return NodeLayout(std::move(description)); });
 }
 
 NodeLayout read_node_layout(const std::filesystem::path& path) {

@@ -90,8 +90,7 @@ class NodeLayout {
     base::IndexVector<EdgeIndex, Edge> edges_;
 };
 
-/// Read a layout file. Throws InputError with file and place or, if the number of candidate edges is not
-/// possible, with the name of the layout.
+/// Read a layout file. Throws InputError with file and place.
 NodeLayout read_node_layout(const std::filesystem::path& path);
 
 /// The layout as the text of a layout file, as libraries store it.

@@ -67,7 +67,8 @@ struct TessellationReport {
     double outside_share = 0.0;        ///< area of the tiles outside the outline, over the outline's area
     /// Share of the tiles with a reduced wanted side: near narrow places, small holes and mended defects.
     double refined_share = 0.0;
-    int tiles = 0;  ///< number of tiles
+    int tiles = 0;        ///< number of tiles
+    int inner_tiles = 0;  ///< number of tiles without a vertex on the outline
     /// The number of points of the outline that were left out; see kNegligibleShare.
     int negligible_points = 0;
     std::string start;  ///< source of the tiling: "remeshing", "lattice at 15 deg" or "mesh"

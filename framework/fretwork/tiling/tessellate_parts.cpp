@@ -36,8 +36,13 @@ void merge(TessellationReport& whole, const TessellationReport& part) {
     whole.largest_side = std::max(whole.largest_side, part.largest_side);
     whole.smallest_angle = std::min(whole.smallest_angle, part.smallest_angle);
     whole.hexagon_share = mean(whole.hexagon_share, part.hexagon_share);
-    whole.inner_hexagon_share = mean(whole.inner_hexagon_share, part.inner_hexagon_share);
     whole.refined_share = mean(whole.refined_share, part.refined_share);
+    const int inner = whole.inner_tiles + part.inner_tiles;
+    if (inner > 0)
+        whole.inner_hexagon_share = (whole.inner_hexagon_share * whole.inner_tiles +
+                                     part.inner_hexagon_share * part.inner_tiles) /
+                                    inner;
+    whole.inner_tiles = inner;
     whole.tiles += part.tiles;
     whole.negligible_points += part.negligible_points;
 }

@@ -188,7 +188,7 @@ void bind_report(py::module_& m) {
         .constant("largest", &TargetError::largest, "")
         .constant("is_stable", &TargetError::is_stable, "")
         .constant("is_stable_from_flat", &TargetError::is_stable_from_flat,
-                  "True if the whole path from flat is stable")
+                  "True if the path from flat ends at a stable equilibrium in all load cases")
         .done(Made::ByFunctions);
     bind_shapes(m);
     Record<DesignReport>(m, "DesignReport", "The painted project, and its distance from the target.")

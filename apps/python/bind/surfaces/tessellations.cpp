@@ -96,6 +96,8 @@ void bind_tessellate(py::module_& m) {
         .constant("outside_share", &TessellationReport::outside_share, "")
         .constant("refined_share", &TessellationReport::refined_share, "of the tiles")
         .constant("tiles", &TessellationReport::tiles, "")
+        .constant("inner_tiles", &TessellationReport::inner_tiles,
+                  "number of tiles without a vertex on the outline")
         .constant("negligible_points", &TessellationReport::negligible_points, "")
         .constant("start", &TessellationReport::start, "'remeshing', or 'lattice at 15 deg'")
         .done(Made::ByFunctions);

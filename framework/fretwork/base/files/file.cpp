@@ -27,7 +27,9 @@ void check_readable(const std::filesystem::path& path, int descriptor, const str
 std::string read_to_end(int descriptor, const std::filesystem::path& path, std::size_t expected) {
     constexpr std::size_t kMostOfPipe = std::size_t{1} << 30U;
     constexpr std::size_t kPiece = 1U << 16U;
-    std::string content(expected + kPiece, '\0');
+    std::string content;
+    if (expected > content.max_size() - kPiece) throw std::bad_alloc();  // resize() would throw length_error
+    content.resize(expected + kPiece);
     std::size_t size = 0;
     for (;;) {
         const ssize_t got = ::read(descriptor, content.data() + size, content.size() - size);

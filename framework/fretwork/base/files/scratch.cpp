@@ -89,9 +89,13 @@ fs::path temporary_folder() {
     std::error_code error;
     fs::path folder = fs::temp_directory_path(error);
     if (!error) return folder;
-    const char* wanted = std::getenv("TMPDIR");
-    throw IoError("the folder for temporary files, TMPDIR, is '" +
-                  printable(wanted != nullptr ? wanted : "/tmp") + "': " + error.message());
+    // temp_directory_path() takes the first of these variables that is set.
+    for (const char* variable : {"TMPDIR", "TMP", "TEMP", "TEMPDIR"}) {
+        if (const char* wanted = std::getenv(variable); wanted != nullptr)
+            throw IoError("the folder for temporary files, " + std::string(variable) + ", is '" +
+                          printable(wanted) + "': " + error.message());
+    }
+    throw IoError("the folder for temporary files is '/tmp', because TMPDIR is not set: " + error.message());
 }
 
 }  // namespace fretwork::base

@@ -37,7 +37,8 @@ class Scratch {
     int descriptor_ = -1;
 };
 
-/// The folder for temporary files. Throws IoError that names TMPDIR if it is no folder.
+/// The folder for temporary files: the value of the first of the variables TMPDIR, TMP, TEMP and TEMPDIR that
+/// is set, or /tmp. Throws IoError that names the variable and the folder if it is no folder.
 std::filesystem::path temporary_folder();
 
 }  // namespace fretwork::base

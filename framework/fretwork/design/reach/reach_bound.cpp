@@ -312,7 +312,8 @@ double distance_to_ellipsoid(const MatrixXd& shape, double radius, const VectorX
     if (!(most > 0.0)) return point.norm();
     double low = std::log(most) - 60.0;
     double high = std::log(most) + 60.0;
-    if (!is_outside(std::exp(low))) return 0.0;
+    // Only what is across the directions in which the ellipsoid is flat is outside.
+    if (!is_outside(std::exp(low))) return (h > 0.0).select(0.0, c).matrix().norm();
     for (int i = 0; i < 100; ++i) {
         const double middle = 0.5 * (low + high);
         (is_outside(std::exp(middle)) ? low : high) = middle;

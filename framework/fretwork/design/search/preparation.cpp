@@ -293,6 +293,8 @@ Preparation prepare(const simulation::Project& project, const library::Library* 
                     const DesignOptions& options, std::size_t first) {
     Surface surface = simulation::make_surface(project, library);
     surface.tile_models = {};
+    if (options.max_utilization > 0.0 && !surface.setting.strength)
+        throw base::InputError("the largest utilization", "", "needs a strength, and the setting has none");
     const std::vector<std::string> kept = kept_patterns(surface, options);
     std::vector<TileGroup> groups = tile_groups(surface.tessellation, options.keep, options.symmetry);
     if (groups.empty()) throw base::InputError("all tiles are kept: there is nothing to paint");

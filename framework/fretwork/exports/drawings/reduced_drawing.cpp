@@ -12,7 +12,6 @@
 namespace fretwork::exports {
 namespace {
 
-using detail::Anchor;
 using detail::kInterfaceColour;
 using detail::SvgCanvas;
 using geometry::Point2;
@@ -31,7 +30,7 @@ void draw_reduced(SvgCanvas& canvas, const ReducedTile& tile, const Setting& set
     std::vector<Point2> nodes;
     for (const Eigen::Vector3d& node : lines.nodes)
         nodes.push_back({node.x() + center.x, node.y() + center.y});
-    const double width = std::sqrt(setting.section.area);
+    const double width = mechanics::section_width(setting.section);
     canvas.polygon(detail::moved(geometry::regular_polygon(setting.sides, setting.tile_side), center),
                    {"#f4f6f8", detail::kRimColour, 0.15 * width, 1.0});
     canvas.segments(detail::segments_of(lines.lines, nodes), {"none", detail::kReducedColour, width, 1.0});
@@ -70,7 +69,7 @@ int columns_of(int pairs) {
 std::string reduced_sheet_svg(const pattern::NodeLayout& layout, std::span<const ReducedPattern> patterns,
                               const Setting& setting, std::span<const reduction::TileModel> models) {
     const double side = setting.tile_side;
-    const PatternDrawingOptions options{side, std::sqrt(setting.section.area), setting.sides};
+    const PatternDrawingOptions options{side, mechanics::section_width(setting.section), setting.sides};
     const auto count = static_cast<int>(patterns.size());
     const int interface_nodes = setting.sides * static_cast<int>(layout.interface_nodes().size());
     const int columns = columns_of(count);

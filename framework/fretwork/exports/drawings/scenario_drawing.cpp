@@ -17,7 +17,6 @@
 namespace fretwork::exports {
 namespace {
 
-using detail::Anchor;
 using detail::Projection;
 using detail::SvgCanvas;
 using geometry::Point2;
@@ -260,8 +259,10 @@ std::string scenario_sheet_svg(const pattern::NodeLayout& layout, const ReducedP
     SvgCanvas canvas({0.0, -rows * height, kColumns * width, 0.0}, 1.0);
     canvas.print_as_wide_as(detail::kColumnWidth);
     CellPen pen(canvas, surface);
-    for (int i = 0; i < count; ++i)
-        pen.draw(cells[i], {(i % kColumns + 0.5) * width, -(i / kColumns) * height - kMiddle * side});
+    for (int i = 0; i < count; ++i) {
+        const int row = i / kColumns;
+        pen.draw(cells[i], {(i % kColumns + 0.5) * width, -row * height - kMiddle * side});
+    }
     SheetKey(surface, cells)
         .draw(canvas, {(count % kColumns + 0.12) * width, -(rows - 1) * height - 0.4 * side}, kText * side,
               detail::beam_width(surface));

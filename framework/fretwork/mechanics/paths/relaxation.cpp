@@ -63,7 +63,6 @@ class Relaxation {
             options_.control.check();
             task.update(iteration);
             if (!std::isfinite(system_.relative_residual())) {
-                configuration_ = last_peak_;
                 termination = Termination::Diverged;
                 break;
             }
@@ -153,9 +152,31 @@ class Relaxation {
         }
     }
 
-    [[nodiscard]] Solution finish(Termination termination, int iterations) {
+    /// True if the last evaluation, which computed the tangent, gave finite numbers.
+    [[nodiscard]] bool is_finite() const {
+        return std::isfinite(system_.relative_residual()) &&
+               std::ranges::all_of(system_.tangent(), [](double value) { return std::isfinite(value); });
+    }
+
+    /// Go back to the last peak, or to rest without load if that is not finite either: prescribed
+    /// displacements may leave no finite state to begin at. Returns the load factor.
+    double go_back() {
+        configuration_ = last_peak_;
         system_.evaluate(configuration_, 1.0);
-        Solution solution = system_.describe(configuration_, 1.0);
+        if (is_finite()) return 1.0;
+        configuration_ = unknowns_.rest();
+        system_.evaluate(configuration_, 0.0);
+        return 0.0;
+    }
+
+    [[nodiscard]] Solution finish(Termination termination, int iterations) {
+        double load_factor = 1.0;
+        system_.evaluate(configuration_, load_factor);
+        if (!is_finite()) {
+            termination = Termination::Diverged;
+            load_factor = go_back();
+        }
+        Solution solution = system_.describe(configuration_, load_factor);
         solution.termination = termination;
         solution.iterations = iterations;
         sparse::Ldlt factors(unknowns_.layout());
@@ -168,7 +189,8 @@ class Relaxation {
     nonlinear::NonlinearSystem system_;
     const nonlinear::Unknowns& unknowns_ = system_.unknowns();
     nonlinear::Configuration configuration_;
-    /// Configuration at the last peak of the kinetic energy, or at rest; returned if relaxation diverges.
+    /// Configuration at the last peak of the kinetic energy, or at the start; returned, if it is finite, when
+    /// relaxation diverges.
     nonlinear::Configuration last_peak_;
     Eigen::VectorXd velocity_;
     Eigen::VectorXd last_velocity_;

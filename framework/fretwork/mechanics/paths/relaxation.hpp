@@ -37,8 +37,9 @@ struct RelaxationOptions {
 ///
 /// Prescribed displacements act in one jump from the start. No prescribed rotation may turn a node, or one
 /// end of an element relative to the other, by more than pi, because it would be taken for a rotation in the
-/// opposite sense. Throws InputError that names such a node or an invalid option, NumericalError if the
-/// stiffness in the last state is not finite, and Stopped.
+/// opposite sense. If the forces or the stiffness do not stay finite, the solution is Termination::Diverged,
+/// at the last peak of the kinetic energy, or at rest with the load factor 0 if that is not finite either.
+/// Throws InputError that names such a node or an invalid option, and Stopped.
 Solution relax(const Assembly& assembly, const RelaxationOptions& options = {});
 
 }  // namespace fretwork::mechanics

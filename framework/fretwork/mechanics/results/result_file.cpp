@@ -57,30 +57,31 @@ void append_solution(Json& json, const Solution& solution, const std::vector<Res
     json["reactions"] = rows_json(solution.reactions);
 }
 
-/// The limits of the first three values and of the last three values of a row.
-struct RowLimits {
-    const base::Limits& first;
-    const base::Limits& last;
-};
-constexpr RowLimits kMotionLimits{base::kLengthLimits, base::kAngleLimits};
-constexpr RowLimits kLoadLimits{base::kForceLimits, base::kMomentLimits};
-
-NodeValues read_rows(const JsonReader& reader, std::size_t count, const RowLimits& limits) {
+/// Read numbers that are finite, and have no other limits: shapes of modes have no unit, and the reactions of
+/// a valid frame may be far larger than its loads may be.
+NodeValues read_rows(const JsonReader& reader, std::size_t count) {
     NodeValues values(static_cast<Eigen::Index>(count), kDofsPerNode);
     Eigen::Index i = 0;
     for (const JsonReader& row : reader.elements(count)) {
         const std::vector<double> numbers = row.numbers(kDofsPerNode);
-        for (int d = 0; d < kDofsPerNode; ++d) {
-            const double value = numbers[d];
-            const base::Limits& allowed = d < 3 ? limits.first : limits.last;
-            if (!base::is_within(value, allowed))
-                row.fail("has " + base::format_number(value) + ", where " + base::range_text(allowed) +
-                         " is needed");
-            values(i, d) = value;
-        }
+        for (int d = 0; d < kDofsPerNode; ++d) values(i, d) = numbers[d];
         ++i;
     }
     return values;
+}
+
+NodeValues read_motions(const JsonReader& reader, std::size_t count) {
+    NodeValues motions = read_rows(reader, count);
+    for (Eigen::Index i = 0; i < motions.rows(); ++i) {
+        for (int d = 0; d < kDofsPerNode; ++d) {
+            const base::Limits& allowed = d < 3 ? base::kLengthLimits : base::kAngleLimits;
+            if (!base::is_within(motions(i, d), allowed))
+                reader.elements()[static_cast<std::size_t>(i)].fail(
+                    "has " + base::format_number(motions(i, d)) + ", where " + base::range_text(allowed) +
+                    " is needed");
+        }
+    }
+    return motions;
 }
 
 Termination read_termination(const JsonReader& reader) {
@@ -112,8 +113,7 @@ std::vector<Mode> read_modes(const JsonReader& reader, std::string_view value, s
     std::vector<Mode> modes;
     for (const JsonReader& mode : reader.elements()) {
         mode.allow_only({value, "shape"});
-        modes.push_back(
-            {mode.at(value).positive_number(), read_rows(mode.at("shape"), nodes, kMotionLimits)});
+        modes.push_back({mode.at(value).positive_number(), read_rows(mode.at("shape"), nodes)});
     }
     return modes;
 }
@@ -134,8 +134,8 @@ Solution read_solution(const JsonReader& reader, const std::vector<Result::Node>
         for (const JsonReader& loss : losses->elements())
             solution.stability_losses.push_back(read_loss(loss, nodes));
     }
-    solution.displacements = read_rows(reader.at("displacements"), nodes.size(), kMotionLimits);
-    solution.reactions = read_rows(reader.at("reactions"), nodes.size(), kLoadLimits);
+    solution.displacements = read_motions(reader.at("displacements"), nodes.size());
+    solution.reactions = read_rows(reader.at("reactions"), nodes.size());
     return solution;
 }
 

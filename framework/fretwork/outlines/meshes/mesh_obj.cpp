@@ -14,7 +14,7 @@ struct ObjFace {
 long long vertex_of(const MeshText& text, const ObjFace& face, std::string_view corner, std::size_t count) {
     const long long number = text.whole_number(face.line, corner.substr(0, corner.find('/')));
     const auto before = static_cast<long long>(face.vertices_before);
-    const bool is_there = number > 0 ? number <= static_cast<long long>(count) : -number <= before;
+    const bool is_there = number > 0 ? number <= static_cast<long long>(count) : number >= -before;
     if (number == 0 || !is_there)
         text.fail(face.line, "the face names the vertex " + std::to_string(number) + ", where 1 to " +
                                  std::to_string(count) + " are there (or -1, -2, .. for those before)");

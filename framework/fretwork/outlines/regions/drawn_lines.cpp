@@ -36,8 +36,10 @@ Enclosed enclosed_by(DrawnLines lines, double tolerance, Remarks& remarks) {
     JoinedLines joined = join_lines(lines.open, {same, widest_gap(tolerance)});
     Contours contours = contours_of(joined.lines);
     Enclosed enclosed;
+    const std::size_t lines_without_gaps = joined.lines.size() - joined.gaps;
     for (const std::size_t line : contours.open)
-        if (joined.lines[line].size() > 1) enclosed.open.push_back(joined.given[line]);
+        if (line < lines_without_gaps && joined.lines[line].size() > 1)
+            enclosed.open.push_back(joined.given[line]);
     std::ranges::move(contours.closed, std::back_inserter(lines.closed));
     DistinctCurves distinct = distinct_curves(std::move(lines.closed), same);
     enclosed.curves = std::move(distinct.curves);

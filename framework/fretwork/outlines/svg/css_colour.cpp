@@ -192,7 +192,7 @@ std::optional<std::uint32_t> component(std::string text) {
     const bool is_percentage = text.ends_with('%');
     if (is_percentage) text.pop_back();
     const auto number = base::read_number<double>(text);
-    if (!number) return std::nullopt;
+    if (!number || std::isnan(*number)) return std::nullopt;
     const double value = is_percentage ? 2.55 * *number : *number;
     return static_cast<std::uint32_t>(std::lround(std::clamp(value, 0.0, 255.0)));
 }
@@ -214,6 +214,7 @@ std::optional<std::string> from_components(std::string_view inside) {
         if (!part) return std::nullopt;
         value = value << 8U | *part;
     }
+    if (words.size() == 4 && !component(words[3])) return std::nullopt;  // how opaque it is
     return hex_text(value);
 }
 

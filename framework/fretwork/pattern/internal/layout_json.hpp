@@ -8,8 +8,7 @@
 
 namespace fretwork::pattern {
 
-/// Read a layout as it stands in its own file. Throws InputError with source and JSON pointer or, if the
-/// number of candidate edges is not possible, with the name of the layout.
+/// Read a layout as it stands in its own file. Throws InputError with source and JSON pointer.
 NodeLayout read_node_layout(const base::JsonReader& json);
 /// The inverse of read_node_layout.
 base::Json node_layout_json(const NodeLayout& layout);

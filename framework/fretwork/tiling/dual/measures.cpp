@@ -106,6 +106,7 @@ Measures measure(const Dual& dual, const SizeField& field, const base::Control& 
     }
     const auto count = static_cast<double>(report.tiles);
     report.hexagon_share = hexagons / count;
+    report.inner_tiles = inner;
     report.inner_hexagon_share = inner > 0 ? static_cast<double>(inner_hexagons) / inner : 0.0;
     report.refined_share = refined / count;
     result.mean_ratio = sides.mean();

@@ -3,6 +3,7 @@
 #include <fretwork/exports/drawings/detail/furniture.hpp>
 #include <fretwork/exports/drawings/detail/surface_parts.hpp>
 #include <fretwork/geometry/plane.hpp>
+#include <fretwork/mechanics/frame/section.hpp>
 #include <fretwork/simulation/results/surface_beams.hpp>
 #include <fretwork/tiling/painting/tile_choice.hpp>
 
@@ -79,7 +80,7 @@ void draw_ground(SvgCanvas& canvas, const Point2& corner, const Point2& size) {
 }  // namespace
 
 double beam_width(const Surface& surface) {
-    return std::sqrt(surface.setting.section.area);
+    return mechanics::section_width(surface.setting.section);
 }
 
 void draw_tiles(SvgCanvas& canvas, const Surface& surface, const Projection& projection, Tint tint) {

@@ -27,6 +27,7 @@ class Reader {
 
     LabelledFrame run() {
         for (const Card& card : deck_.cards()) read(card);
+        for (const auto& [line, set] : pulled_sets_) check_pulled(line, set);
         for (const auto& [label, element] : elements_) add_beams(label, element);
         history_.put_into(result_.frame);
         result_.source = deck_.source();
@@ -64,6 +65,13 @@ class Reader {
                            "nodal loads and gravity are");
     }
 
+    [[nodiscard]] int positive_label(std::size_t line, const std::string& word) const {
+        const int value = deck_.integer(line, word);
+        if (value < 1)
+            deck_.fail(line, "has the label " + word + ", where a whole number above zero is needed");
+        return value;
+    }
+
     void read_nodes(const Card& card) {
         deck_.allow_only(card, {"NSET"});
         for (const auto& [line, words, ends_with_comma] : card.lines) {
@@ -72,7 +80,7 @@ class Reader {
                 deck_.fail(line,
                            "has more than a label and three coordinates: no normal of beams at a node "
                            "is understood; give n1 with their section");
-            const int label = deck_.integer(line, words[0]);
+            const int label = positive_label(line, words[0]);
             Eigen::Vector3d position = Eigen::Vector3d::Zero();
             for (std::size_t i = 1; i < words.size(); ++i)
                 position[static_cast<Eigen::Index>(i) - 1] =
@@ -127,7 +135,7 @@ class Reader {
             ElementData element;
             element.line = line;
             for (std::size_t i = 1; i <= count; ++i) element.nodes.push_back(node(line, words[i]));
-            const int label = deck_.integer(line, words[0]);
+            const int label = positive_label(line, words[0]);
             if (!elements_.emplace(label, element).second)
                 deck_.fail(line, "gives element " + words[0] + " a second time");
             if (const auto set = card.parameters.find("ELSET"); set != card.parameters.end())
@@ -160,6 +168,12 @@ class Reader {
         material_of(card).density = deck_.numbers(deck_.only_line(card, kOneTemperature), {1, 2})[0];
     }
 
+    [[nodiscard]] const std::set<int>& element_set(std::size_t line, const std::string& name) const {
+        const std::set<int>* set = element_sets_.find(name);
+        if (set == nullptr) deck_.fail(line, "names the element set " + name + ", which does not exist");
+        return *set;
+    }
+
     void read_section(const Card& card) {
         deck_.allow_only(card, {"ELSET", "MATERIAL", "SECTION", "TEMPERATURE"});
         const std::string& shape = deck_.parameter(card, "SECTION");
@@ -174,10 +188,7 @@ class Reader {
             normal = Eigen::Vector3d(n[0], n[1], n[2]);
         }
         const std::string& set = deck_.parameter(card, "ELSET");
-        const std::set<int>* members = element_sets_.find(set);
-        if (members == nullptr)
-            deck_.fail(card.line, "names the element set " + set + ", which does not exist");
-        for (const int label : *members) {
+        for (const int label : element_set(card.line, set)) {
             const auto element = elements_.find(label);
             if (element == elements_.end())
                 deck_.fail(card.line, "needs element " + std::to_string(label) + ", which does not exist");
@@ -257,17 +268,21 @@ class Reader {
                 deck_.fail(
                     line,
                     "is no gravity (SET,GRAV,value,direction): other distributed loads are not understood");
-            const std::set<int>* set = element_sets_.find(words[0]);
-            const auto is_pulled = [set](const auto& element) {
-                return set != nullptr && set->contains(element.first);
-            };
-            if (!std::ranges::all_of(elements_, is_pulled))
-                deck_.fail(line, "lets gravity act on a part of the beams; it must act on all of them");
+            pulled_sets_.emplace_back(line, words[0]);
             const Eigen::Vector3d direction(deck_.number(line, words[3]), deck_.number(line, words[4]),
                                             deck_.number(line, words[5]));
             if (direction.isZero(0.0)) deck_.fail(line, "gives gravity no direction");
             history_.pull(words[0], deck_.number(line, words[2]), direction);
         }
+    }
+
+    /// Check that gravity acts on all elements, also on those that come after it in the deck.
+    void check_pulled(std::size_t line, const std::string& name) const {
+        const std::set<int>& set = element_set(line, name);
+        const auto is_pulled = [&set](const auto& element) { return set.contains(element.first); };
+        if (!std::ranges::all_of(elements_, is_pulled))
+            deck_.fail(line,
+                       "lets gravity act on " + name + ", a part of the beams; it must act on all of them");
     }
 
     void add_beams(int label, const ElementData& element) {
@@ -298,6 +313,7 @@ class Reader {
     LabelledFrame result_;
     std::vector<int> beam_labels_;
     DeckHistory history_;
+    std::vector<std::pair<std::size_t, std::string>> pulled_sets_;  ///< sets under gravity, with their lines
     std::map<int, NodeIndex> nodes_;
     std::map<int, ElementData> elements_;
     LabelSets node_sets_{"NSET"}, element_sets_{"ELSET"};
