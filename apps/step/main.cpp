@@ -121,7 +121,8 @@ int main(int argc, char** argv) {
     } catch (const base::Error& error) {
         std::fprintf(stderr, "fretwork-step: %s\n", error.what());
     } catch (const std::filesystem::filesystem_error& error) {
-        std::fprintf(stderr, "fretwork-step: %s: %s\n", error.path1().c_str(), error.code().message().c_str());
+        std::fprintf(stderr, "fretwork-step: %s: %s\n", error.path1().c_str(),
+                     error.code().message().c_str());
     } catch (const std::bad_alloc&) {
         std::fputs("fretwork-step: out of memory\n", stderr);
     } catch (const std::exception& defect) {

@@ -12,8 +12,8 @@ namespace fretwork::studio {
 /// ("load case 1, support 2"), and errors of solvers become advice.
 std::string in_words(const base::Error& error);
 
-/// The error that is being handled, in words: for `catch (...)`. An exception that is no error of the input, the
-/// system or the solver is a defect of the program; the words say so and ask for a report.
+/// The error that is being handled, in words: for `catch (...)`. An exception that is no error of the input,
+/// the system or the solver is a defect of the program; the words say so and ask for a report.
 std::string error_in_words();
 
 /// The name of the source in errors about messages of pages. in_words() leaves it out.

@@ -98,7 +98,8 @@ OutlineFile scaled_to_width(OutlineFile file, double width) {
 OutlineFile read_outline_file(const std::filesystem::path& path) {
     const std::string ending = base::ending_of(path);
     for (const Reader& reader : kReaders) {
-        if (reader.ending == ending) return base::with_source(path.string(), [&] { return reader.read(path); });
+        if (reader.ending == ending)
+            return base::with_source(path.string(), [&] { return reader.read(path); });
     }
     throw base::InputError(
         path.string(), "",

@@ -39,9 +39,9 @@ void merge(TessellationReport& whole, const TessellationReport& part) {
     whole.refined_share = mean(whole.refined_share, part.refined_share);
     const int inner = whole.inner_tiles + part.inner_tiles;
     if (inner > 0)
-        whole.inner_hexagon_share = (whole.inner_hexagon_share * whole.inner_tiles +
-                                     part.inner_hexagon_share * part.inner_tiles) /
-                                    inner;
+        whole.inner_hexagon_share =
+            (whole.inner_hexagon_share * whole.inner_tiles + part.inner_hexagon_share * part.inner_tiles) /
+            inner;
     whole.inner_tiles = inner;
     whole.tiles += part.tiles;
     whole.negligible_points += part.negligible_points;
