@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/random.hpp>
 #include <fretwork/optimization/problems/analytic_problems.hpp>
+#include <fretwork/optimization/problems/distance_sum_problem.hpp>
 
 #include <gtest/gtest.h>
 
@@ -50,6 +51,20 @@ TEST(AnalyticProblems, HaveTheDerivativesOfTheirValues) {
             EXPECT_NEAR(problem->gradient(x, smoothing).gradient[i], model.gradient[i],
                         1e-12 * (1.0 + model.gradient.norm()));
         }
+    }
+}
+
+TEST(DistanceSumProblem, HasFiniteDerivativesAtAPointItself) {
+    const Bounds bounds{Eigen::VectorXd::Constant(2, -1.0), Eigen::VectorXd::Constant(2, 1.0)};
+    Eigen::MatrixXd points(2, 2);
+    points << 0.5, -0.25, 0.25, 0.75;
+    const Eigen::VectorXd x = points.col(0);
+    for (int count = 1; count <= 2; ++count) {
+        const DistanceSumProblem problem(bounds, points.leftCols(count));
+        const auto residuals = problem.residuals(x, 0.0);
+        EXPECT_EQ(residuals.jacobian.rows(), 1);
+        EXPECT_TRUE(residuals.jacobian.allFinite()) << count;
+        EXPECT_TRUE(problem.curvature(x, 0.0).curvature.allFinite()) << count;
     }
 }
 

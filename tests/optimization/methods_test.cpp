@@ -170,6 +170,18 @@ TEST(Multistart, GivesUpDescentsThatStayFarAboveTheLowest) {
     }
 }
 
+TEST(Multistart, TakesMoreSamplesThanAnIntCounts) {
+    const LeastSquaresProblem problem = sphere(2);
+    for (const auto make : {make_ceres_multistart, make_gauss_newton_multistart}) {
+        Evaluator evaluator(problem, {.cost = 50});
+        const auto method =
+            make({.common = {.starts = 100'000}, .continuation = {.samples_per_start = 30'000}});
+        EXPECT_EQ(method->run(evaluator).ending, Ending::BudgetSpent);
+        EXPECT_EQ(evaluator.evaluations(), 50);
+        EXPECT_EQ(evaluator.derivative_evaluations(), 0) << "no descent before all points are sampled";
+    }
+}
+
 TEST(Multistart, GivesUpADescentWithoutASlope) {
     const LeastSquaresProblem problem(
         "no slopes", cube(2, -1.0, 1.0), [](const Eigen::VectorXd& x) { return x; },

@@ -55,6 +55,10 @@ TEST(Minimize, RefusesAMethodThatNeedsTheJacobianThatIsNotThere) {
     EXPECT_TRUE(problem.offers(Evaluation::Value));
     EXPECT_FALSE(problem.offers(Evaluation::Residuals));
     EXPECT_THROW((void)minimize(problem, find_optimizer("slsqp")), base::InputError);
+    const Eigen::VectorXd point = Eigen::VectorXd::Zero(2);
+    EXPECT_THROW((void)problem.gradient(point, 0.0), base::NumericalError);
+    EXPECT_THROW((void)problem.residuals(point, 0.0), base::NumericalError);
+    EXPECT_THROW((void)problem.curvature(point, 0.0), base::NumericalError);
 }
 
 }  // namespace THIS_TEST

@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <functional>
 #include <limits>
 
@@ -121,6 +122,33 @@ TEST(OutsideCommand, ThatIsSilentAfterItsTimeIsStoppedAndItsRunKept) {
     EXPECT_EQ(report.ending, Ending::Stopped);
     EXPECT_EQ(report.cost, 1);
     EXPECT_EQ(report.value, sphere(3).value(Eigen::Vector3d::Zero()));
+}
+
+/// Asks to stop after some seconds, so that a run which would wait without end fails.
+std::function<bool()> after(std::chrono::seconds limit) {
+    return
+        [end = std::chrono::steady_clock::now() + limit] { return std::chrono::steady_clock::now() > end; };
+}
+
+TEST(OutsideCommand, ThatNeverReadsIsStoppedAfterItsTimeAndItsRunKept) {
+    const std::function<bool()> question = after(std::chrono::seconds(20));
+    base::Control control;
+    control.question = &question;
+    const auto report = run("yes \"value 0 0 0\"", {.cost = 1'000'000, .seconds = 1.0, .control = control});
+    EXPECT_EQ(report.ending, Ending::Stopped);
+    EXPECT_EQ(report.value, sphere(3).value(Eigen::Vector3d::Zero()));
+}
+
+TEST(OutsideCommand, MayAskManyTimesBeforeItReadsTheAnswers) {
+    const std::function<bool()> question = after(std::chrono::seconds(60));
+    base::Control control;
+    control.question = &question;
+    const auto report = run(python("for _ in range(40000): print(\"value 0 0 0\")\n"
+                                   "for _ in range(40000): assert float(input()) > 0.0\n"
+                                   "print(\"done\")\n"),
+                            {.cost = 40000, .control = control});
+    EXPECT_EQ(report.evaluations, 40000);
+    EXPECT_EQ(report.ending, Ending::Converged);
 }
 
 TEST(OutsideCommand, HearsThatItsBudgetIsSpentAlsoOutside) {

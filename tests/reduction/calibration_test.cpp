@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fixtures.hpp"
+#include "support.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/reduction/calibration/calibration.hpp>
 #include <fretwork/reduction/scenarios/setting_file.hpp>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -115,6 +117,26 @@ TEST(Calibration, StaysWithinItsBudget) {
     const Calibration found = calibrate_paper6(responses, setting, {.budget = 30});
     EXPECT_EQ(found.evaluations, 30);
     EXPECT_FALSE(found.converged);
+}
+
+/// A model without parameters answers at the magnitudes of the setting, which must be those of the responses.
+TEST(Calibration, RefusesResponsesAtOtherMagnitudes) {
+    const Setting setting = paper_setting();
+    const auto pattern = paper_pattern("0-1+1-6");
+    const auto responses = compute_responses(paper_layout(), pattern, setting);
+    const auto complaint_with = [&](const Setting& other) {
+        return test::complaint_of([&] {
+            (void)calibrate(find_tile_model("full"), {paper_layout(), pattern, other, responses});
+        });
+    };
+    Setting fewer = setting;
+    fewer.magnitudes = 5;
+    EXPECT_THAT(complaint_with(fewer),
+                testing::HasSubstr("has 10 samples, and the setting has 5 magnitudes"));
+    Setting larger = setting;
+    larger.scenarios[1].max_magnitude *= 2.0;
+    EXPECT_THAT(complaint_with(larger),
+                testing::HasSubstr("sample 1 of the response to '" + setting.scenarios[1].name + "'"));
 }
 
 TEST(Calibration, RefusesBadOptionsAndResponsesWithoutAUsableSample) {

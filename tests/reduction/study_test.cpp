@@ -90,6 +90,13 @@ TEST(Study, MakesItsFolderBeforeTheFirstRun) {
     EXPECT_THROW(run_study(plan, folder.path() / "file"), base::IoError);
 }
 
+/// A folder that may not be searched fails alike, but not for the user root.
+TEST(Study, RefusesATableThatCannotBeLookedFor) {
+    const TemporaryFolder folder;
+    std::filesystem::create_symlink("results.csv", run_table_path(folder.path()));
+    EXPECT_THROW(run_study(small_plan("bobyqa"), folder.path()), base::IoError);
+}
+
 /// Start a process of its own that runs a plan.
 pid_t start(const StudyPlan& plan, const std::filesystem::path& folder) {
     const pid_t child = ::fork();

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -19,7 +20,7 @@ using detail::ChildProcess;
 constexpr const char* kSpent = "spent";
 /// The largest number of requests that a program may send after the answer `spent`.
 constexpr int kMostAfterSpent = 100;
-/// The longest silence of a program after the time of its budget is over.
+/// The longest time in which a program may neither write nor read after the time of its budget is over.
 constexpr auto kLongestSilence = std::chrono::seconds(1);
 constexpr const char* kWhatIsValid = "; valid are 'value' or 'gradient' with a point, and 'done'";
 
@@ -48,16 +49,16 @@ class Conversation {
 
     RunOutcome hold(const OptimizerOptions& options) {
         const Bounds& bounds = evaluator_.bounds();
-        child_.write_line("dimension " + std::to_string(bounds.dimension()));
-        child_.write_line(line_of("lower", bounds.lower));
-        child_.write_line(line_of("upper", bounds.upper));
-        child_.write_line("seed " + std::to_string(options.seed));
-        child_.write_line("starts " + std::to_string(options.starts));
+        write("dimension " + std::to_string(bounds.dimension()));
+        write(line_of("lower", bounds.lower));
+        write(line_of("upper", bounds.upper));
+        write("seed " + std::to_string(options.seed));
+        write("starts " + std::to_string(options.starts));
         while (const auto line = next_line()) {
             const std::vector<std::string> words = words_of(*line);
             if (!words.empty() && words.front() == "done") return end(words, *line);
             if (is_spent_ && ++asked_after_spent_ > kMostAfterSpent) return outcome(Ending::Stopped);
-            child_.write_line(answer(words, *line));
+            write(answer(words, *line));
         }
         if (is_given_up_) return outcome(Ending::Stopped);
         const std::optional<int> exit_code = child_.finish();
@@ -70,17 +71,25 @@ class Conversation {
   private:
     using Clock = std::chrono::steady_clock;
 
-    /// The program's next line; none at its end, or if it is given up.
-    std::optional<std::string> next_line() {
-        std::optional<Clock::time_point> late_since;
-        const auto gives_up = [&] {
+    /// The end of one wait for the program: it returns true once the program is given up.
+    std::function<bool()> patience() {
+        return [this, late_since = std::optional<Clock::time_point>()]() mutable {
             if (!evaluator_.is_late()) return false;
             if (!late_since) late_since = Clock::now();
             is_given_up_ = Clock::now() - *late_since >= kLongestSilence;
             return is_given_up_;
         };
+    }
+
+    void write(const std::string& line) {
+        if (!is_given_up_) child_.write_line(line, patience());
+    }
+
+    /// The program's next line; none at its end, or if it is given up.
+    std::optional<std::string> next_line() {
+        if (is_given_up_) return std::nullopt;
         return base::located("optimizer '" + method_.name + "'", "",
-                             [&] { return child_.read_line(gives_up); });
+                             [&] { return child_.read_line(patience()); });
     }
 
     [[noreturn]] void refuse(const std::string& complaint) const {

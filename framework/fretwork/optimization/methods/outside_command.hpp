@@ -29,11 +29,12 @@ struct OutsideCommand {
 ///     value x1 x2 ..         objective at a point: a number, or `inf` where it is not finite
 ///     gradient x1 x2 ..      objective and its derivatives, or `inf`
 ///
-/// The answer is `spent` if the rest of the budget does not cover the evaluation. Else it is `outside` for a
-/// point beyond the bounds, which is not charged. At its end, the program writes `done`, or `done stalled` if
-/// its criterion was not met. After `spent`, it may end without this line, with any exit code. A program is
-/// killed if it sends more than a hundred requests after `spent`, or if it is silent for a second after the
-/// time of the budget is over; its run ends as Ending::Stopped.
+/// A program may send up to a mebibyte of requests before it reads their answers. The answer is `spent` if
+/// the rest of the budget does not cover the evaluation. Else it is `outside` for a point beyond the bounds,
+/// which is not charged. At its end, the program writes `done`, or `done stalled` if its criterion was not
+/// met. After `spent`, it may end without this line, with any exit code. A program is killed if it sends more
+/// than a hundred requests after `spent`, or if it is silent or reads no answer for a second after the time
+/// of the budget is over; its run ends as Ending::Stopped.
 ///
 /// Cost and results are counted as for every method; only the program's processor time is not. A run throws
 /// IoError if the shell cannot be started. It throws InputError if the shell does not find the program. It

@@ -23,7 +23,9 @@ GradientEvaluation DistanceSumProblem::gradient(const Eigen::VectorXd& x, double
 ResidualEvaluation DistanceSumProblem::residuals(const Eigen::VectorXd& x, double smoothing) const {
     const auto model = curvature(x, smoothing);
     const double root = std::sqrt(model.value);
-    return {model.objective, Eigen::VectorXd::Constant(1, root), model.gradient.transpose() / (2.0 * root)};
+    Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(1, x.size());  // as the gradient in the kink itself
+    if (root > 0.0) jacobian = model.gradient.transpose() / (2.0 * root);
+    return {model.objective, Eigen::VectorXd::Constant(1, root), jacobian};
 }
 
 CurvatureEvaluation DistanceSumProblem::curvature(const Eigen::VectorXd& x, double smoothing) const {
@@ -35,7 +37,8 @@ CurvatureEvaluation DistanceSumProblem::curvature(const Eigen::VectorXd& x, doub
         const double a = std::max(std::sqrt(d.squaredNorm() + smoothing * smoothing), 1e-300);
         sum += a;
         slope += d / a;
-        bend += Eigen::MatrixXd::Identity(x.size(), x.size()) / a - d * d.transpose() / (a * a * a);
+        bend += Eigen::MatrixXd::Identity(x.size(), x.size()) / a -
+                d * d.transpose() / std::max(a * a * a, 1e-300);
     }
     return {value(x), sum * sum, 2.0 * sum * slope, 2.0 * slope * slope.transpose() + 2.0 * sum * bend};
 }

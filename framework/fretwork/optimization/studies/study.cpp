@@ -63,7 +63,11 @@ class ProblemStore {
 
 RunTable stored_table(const std::filesystem::path& folder, const StudyPlan& plan) {
     const std::filesystem::path path = run_table_path(folder);
-    if (!std::filesystem::exists(path)) return {};
+    std::error_code fault;
+    if (!std::filesystem::exists(path, fault)) {
+        if (fault) throw base::IoError(path.string(), "", "cannot be read: " + fault.message());
+        return {};
+    }
     return {base::read_text_file(path), path.string(), plan.conditions, plan.contenders};
 }
 

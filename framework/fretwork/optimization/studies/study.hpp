@@ -43,9 +43,9 @@ std::filesystem::path run_table_path(const std::filesystem::path& folder);
 /// the function stores the finished runs and returns. Several processes may share one folder: each process
 /// adds its runs to the stored runs under a lock of the folder. Except for times, the table depends on the
 /// plan alone. A missing folder is created before the first run. Throws IoError if the folder cannot be
-/// created or the table cannot be written, InputError if the plan is invalid or the table was made under
-/// other conditions. An error of make_study_problem() or minimize() is thrown after the finished runs are
-/// stored.
+/// created or searched, or the table cannot be written, InputError if the plan is invalid or the table was
+/// made under other conditions. An error of make_study_problem() or minimize() is thrown after the finished
+/// runs are stored.
 StudyReport run_study(const StudyPlan& plan, const std::filesystem::path& folder);
 
 }  // namespace fretwork::optimization::study

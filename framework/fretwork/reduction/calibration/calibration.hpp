@@ -67,7 +67,8 @@ struct CalibrationInput {
     base::Borrowed<Setting> setting;                  ///< the setting of the responses
     base::Borrowed<std::vector<Response>> responses;  ///< responses of the pattern to the setting's scenarios
     /// Throws InputError if the setting is invalid, or if the responses are not those of a tile of this
-    /// layout and setting: one response for each scenario, in order, with one row for each interface node.
+    /// layout and setting: one response for each scenario, in order, with one sample for each magnitude and
+    /// one row for each interface node.
     void validate() const;
 };
 

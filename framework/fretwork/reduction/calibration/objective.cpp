@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/geometry/rotation.hpp>
 #include <fretwork/reduction/calibration/objective.hpp>
 #include <fretwork/reduction/detail/node_motion.hpp>
@@ -26,15 +27,35 @@ std::vector<const Response::Sample*> used_samples(const Response& response, cons
     return used;
 }
 
+/// Check that a response has one sample for each magnitude of its scenario.
+void check_samples(const Response& response, const Scenario& scenario, int magnitudes) {
+    constexpr double kRoundOff = 1e-9;
+    if (std::ssize(response.samples) != magnitudes)
+        throw base::InputError("the response to '" + scenario.name + "' has " +
+                               base::counted(response.samples.size(), "sample") + ", and the setting has " +
+                               base::counted(static_cast<std::size_t>(magnitudes), "magnitude"));
+    for (int k = 1; k <= magnitudes; ++k) {
+        const Response::Sample& sample = response.samples[static_cast<std::size_t>(k) - 1];
+        const double magnitude = scenario.max_magnitude * k / magnitudes;
+        const double difference = std::abs(sample.magnitude - magnitude);
+        if (sample.step == k && difference <= kRoundOff * std::abs(magnitude)) continue;
+        throw base::InputError("sample " + std::to_string(k) + " of the response to '" + scenario.name +
+                               "' has step " + std::to_string(sample.step) + " and magnitude " +
+                               base::format_number(sample.magnitude) + " N, where the setting has step " +
+                               std::to_string(k) + " and " + base::format_number(magnitude) + " N");
+    }
+}
+
 }  // namespace
 
 void check_fit(const std::vector<Response>& responses, const Setting& setting,
                std::optional<Eigen::Index> nodes) {
     const bool as_many = responses.size() == setting.scenarios.size();
     for (std::size_t i = 0; i < setting.scenarios.size(); ++i) {
-        if (as_many && responses[i].scenario == setting.scenarios[i].name) continue;
-        throw base::InputError("the responses lack scenario '" + setting.scenarios[i].name +
-                               "' in its place");
+        if (!as_many || responses[i].scenario != setting.scenarios[i].name)
+            throw base::InputError("the responses lack scenario '" + setting.scenarios[i].name +
+                                   "' in its place");
+        check_samples(responses[i], setting.scenarios[i], setting.magnitudes);
     }
     for (const Response& response : responses) {
         for (const Response::Sample& sample : response.samples) {

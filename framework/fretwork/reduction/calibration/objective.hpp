@@ -23,8 +23,8 @@ struct ErrorMetric {
     double smallest_rotation = 0.1 * std::numbers::pi / 180.0;  ///< eps_rot, rad
 };
 
-/// Check that responses fit a setting: one for each scenario, in order, all with the same interface nodes.
-/// Throws InputError.
+/// Check that responses fit a setting: one for each scenario, in order, with one sample for each magnitude,
+/// all with the same interface nodes. Throws InputError.
 /// @param nodes  number of interface nodes; none: that of the first sample, equally many on each side
 void check_fit(const std::vector<Response>& responses, const Setting& setting,
                std::optional<Eigen::Index> nodes = {});

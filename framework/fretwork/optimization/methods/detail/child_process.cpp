@@ -17,8 +17,8 @@
 namespace fretwork::optimization::detail {
 namespace {
 
-constexpr int kPause = 20;  ///< ms between two looks at the control
-constexpr std::size_t kLongestLine = 1 << 20;
+constexpr int kPause = 20;                     ///< ms between two looks at the control
+constexpr std::size_t kLongestLine = 1 << 20;  ///< also the most that is kept while a line is written
 
 [[noreturn]] void refuse(const std::string& command, int fault) {
     throw base::IoError(command, "", std::string("cannot be started: ") + std::strerror(fault));
@@ -106,17 +106,21 @@ bool ChildProcess::wait_for(short event, const std::function<bool()>& gives_up) 
     }
 }
 
+bool ChildProcess::receive() {
+    std::array<char, 4096> part{};
+    const ssize_t size = ::recv(socket_, part.data(), part.size(), MSG_DONTWAIT);
+    if (size < 0) return errno == EAGAIN || errno == EINTR;
+    unread_.append(part.data(), static_cast<std::size_t>(size));
+    return size > 0;
+}
+
 std::optional<std::string> ChildProcess::read_line(const std::function<bool()>& gives_up) {
     std::size_t end = unread_.find('\n');
     while (end == std::string::npos) {
         if (unread_.size() > kLongestLine) throw base::InputError("a line of more than a mebibyte");
-        if (!wait_for(POLLIN, gives_up)) return std::nullopt;
-        std::array<char, 4096> part{};
-        const ssize_t size = ::recv(socket_, part.data(), part.size(), 0);
-        if (size < 0 && errno == EINTR) continue;
-        if (size <= 0) return std::nullopt;  // a last line without LF is dropped
         const std::size_t before = unread_.size();
-        unread_.append(part.data(), static_cast<std::size_t>(size));
+        if (!wait_for(POLLIN, gives_up)) return std::nullopt;
+        if (!receive()) return std::nullopt;  // a last line without LF is dropped
         end = unread_.find('\n', before);
     }
     std::string line = unread_.substr(0, end);
@@ -125,16 +129,23 @@ std::optional<std::string> ChildProcess::read_line(const std::function<bool()>& 
     return line;
 }
 
-void ChildProcess::write_line(const std::string& text) {
+void ChildProcess::write_line(const std::string& text, const std::function<bool()>& gives_up) {
     const std::string line = text + "\n";
+    bool is_open = true;
     for (std::size_t sent = 0; sent < line.size();) {
-        (void)wait_for(POLLOUT, [] { return false; });
+        // A command whose own writing waits for this program would never read.
+        const bool receives = is_open && unread_.size() < kLongestLine;
+        if (!wait_for(static_cast<short>(receives ? POLLIN | POLLOUT : POLLOUT), gives_up)) return;
         const ssize_t size =
             ::send(socket_, line.data() + sent, line.size() - sent, MSG_NOSIGNAL | MSG_DONTWAIT);
-        if (size >= 0)
+        if (size >= 0) {
             sent += static_cast<std::size_t>(size);
-        else if (errno != EAGAIN && errno != EINTR)
+        } else if (errno == EAGAIN) {
+            if (gives_up()) return;
+            if (receives) is_open = receive();
+        } else if (errno != EINTR) {
             return;
+        }
     }
 }
 

@@ -26,8 +26,11 @@ class ChildProcess {
     /// line without LF is dropped, or once `gives_up`, which is asked while the command is silent, returns
     /// true. Throws InputError if a line is longer than a mebibyte. Throws Stopped.
     std::optional<std::string> read_line(const std::function<bool()>& gives_up);
-    /// Write a line. A line that the command no longer reads is lost. Throws Stopped.
-    void write_line(const std::string& text);
+    /// Write a line. While the command does not read, what it writes is kept for read_line(), up to a
+    /// mebibyte: a command may write many lines before it reads one. A line that the command no longer reads
+    /// is lost, and so is the rest of a line once `gives_up`, which is asked while the command does not read,
+    /// returns true. Throws Stopped.
+    void write_line(const std::string& text, const std::function<bool()>& gives_up);
     /// Close the command's input, wait up to a second until the command ends, and kill the rest of its
     /// process group. Returns the command's exit code, or 128 plus the number of the signal that ended the
     /// command; none if the command did not end within the second. Throws Stopped.
@@ -36,6 +39,8 @@ class ChildProcess {
   private:
     /// Wait for an event on the socket. Returns false if the wait was given up.
     bool wait_for(short event, const std::function<bool()>& gives_up) const;
+    /// Append to `unread_` what the command has written, if anything. Returns false at the end of its output.
+    bool receive();
 
     base::Control control_;
     int socket_ = -1;

@@ -38,7 +38,7 @@ Descents promising(Descents descents, const MultistartOptions& options, const Bo
 
 RunOutcome run_multistart(Evaluator& evaluator, const MultistartOptions& options,
                           const MakeDescent& make_descent) {
-    const int samples = options.common.starts * options.continuation.samples_per_start;
+    const long samples = static_cast<long>(options.common.starts) * options.continuation.samples_per_start;
     Descents descents;
     for (Eigen::VectorXd& start : choose_starts(evaluator, options.common, samples)) {
         descents.push_back(make_descent(std::move(start)));

@@ -12,9 +12,9 @@ namespace {
 using ValuedPoint = std::pair<double, Eigen::VectorXd>;
 
 std::vector<ValuedPoint> evaluate_samples(Evaluator& evaluator, const LowDiscrepancySequence& sequence,
-                                          int samples) {
+                                          long samples) {
     std::vector<ValuedPoint> result;
-    for (int i = 0; i < samples; ++i) {
+    for (long i = 0; i < samples; ++i) {
         Eigen::VectorXd point = evaluator.bounds().at_shares(sequence.point(i));
         const auto value = evaluator.value(point);
         if (!value) break;
@@ -26,7 +26,7 @@ std::vector<ValuedPoint> evaluate_samples(Evaluator& evaluator, const LowDiscrep
 }  // namespace
 
 std::vector<Eigen::VectorXd> choose_starts(Evaluator& evaluator, const OptimizerOptions& options,
-                                           int samples) {
+                                           long samples) {
     const LowDiscrepancySequence sequence(evaluator.bounds().dimension(), options.seed);
     std::vector<Eigen::VectorXd> starts;
     if (samples <= options.starts) {

@@ -11,7 +11,7 @@ namespace fretwork::optimization::detail {
 /// `options.starts` points with the best values, best first. If `samples` is at most `options.starts`, the
 /// first `options.starts` points, not evaluated. Empty if the budget does not cover a single sample.
 std::vector<Eigen::VectorXd> choose_starts(Evaluator& evaluator, const OptimizerOptions& options,
-                                           int samples);
+                                           long samples);
 
 /// The outcome of the best of several runs, and the number of dead starts. The search ends as BudgetSpent if
 /// the budget was spent, and as Invalid if all of its starts were dead.
