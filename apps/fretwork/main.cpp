@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <new>
 #include <string>
+#include <system_error>
 
 namespace fretwork::app {
 namespace {
@@ -89,6 +90,8 @@ int main(int argc, char** argv) {
         app::complain(error.what());
     } catch (const std::filesystem::filesystem_error& error) {
         app::complain(error.path1().string() + ": " + error.code().message());
+    } catch (const std::system_error& error) {  // no thread can be started, for example
+        app::complain(error.code().message());
     } catch (const std::bad_alloc&) {
         app::complain("out of memory");
     } catch (const std::exception& defect) {

@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <new>
 #include <optional>
+#include <system_error>
 #include <typed/making_choice.hpp>
 
 namespace fretwork::step {
@@ -123,6 +124,8 @@ int main(int argc, char** argv) {
     } catch (const std::filesystem::filesystem_error& error) {
         std::fprintf(stderr, "fretwork-step: %s: %s\n", error.path1().c_str(),
                      error.code().message().c_str());
+    } catch (const std::system_error& error) {
+        std::fprintf(stderr, "fretwork-step: %s\n", error.code().message().c_str());
     } catch (const std::bad_alloc&) {
         std::fputs("fretwork-step: out of memory\n", stderr);
     } catch (const std::exception& defect) {

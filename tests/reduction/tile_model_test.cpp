@@ -108,23 +108,6 @@ TEST(TileModels, BuildATileBetweenTheInterfaceNodesOfAnyPolygon) {
     }
 }
 
-TEST(StructureParts, KeepSupportsAndLoadsWithAndWithoutBeams) {
-    const Setting setting = paper_setting();
-    for (const char* model : {"full", "condensed"}) {
-        const ModelTile tile(find_tile_model(model), paper_layout(), paper_pattern("0-1+1-6"), setting);
-        StructureParts parts = tile.parts({});
-        parts.beams.supports.push_back({mechanics::NodeIndex(0), mechanics::DofSet::all()});
-        parts.beams.prescribed.push_back({mechanics::NodeIndex(1), mechanics::Dof::uz, 1e-4});
-        parts.beams.loads.push_back({mechanics::NodeIndex(3), {0.0, 0.0, 1e-3}, {0.0, 1e-5, 0.0}});
-        const mechanics::Assembly assembly = assemble(parts);
-        EXPECT_EQ(assembly.supports.size(), 1U) << model;
-        EXPECT_EQ(assembly.prescribed.size(), 1U) << model;
-        EXPECT_EQ(assembly.loads(3, 2), 1e-3) << model;
-        EXPECT_EQ(assembly.loads(3, 4), 1e-5) << model;
-        EXPECT_TRUE(assembly.has_moments) << model;
-    }
-}
-
 /// For every row and a real pattern, the objective is the sum of the scenarios' errors.
 TEST(TileModels, HaveAnErrorForEachScenarioThatSumsToTheObjective) {
     const Setting setting = paper_setting();

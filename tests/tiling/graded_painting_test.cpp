@@ -246,8 +246,8 @@ TEST(ColouredDrawing, IsTheSameFromItsText) {
 }
 
 TEST(ColouredDrawing, ColoursAreThoseOfCss) {
-    for (const char* red :
-         {"red", "RED", "#f00", "#ff0000", "rgb(255, 0, 0)", "rgb(100% 0% 0% / 50%)", "#f00f"})
+    for (const char* red : {"red", "RED", "#f00", "#ff0000", "rgb(255, 0, 0)", "rgb(100% 0% 0% / 50%)",
+                            "rgb(255 0 0 / none)", "rgb(255 0 0 / calc(0.5))", "#f00f"})
         EXPECT_EQ(outlines::parse_colour(red), "#ff0000") << red;
     EXPECT_EQ(outlines::parse_colour("rebeccapurple"), "#663399");
     for (const char* none : {"reddish", "rgb(nan, 0, 0)", "rgb(1, 2, 3, x)"})

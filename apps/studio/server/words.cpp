@@ -7,6 +7,7 @@
 #include <new>
 #include <optional>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace fretwork::studio {
@@ -137,6 +138,8 @@ std::string error_in_words() {
         return in_words(error);
     } catch (const std::filesystem::filesystem_error& error) {
         return in_words(error);
+    } catch (const std::system_error& error) {
+        return error.code().message();
     } catch (const std::bad_alloc&) {
         return "out of memory";
     } catch (const std::exception& defect) {

@@ -152,10 +152,13 @@ class Relaxation {
         }
     }
 
-    /// True if the last evaluation, which computed the tangent, gave finite numbers.
-    [[nodiscard]] bool is_finite() const {
-        return std::isfinite(system_.relative_residual()) &&
-               std::ranges::all_of(system_.tangent(), [](double value) { return std::isfinite(value); });
+    /// True if the last evaluation, which computed the tangent, gave finite numbers. Forces between held
+    /// nodes are seen only in the reactions.
+    [[nodiscard]] bool is_finite(double load_factor) const {
+        const auto is_number = [](double value) { return std::isfinite(value); };
+        const Solution found = system_.describe(configuration_, load_factor);
+        return is_number(system_.relative_residual()) && is_number(found.energy) &&
+               found.reactions.allFinite() && std::ranges::all_of(system_.tangent(), is_number);
     }
 
     /// Go back to the last peak, or to rest without load if that is not finite either: prescribed
@@ -163,7 +166,7 @@ class Relaxation {
     double go_back() {
         configuration_ = last_peak_;
         system_.evaluate(configuration_, 1.0);
-        if (is_finite()) return 1.0;
+        if (is_finite(1.0)) return 1.0;
         configuration_ = unknowns_.rest();
         system_.evaluate(configuration_, 0.0);
         return 0.0;
@@ -172,7 +175,7 @@ class Relaxation {
     [[nodiscard]] Solution finish(Termination termination, int iterations) {
         double load_factor = 1.0;
         system_.evaluate(configuration_, load_factor);
-        if (!is_finite()) {
+        if (!is_finite(load_factor)) {
             termination = Termination::Diverged;
             load_factor = go_back();
         }

@@ -197,6 +197,11 @@ std::optional<std::uint32_t> component(std::string text) {
     return static_cast<std::uint32_t>(std::lround(std::clamp(value, 0.0, 255.0)));
 }
 
+/// True for a number, a percentage, `none`, and what only a browser computes.
+bool is_opacity(const std::string& text) {
+    return text == "none" || text.starts_with("calc(") || text.starts_with("var(") || component(text);
+}
+
 /// "255, 0, 0, 0.5" or "255 0 0 / 50%".
 std::optional<std::string> from_components(std::string_view inside) {
     std::vector<std::string> words(1);
@@ -214,7 +219,7 @@ std::optional<std::string> from_components(std::string_view inside) {
         if (!part) return std::nullopt;
         value = value << 8U | *part;
     }
-    if (words.size() == 4 && !component(words[3])) return std::nullopt;  // how opaque it is
+    if (words.size() == 4 && !is_opacity(words[3])) return std::nullopt;
     return hex_text(value);
 }
 

@@ -80,23 +80,6 @@ class StiffnessTile final : public TileStructure {
     std::shared_ptr<const InnerNodes> inner_;
 };
 
-/// The nodes, supports and loads of a frame without beams, which mechanics::assemble() refuses.
-mechanics::Assembly without_beams(const mechanics::Frame& frame) {
-    mechanics::Assembly assembly;
-    assembly.nodes = frame.nodes;
-    assembly.supports = frame.supports;
-    assembly.prescribed = frame.prescribed;
-    assembly.reported_nodes = static_cast<int>(assembly.nodes.size());
-    assembly.loads = mechanics::NodeValues::Zero(assembly.reported_nodes, kDofsPerNode);
-    assembly.has_moments = false;
-    for (const mechanics::NodalLoad& load : frame.loads) {
-        assembly.loads.row(load.node).head<3>() += load.force;
-        assembly.loads.row(load.node).tail<3>() += load.moment;
-        assembly.has_moments = assembly.has_moments || !load.moment.isZero(0.0);
-    }
-    return assembly;
-}
-
 }  // namespace
 
 BeamMotion condensed_motion(const InnerNodes& inner, const TileMotion& motion) {
@@ -135,9 +118,15 @@ std::shared_ptr<const TileStructure> stiffness_tile(Eigen::MatrixXd stiffness,
 }
 
 mechanics::Assembly assemble(const StructureParts& parts, const base::Control& control) {
-    mechanics::Assembly assembly = parts.beams.beams.empty()
-                                       ? without_beams(parts.beams)
-                                       : mechanics::assemble(parts.beams, {.control = control});
+    mechanics::Assembly assembly;
+    if (!parts.beams.beams.empty()) {
+        assembly = mechanics::assemble(parts.beams, {.control = control});
+    } else {
+        assembly.nodes = parts.beams.nodes;
+        assembly.reported_nodes = static_cast<int>(assembly.nodes.size());
+        assembly.loads = mechanics::NodeValues::Zero(assembly.reported_nodes, kDofsPerNode);
+        assembly.has_moments = false;
+    }
     assembly.elements.insert(assembly.elements.end(), parts.elements.begin(), parts.elements.end());
     return assembly;
 }

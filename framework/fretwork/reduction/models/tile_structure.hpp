@@ -17,7 +17,7 @@ namespace fretwork::reduction {
 
 /// The components of a surface: its beams, and elements of other kinds between the same nodes.
 struct StructureParts {
-    mechanics::Frame beams;        ///< the beams, and all nodes, supports and loads of the surface
+    mechanics::Frame beams;        ///< the beams, and all nodes of the surface; no supports, no loads
     mechanics::Elements elements;  ///< elements of tiles that do not consist of beams
 };
 
@@ -122,8 +122,7 @@ mechanics::NodeValues condensed_gradient(const InnerNodes& inner, const Eigen::M
 mechanics::NodeValues turned(const mechanics::NodeValues& rows, const Eigen::Matrix3d& turn);
 
 /// The components as one assembly for the solvers: the elements of the beams come first, and all other
-/// elements follow. Pre: if there are no beams, supports and loads are on nodes of the surface. Throws as
-/// mechanics::assemble, and Stopped.
+/// elements follow. Throws as mechanics::assemble, and Stopped.
 mechanics::Assembly assemble(const StructureParts& parts, const base::Control& control = {});
 
 /// The components of a single tile. The first nodes are the interface nodes, whose rest positions (m) are

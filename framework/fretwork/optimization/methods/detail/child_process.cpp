@@ -115,16 +115,20 @@ bool ChildProcess::receive() {
 }
 
 std::optional<std::string> ChildProcess::read_line(const std::function<bool()>& gives_up) {
-    std::size_t end = unread_.find('\n');
+    std::size_t end = unread_.find('\n', next_);
     while (end == std::string::npos) {
-        if (unread_.size() > kLongestLine) throw base::InputError("a line of more than a mebibyte");
+        if (kept() > kLongestLine) throw base::InputError("a line of more than a mebibyte");
         const std::size_t before = unread_.size();
         if (!wait_for(POLLIN, gives_up)) return std::nullopt;
         if (!receive()) return std::nullopt;  // a last line without LF is dropped
         end = unread_.find('\n', before);
     }
-    std::string line = unread_.substr(0, end);
-    unread_.erase(0, end + 1);
+    std::string line = unread_.substr(next_, end - next_);
+    next_ = end + 1;
+    if (2 * next_ > unread_.size()) {  // less often than each line, because what is behind it moves
+        unread_.erase(0, next_);
+        next_ = 0;
+    }
     if (line.ends_with('\r')) line.pop_back();
     return line;
 }
@@ -134,7 +138,7 @@ void ChildProcess::write_line(const std::string& text, const std::function<bool(
     bool is_open = true;
     for (std::size_t sent = 0; sent < line.size();) {
         // A command whose own writing waits for this program would never read.
-        const bool receives = is_open && unread_.size() < kLongestLine;
+        const bool receives = is_open && kept() < kLongestLine;
         if (!wait_for(static_cast<short>(receives ? POLLIN | POLLOUT : POLLOUT), gives_up)) return;
         const ssize_t size =
             ::send(socket_, line.data() + sent, line.size() - sent, MSG_NOSIGNAL | MSG_DONTWAIT);

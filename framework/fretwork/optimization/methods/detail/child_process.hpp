@@ -41,11 +41,14 @@ class ChildProcess {
     bool wait_for(short event, const std::function<bool()>& gives_up) const;
     /// Append to `unread_` what the command has written, if anything. Returns false at the end of its output.
     bool receive();
+    /// Number of characters that the command has written and read_line() has not returned.
+    [[nodiscard]] std::size_t kept() const { return unread_.size() - next_; }
 
     base::Control control_;
     int socket_ = -1;
     pid_t process_ = 0;  ///< 0: it has ended
     std::string unread_;
+    std::size_t next_ = 0;  ///< begin of the next line in `unread_`
 };
 
 }  // namespace fretwork::optimization::detail
