@@ -10,11 +10,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
-#include <exception>
-#include <filesystem>
-#include <new>
 #include <string>
-#include <system_error>
 
 namespace fretwork::app {
 namespace {
@@ -86,17 +82,9 @@ int main(int argc, char** argv) {
     } catch (const base::Stopped& stopped) {
         app::complain(stopped.what());
         return static_cast<int>(app::ExitCode::DidNotSucceed);
-    } catch (const base::Error& error) {
-        app::complain(error.what());
-    } catch (const std::filesystem::filesystem_error& error) {
-        app::complain(error.path1().string() + ": " + error.code().message());
-    } catch (const std::system_error& error) {  // no thread can be started, for example
-        app::complain(error.code().message());
-    } catch (const std::bad_alloc&) {
-        app::complain("out of memory");
-    } catch (const std::exception& defect) {
-        app::complain(base::defect_text(defect));
-        return static_cast<int>(app::ExitCode::Defect);
+    } catch (...) {
+        const base::Failure failure = base::handled_failure();
+        app::complain(failure.text);
+        return static_cast<int>(failure.is_defect ? app::ExitCode::Defect : app::ExitCode::BadInput);
     }
-    return static_cast<int>(app::ExitCode::BadInput);
 }

@@ -13,11 +13,8 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
-#include <exception>
 #include <filesystem>
-#include <new>
 #include <optional>
-#include <system_error>
 #include <typed/making_choice.hpp>
 
 namespace fretwork::step {
@@ -119,18 +116,9 @@ int main(int argc, char** argv) {
         step::run(options);
         step::flush_output();
         return 0;
-    } catch (const base::Error& error) {
-        std::fprintf(stderr, "fretwork-step: %s\n", error.what());
-    } catch (const std::filesystem::filesystem_error& error) {
-        std::fprintf(stderr, "fretwork-step: %s: %s\n", error.path1().c_str(),
-                     error.code().message().c_str());
-    } catch (const std::system_error& error) {
-        std::fprintf(stderr, "fretwork-step: %s\n", error.code().message().c_str());
-    } catch (const std::bad_alloc&) {
-        std::fputs("fretwork-step: out of memory\n", stderr);
-    } catch (const std::exception& defect) {
-        std::fprintf(stderr, "fretwork-step: %s\n", base::defect_text(defect).c_str());
-        return 70;  // a defect of the program itself, as in fretwork
+    } catch (...) {
+        const base::Failure failure = base::handled_failure();
+        std::fprintf(stderr, "fretwork-step: %s\n", failure.text.c_str());
+        return failure.is_defect ? 70 : 2;  // as in fretwork
     }
-    return 2;
 }

@@ -174,8 +174,8 @@ void Autosave::write(const Waiting::value_type& kept) {
     const auto& [file, what] = kept;
     try {
         base::write_file_atomically(file, autosave_text(*what.state, what.label, file));
-    } catch (const base::Error& error) {
-        failed_(error.what());
+    } catch (...) {
+        failed_(base::handled_failure().text);
     }
 }
 

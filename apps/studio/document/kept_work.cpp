@@ -30,10 +30,8 @@ std::optional<AutosavePlace> KeptWork::new_place(const std::optional<fs::path>& 
     trouble_.clear();
     try {
         return AutosavePlace(folder_, document);
-    } catch (const base::Error& error) {
-        trouble_ = error.what();
-    } catch (const fs::filesystem_error& error) {
-        trouble_ = in_words(error);
+    } catch (...) {
+        trouble_ = base::handled_failure().text;
     }
     trouble_ = one_line("changes that are not saved are lost when the studio ends: " + trouble_);
     warn_(trouble_);

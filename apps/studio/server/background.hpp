@@ -16,8 +16,7 @@ namespace fretwork::studio {
 /// A thread that does one piece of work after the other.
 class Background {
   public:
-    /// A piece of work. If it throws base::Error, filesystem_error or std::bad_alloc, `failed` receives words
-    /// for people, on the thread.
+    /// A piece of work. If it throws a std::exception, `failed` receives words for people, on the thread.
     struct Job {
         std::function<void(const base::Control&)> work;
         std::function<void(const std::string& error)> failed;

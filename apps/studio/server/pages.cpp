@@ -3,7 +3,6 @@
 #include <studio/server/pages.hpp>
 #include <studio/server/words.hpp>
 
-#include <filesystem>
 #include <utility>
 
 namespace fretwork::studio {

@@ -3,11 +3,8 @@
 #include <studio/server/words.hpp>
 
 #include <algorithm>
-#include <exception>
-#include <new>
 #include <optional>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 namespace fretwork::studio {
@@ -126,24 +123,13 @@ std::string in_words(const base::Error& error) {
     return with_plain_places(error.data());
 }
 
-std::string in_words(const std::filesystem::filesystem_error& error) {
-    const std::string file = error.path1().string();
-    return (file.empty() ? "" : file + ": ") + error.code().message();
-}
-
 std::string error_in_words() {
     try {
         throw;
     } catch (const base::Error& error) {
         return in_words(error);
-    } catch (const std::filesystem::filesystem_error& error) {
-        return in_words(error);
-    } catch (const std::system_error& error) {
-        return error.code().message();
-    } catch (const std::bad_alloc&) {
-        return "out of memory";
-    } catch (const std::exception& defect) {
-        return base::defect_text(defect);
+    } catch (...) {
+        return base::handled_failure().text;
     }
 }
 

@@ -3,7 +3,6 @@
 
 #include <fretwork/base/error.hpp>
 
-#include <filesystem>
 #include <string>
 
 namespace fretwork::studio {
@@ -18,9 +17,6 @@ std::string error_in_words();
 
 /// The name of the source in errors about messages of pages. in_words() leaves it out.
 inline constexpr const char* kMessageSource = "message";
-
-/// The reason of the system, and the file.
-std::string in_words(const std::filesystem::filesystem_error& error);
 
 /// A text that may come from outside, as one line of at most 500 characters.
 std::string one_line(const std::string& text);

@@ -2,6 +2,10 @@
 #include <fretwork/base/error.hpp>
 
 #include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <new>
+#include <system_error>
 
 namespace fretwork::base {
 
@@ -14,8 +18,23 @@ std::string text_of(const ErrorData& data) {
     return text + data.problem;
 }
 
-std::string defect_text(const std::exception& defect) {
-    return std::string("a defect of the program; please report it with what led to it: ") + defect.what();
+Failure handled_failure() {
+    try {
+        throw;
+    } catch (const Error& error) {
+        return {error.what()};
+    } catch (const std::filesystem::filesystem_error& error) {
+        const std::string file = error.path1().string();
+        return {(file.empty() ? "" : file + ": ") + error.code().message()};
+    } catch (const std::system_error& error) {  // no thread can be started, for example
+        return {error.code().message()};
+    } catch (const std::bad_alloc&) {
+        return {"out of memory"};
+    } catch (const std::exception& defect) {
+        return {
+            std::string("a defect of the program; please report it with what led to it: ") + defect.what(),
+            true};
+    }
 }
 
 bool names_source(const Error& error, const std::string& source) {

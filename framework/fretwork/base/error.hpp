@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <exception>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -111,9 +110,14 @@ auto located(const std::string& source, const std::string& place, const Work& wo
     }
 }
 
-/// The text for a person about an exception that is not foreseen: the program has a defect, which is to be
-/// reported.
-[[nodiscard]] std::string defect_text(const std::exception& defect);
+/// An exception as text for a person.
+struct Failure {
+    std::string text;
+    bool is_defect = false;  ///< true: a defect of the program, of which the text asks for a report
+};
+/// The exception that is being handled: for `catch (...)`. Errors of the library, the system and the memory
+/// are foreseen; any other std::exception is a defect. Rethrows what is no std::exception.
+[[nodiscard]] Failure handled_failure();
 
 /// True if `source` is among the sources of the error.
 [[nodiscard]] bool names_source(const Error& error, const std::string& source);

@@ -20,7 +20,8 @@ struct Symmetry {
     friend bool operator==(const Symmetry&, const Symmetry&) = default;
 };
 
-/// The text of a symmetry in commands: "mirror:x", "mirror:y", "turn:N" or "none".
+/// The text of a symmetry, as commands take it: "mirror:x", "mirror:y" or "turn:N"; "none" without a
+/// symmetry.
 std::string symmetry_text(const Symmetry& symmetry);
 
 }  // namespace fretwork::design

@@ -69,7 +69,6 @@ class PieceSearch {
     [[nodiscard]] std::vector<Piece<Word>> cut(const SearchNode<Word>& node, int depth) const {
         std::vector<Piece<Word>> pieces{{node, depth == 0}};
         if (depth == 0) return pieces;
-        options_.control.check();
         for (const SearchNode<Word>& child : Search<Word>(problem_, options_.control).children(node)) {
             const auto below = cut(child, depth - 1);
             pieces.insert(pieces.end(), below.begin(), below.end());
@@ -79,7 +78,6 @@ class PieceSearch {
 
     template <class Visit>
     void search(const Piece<Word>& piece, const Visit& visit) const {
-        options_.control.check();  // most pieces end before the first check of the search itself
         Search<Word> search(problem_, options_.control);
         if (piece.with_subtree) {
             search.walk(piece.node, visit);

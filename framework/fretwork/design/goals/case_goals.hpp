@@ -38,7 +38,8 @@ class CaseGoals {
               const tiling::Tessellation& tessellation);
 
     [[nodiscard]] bool empty() const { return goals_.empty(); }
-    /// The observations of all components that are not free, in a fixed order.
+    /// One observation for each component that is not free, and one for each node on a mesh, in a fixed
+    /// order.
     /// @param aim  displacements that are added to the wanted positions, one row for each node; may be empty
     [[nodiscard]] std::vector<Observation> observe(const mechanics::NodeValues& displacements,
                                                    const mechanics::NodeValues& aim) const;

@@ -10,9 +10,9 @@ struct Assembly;
 
 /// An estimate of the difference between a linear solution and the solution for large displacements.
 struct LinearRange {
-    /// The estimated largest error of a translation, as a share of the largest translation. An estimate below
-    /// 1 is within a factor of about two of the true error. If the true error is large, the estimate is
-    /// large, too.
+    /// The estimated largest error of a translation, as a share of the largest translation for
+    /// large displacements. An estimate below 1 is within a factor of about two of the true error. If the
+    /// true error is large, the estimate is large, too.
     double error = 0.0;
     /// True if the load exceeds the first load of linearized buckling: the structure may then buckle.
     bool loses_stability = false;
@@ -30,7 +30,7 @@ struct LinearRangeOptions {
 /// The forces that cause u2 are quadratic in u1; for example, the end of a turning beam also moves back along
 /// the beam. The forces that cause u3 have terms cubic in u1, and terms bilinear in u1 and u2. Both are
 /// computed as differences of the elements' forces. Let q = -(u1 . u3) / (u1 . u1), over translations alone.
-/// If q > 0, held ends stiffen the structure, and the remaining share x of u1 solves x + q x^3 = 1 at p = 1.
+/// If q > 0, held ends stiffen the structure: at p = 1, it moves by x u1 only, where x + q x^3 = 1.
 ///
 /// The elements must be made for large displacements. Throws as LinearSolver and buckling_modes().
 LinearRange linear_range(const Assembly& assembly, const LinearRangeOptions& options = {});

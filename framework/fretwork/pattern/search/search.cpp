@@ -77,9 +77,11 @@ template <class Word>
 Search<Word>::Search(const SearchProblem<Word>& problem, const base::Control& control)
     : problem_(&problem), control_(&control), connectivity_(problem.quotient) {}
 
-/// Enter a node: set the state to which its chosen edges lead.
+/// Enter a node: set the state to which its chosen edges lead. Most subtrees that are entered end before the
+/// next check in descend().
 template <class Word>
 void Search<Word>::enter(const SearchNode<Word>& node) {
+    control_->check();
     capacity_left_.clear();
     for (const auto& resource : problem_->resources) capacity_left_.push_back(resource.limit);
     ends_ = {};

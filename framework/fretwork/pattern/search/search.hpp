@@ -66,7 +66,7 @@ struct SearchNode {
 template <class Word>
 class Search {
   public:
-    /// @param control  checked every few thousand nodes
+    /// @param control  checked at each node that is entered, and every few thousand nodes below it
     Search(const SearchProblem<Word>& problem, const base::Control& control);
 
     /// Call visit(chosen, edge_count) for every valid pattern in the subtree of a node, in lexicographic
