@@ -186,8 +186,7 @@ TEST(Optimizers, StopAProgramThatGoesOnAfterItsEvaluationsAreSpent) {
         folder.path());
     EXPECT_EQ(done.exit_code, 0);
     EXPECT_THAT(done.out, testing::HasSubstr("\"runs_stopped\": 1"));
-    EXPECT_THAT(done.err,
-                testing::HasSubstr("1 run stopped: the program went on after its evaluations were spent"));
+    EXPECT_THAT(done.err, testing::HasSubstr("1 run stopped: the program did not come to its end"));
     const auto row = untimed_rows(folder.path() / "o/results.csv").at(1);
     EXPECT_EQ(row.at(8), "stopped");
     EXPECT_EQ(row.at(12), "9") << "the cost";

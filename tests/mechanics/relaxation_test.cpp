@@ -8,6 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 namespace fretwork::mechanics {
 namespace THIS_TEST {
 
@@ -57,6 +59,44 @@ TEST(Relaxation, PublishedMassesFindTheSameEquilibriumMoreSlowly) {
                   1e-6 * expected.displacements.norm());
         EXPECT_GT(published.iterations, 3 * fair.iterations) << fair.iterations;
     }
+}
+
+// The tip swings by a whole turn on its way to rest.
+TEST(Relaxation, RotationsAreThoseThatContinueAlongTheBeams) {
+    const auto whipped = [](double force) {
+        Frame frame;
+        frame.nodes = {{0, 0, 0}, {0.5, 0, 0}, {1, 0, 0}};
+        for (const int node : {0, 1}) {
+            frame.beams.push_back(sample::beam_between(node, node + 1));
+            frame.beams.back().section = rectangle_section(0.01, 0.02);
+            frame.beams.back().material = {.young_modulus = 2e9, .poisson_ratio = 0.3, .density = 1000.0};
+        }
+        sample::clamp(frame, 0);
+        frame.loads.push_back({NodeIndex(2), {0.0, 0.0, -force}});
+        return frame;
+    };
+    Frame in_plane = whipped(100.0);  // the vectors of its free nodes are unknowns
+    for (const int node : {1, 2})
+        in_plane.supports.push_back({NodeIndex(node), {{false, true, false, true, false, true}}});
+    for (const Frame& frame : {whipped(100.0), whipped(30.0), in_plane}) {
+        const Assembly assembly = assemble(frame);
+        const double factors[] = {0.25, 0.5, 1.0};
+        const Solution expected = follow_load_path(assembly, factors).back();
+        ASSERT_TRUE(expected.converged());
+        const Solution found = relax(assembly);
+        ASSERT_TRUE(found.converged());
+        EXPECT_LT((found.displacements - expected.displacements).cwiseAbs().maxCoeff(), 1e-6);
+    }
+}
+
+// A moment bends a clamped bar into one and a half circles: its tip turns by E I / L times the moment.
+TEST(Relaxation, ARolledBarKeepsAllItsTurns) {
+    constexpr double kAngle = 3.0 * std::numbers::pi;
+    Frame frame = sample::cantilever({.divisions = 16});
+    frame.loads.push_back({NodeIndex(1), {}, {0.0, 1e9 * 1e-6 * kAngle, 0.0}});
+    const Solution found = relax(assemble(frame));
+    ASSERT_TRUE(found.converged());
+    EXPECT_NEAR(found.displacements(1, 4), kAngle, 0.01 * kAngle);
 }
 
 TEST(Relaxation, SpentIterationsAreReported) {

@@ -139,6 +139,22 @@ TEST(OutsideCommand, ThatNeverReadsIsStoppedAfterItsTimeAndItsRunKept) {
     EXPECT_EQ(report.value, sphere(3).value(Eigen::Vector3d::Zero()));
 }
 
+// Neither has a limit of time: the first fills all that lies between the two programs, the second costs
+// nothing.
+TEST(OutsideCommand, ThatNeverReadsOrAsksOnlyOutsideIsStoppedAndItsRunKept) {
+    const std::function<bool()> question = after(std::chrono::seconds(60));
+    base::Control control;
+    control.question = &question;
+    const auto deaf = run("yes \"value 0 0 0\"", {.cost = 1'000'000, .control = control});
+    EXPECT_EQ(deaf.ending, Ending::Stopped);
+    EXPECT_EQ(deaf.value, sphere(3).value(Eigen::Vector3d::Zero()));
+    const auto astray =
+        run("read line; while echo value nan nan nan; do read line; done", {.control = control});
+    EXPECT_EQ(astray.ending, Ending::Stopped);
+    EXPECT_EQ(astray.cost, 0);
+    EXPECT_GT(astray.points_outside, 100'000);
+}
+
 TEST(OutsideCommand, MayAskManyTimesBeforeItReadsTheAnswers) {
     const std::function<bool()> question = after(std::chrono::seconds(60));
     base::Control control;

@@ -196,7 +196,8 @@ void print(const optimization::study::StudyReport& report, double seconds, const
     }
     if (report.runs_stopped > 0)
         warn(base::counted(report.runs_stopped, "run") +
-             " stopped: the program went on after its evaluations were spent");
+             " stopped: the program did not come to its end, for example because it went on after the answer "
+             "'spent'");
     if (report.runs_left_out > 0) warn("interrupted; what is done is stored, run again to go on");
 }
 

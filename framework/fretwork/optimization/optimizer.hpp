@@ -26,7 +26,7 @@ enum class Ending {
     /// No start gave a descent: the objective or its derivatives were not finite at the start, or the first
     /// step failed.
     Invalid,
-    /// An outside program (OutsideCommand) went on after the budget was spent, and was stopped.
+    /// An outside program did not come to its end, and was stopped; see outside_command_row().
     Stopped,
 };
 /// The word for an ending in tables.

@@ -44,7 +44,7 @@ void bind_studies(py::module_& m) {
         .constant("runs_left_out", &study::StudyReport::runs_left_out,
                   "number of runs not done because of a stop")
         .constant("runs_stopped", &study::StudyReport::runs_stopped,
-                  "number of runs whose program went on after its budget was spent")
+                  "number of runs whose program did not come to its end and was stopped")
         .done(Made::ByFunctions);
     m.def("study_problem_ids", &reduction::study_problem_ids, "patterns"_a,
           "The ids of the problems on which the framework compares optimizers: calibrations of this number "

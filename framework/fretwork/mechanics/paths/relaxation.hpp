@@ -37,9 +37,11 @@ struct RelaxationOptions {
 ///
 /// Prescribed displacements act in one jump from the start. No prescribed rotation may turn a node, or one
 /// end of an element relative to the other, by more than pi, because it would be taken for a rotation in the
-/// opposite sense. If the forces or the stiffness do not stay finite, the solution is Termination::Diverged,
-/// at the last peak of the kinetic energy, or at rest with the load factor 0 if that is not finite either.
-/// Throws InputError that names such a node or an invalid option, and Stopped.
+/// opposite sense. The iterations may swing a node by whole turns, so the rotation vectors are chosen at the
+/// end: they continue along the elements from held nodes, with less than half a turn in each element. If the
+/// forces or the stiffness do not stay finite, the solution is Termination::Diverged, at the last peak of the
+/// kinetic energy, or at rest with the load factor 0 if that is not finite either. Throws InputError that
+/// names such a node or an invalid option, and Stopped.
 Solution relax(const Assembly& assembly, const RelaxationOptions& options = {});
 
 }  // namespace fretwork::mechanics

@@ -18,9 +18,13 @@ namespace {
 using detail::ChildProcess;
 
 constexpr const char* kSpent = "spent";
+constexpr const char* kOutside = "outside";
 /// The largest number of requests that a program may send after the answer `spent`.
 constexpr int kMostAfterSpent = 100;
-/// The longest time in which a program may neither write nor read after the time of its budget is over.
+/// The largest number of points outside the bounds in succession. They cost nothing, so no budget ends them.
+constexpr int kMostOutside = 100'000;
+/// The longest time in which a program may neither write nor read after the time of its budget is over, or in
+/// which it may read nothing while a mebibyte of its requests waits.
 constexpr auto kLongestSilence = std::chrono::seconds(1);
 constexpr const char* kWhatIsValid = "; valid are 'value' or 'gradient' with a point, and 'done'";
 
@@ -58,7 +62,10 @@ class Conversation {
             const std::vector<std::string> words = words_of(*line);
             if (!words.empty() && words.front() == "done") return end(words, *line);
             if (is_spent_ && ++asked_after_spent_ > kMostAfterSpent) return outcome(Ending::Stopped);
-            write(answer(words, *line));
+            const std::string reply = answer(words, *line);
+            outside_in_succession_ = reply == kOutside ? outside_in_succession_ + 1 : 0;
+            if (outside_in_succession_ > kMostOutside) return outcome(Ending::Stopped);
+            write(reply);
         }
         if (is_given_up_) return outcome(Ending::Stopped);
         const std::optional<int> exit_code = child_.finish();
@@ -74,7 +81,7 @@ class Conversation {
     /// The end of one wait for the program: it returns true once the program is given up.
     std::function<bool()> patience() {
         return [this, late_since = std::optional<Clock::time_point>()]() mutable {
-            if (!evaluator_.is_late()) return false;
+            if (!evaluator_.is_late() && !child_.is_full()) return false;
             if (!late_since) late_since = Clock::now();
             is_given_up_ = Clock::now() - *late_since >= kLongestSilence;
             return is_given_up_;
@@ -141,7 +148,7 @@ class Conversation {
 
     /// The answer to a request that the evaluator has refused.
     std::string refusal(Evaluation kind) {
-        if (evaluator_.can_afford(kind)) return "outside";
+        if (evaluator_.can_afford(kind)) return kOutside;
         is_spent_ = true;
         return kSpent;
     }
@@ -172,6 +179,7 @@ class Conversation {
     bool is_spent_ = false;
     bool is_given_up_ = false;
     int asked_after_spent_ = 0;
+    int outside_in_succession_ = 0;
 };
 
 class CommandOptimizer final : public Optimizer {

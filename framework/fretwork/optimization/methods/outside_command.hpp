@@ -30,11 +30,15 @@ struct OutsideCommand {
 ///     gradient x1 x2 ..      objective and its derivatives, or `inf`
 ///
 /// A program may send up to a mebibyte of requests before it reads their answers. The answer is `spent` if
-/// the rest of the budget does not cover the evaluation. Else it is `outside` for a point beyond the bounds,
-/// which is not charged. At its end, the program writes `done`, or `done stalled` if its criterion was not
-/// met. After `spent`, it may end without this line, with any exit code. A program is killed if it sends more
-/// than a hundred requests after `spent`, or if it is silent or reads no answer for a second after the time
-/// of the budget is over; its run ends as Ending::Stopped.
+/// the rest of the budget does not cover the evaluation. Else it is `outside` for a point beyond the bounds
+/// or with a component that is not a number; such a point is not charged. At its end, the program writes
+/// `done`, or `done stalled` if its criterion was not met. After `spent`, it may end without this line, with
+/// any exit code. A program is killed, and its run ends as Ending::Stopped,
+///
+/// - if it sends more than a hundred requests after `spent`,
+/// - if it asks for more than 100,000 points outside in succession,
+/// - if it reads nothing for a second while a mebibyte of its requests waits, or
+/// - if it is silent or reads no answer for a second after the time of the budget is over.
 ///
 /// Cost and results are counted as for every method; only the program's processor time is not. A run throws
 /// IoError if the shell cannot be started. It throws InputError if the shell does not find the program. It

@@ -17,8 +17,7 @@
 namespace fretwork::optimization::detail {
 namespace {
 
-constexpr int kPause = 20;                     ///< ms between two looks at the control
-constexpr std::size_t kLongestLine = 1 << 20;  ///< also the most that is kept while a line is written
+constexpr int kPause = 20;  ///< ms between two looks at the control
 
 [[noreturn]] void refuse(const std::string& command, int fault) {
     throw base::IoError(command, "", std::string("cannot be started: ") + std::strerror(fault));
@@ -138,7 +137,7 @@ void ChildProcess::write_line(const std::string& text, const std::function<bool(
     bool is_open = true;
     for (std::size_t sent = 0; sent < line.size();) {
         // A command whose own writing waits for this program would never read.
-        const bool receives = is_open && kept() < kLongestLine;
+        const bool receives = is_open && !is_full();
         if (!wait_for(static_cast<short>(receives ? POLLIN | POLLOUT : POLLOUT), gives_up)) return;
         const ssize_t size =
             ::send(socket_, line.data() + sent, line.size() - sent, MSG_NOSIGNAL | MSG_DONTWAIT);

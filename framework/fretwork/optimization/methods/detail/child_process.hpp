@@ -31,12 +31,18 @@ class ChildProcess {
     /// is lost, and so is the rest of a line once `gives_up`, which is asked while the command does not read,
     /// returns true. Throws Stopped.
     void write_line(const std::string& text, const std::function<bool()>& gives_up);
+    /// True if the command has written a mebibyte that read_line() has not returned. It may wait until this
+    /// program reads on.
+    [[nodiscard]] bool is_full() const { return kept() >= kLongestLine; }
     /// Close the command's input, wait up to a second until the command ends, and kill the rest of its
     /// process group. Returns the command's exit code, or 128 plus the number of the signal that ended the
     /// command; none if the command did not end within the second. Throws Stopped.
     std::optional<int> finish();
 
   private:
+    static constexpr std::size_t kLongestLine =
+        1 << 20;  ///< also the most that is kept while a line is written
+
     /// Wait for an event on the socket. Returns false if the wait was given up.
     bool wait_for(short event, const std::function<bool()>& gives_up) const;
     /// Append to `unread_` what the command has written, if anything. Returns false at the end of its output.
