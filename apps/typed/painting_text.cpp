@@ -6,6 +6,7 @@
 #include <fretwork/outlines/coloured_drawing.hpp>
 
 #include <cmath>
+#include <map>
 #include <optional>
 #include <string_view>
 #include <typed/painting_text.hpp>
@@ -26,9 +27,24 @@ struct Entry {
     std::string right;  ///< empty: no =, or nothing after it
 };
 
+/// The words between commas. Commas in brackets, as in rgb(255, 0, 0), belong to a word.
+std::vector<std::string> words_of_palette(const std::string& palette) {
+    std::vector<std::string> words(1);
+    int depth = 0;
+    for (const char c : palette) {
+        if (c == '(') ++depth;
+        if (c == ')' && depth > 0) --depth;
+        if (c == ',' && depth == 0)
+            words.emplace_back();
+        else
+            words.back() += c;
+    }
+    return words;
+}
+
 std::vector<Entry> entries_of(const std::string& palette) {
     std::vector<Entry> entries;
-    for (const std::string& word : base::split(palette, ',')) {
+    for (const std::string& word : words_of_palette(palette)) {
         const std::size_t equals = word.find('=');
         entries.push_back(equals == std::string::npos
                               ? Entry{word, ""}
@@ -141,14 +157,21 @@ class PaintingReader {
 
     [[nodiscard]] simulation::PaintByColours by_colours(const std::string& drawing) const {
         simulation::PaintByColours choice{.drawing = drawing, .palette = {}};
+        std::map<std::string, std::string> texts;  // the entry of each colour
         for (const Entry& entry : entries_of(text_.palette)) {
             if (entry.right.empty())
                 throw base::InputError(name("palette"), "",
                                        "'" + entry.left + "' has no pattern; write colour=ID, as in red=" +
                                            "0-1+1-6,#00f=0-5+5-6");
-            choice.palette.emplace_back(
-                base::located(name("palette"), "", [&] { return outlines::parse_colour(entry.left); }),
-                entry.right);
+            const std::string colour =
+                base::located(name("palette"), "", [&] { return outlines::parse_colour(entry.left); });
+            const std::string own = entry.left + "=" + entry.right;
+            const auto [known, is_new] = texts.emplace(colour, own);
+            if (!is_new)
+                throw base::InputError(name("palette"), "",
+                                       "'" + known->second + "' and '" + own + "' are for one colour, " +
+                                           colour + ": keep one of them");
+            choice.palette.emplace_back(colour, entry.right);
         }
         return choice;
     }

@@ -14,7 +14,7 @@ struct PaintingText {
     std::string patterns{};
     /// The patterns to choose from: a painting file, or ids joined by commas; empty: the calibrated patterns
     /// of the library. With random:SEED, an id may have a weight, `ID=3`. With colours:FILE.svg, only ids are
-    /// valid, at least one, and every id needs a colour, `red=ID`.
+    /// valid, at least one, and every id needs a colour of its own, `red=ID` or `rgb(255, 0, 0)=ID`.
     std::string palette{};
     std::string property{};  ///< property of patterns, for field and image
     std::string range{};     ///< range of the property, SI: `0.02,0.1`

@@ -63,6 +63,18 @@ TEST_F(FileLimit, ASeriesIsNoDevice) {
         folder_.path(), "/dev/full: is a device, which takes one file");
 }
 
+TEST_F(FileLimit, AFullDeviceIsToldAlikeByEachCommand) {
+    const std::string tile =
+        "tile experiments/outlines/specimen.svg --edge-length 60mm --patterns 0-1+1-6 --out ";
+    for (const std::string& command :
+         {tile, std::string("solve f.json --out "), std::string("paint p.json --patterns 0-1+1-6 --out "),
+          std::string("retile p.json --edge-length 50mm --out ")})
+        expect_refused("fretwork " + command + "/dev/full", folder_.path(),
+                       "/dev/full: cannot be written: No space left on device");
+    const auto piped = run_command("fretwork " + tile + "/dev/stdout | cat", folder_.path());
+    EXPECT_THAT(piped.out, HasSubstr("fretwork/project/")) << piped.err;
+}
+
 // The verb adds what the thrower does not know: whose load cases, whose beams.
 TEST_F(FileLimit, MessagesNameTheFile) {
     ASSERT_EQ(

@@ -43,6 +43,9 @@ TEST_F(LibraryFind, NamesTheOptionOfAnExpressionThatIsNone) {
     EXPECT_EQ(wrong.exit_code, 2);
     EXPECT_THAT(wrong.err, HasSubstr("--where: 'bending > 1'"));
     EXPECT_THAT(wrong.err, HasSubstr("no such column: bending"));
+    const Outcome comment = run("fretwork library find --library lib.db --where 'edges --3 = 6'");
+    EXPECT_EQ(comment.exit_code, 2);
+    EXPECT_THAT(comment.err, HasSubstr("-- begins a comment"));
     EXPECT_EQ(run("fretwork library find --library lib.db --sort 1,2").exit_code, 2);
     EXPECT_EQ(run("fretwork library find --library lib.db --limit 0").exit_code, 2);
     EXPECT_EQ(run("fretwork library find --where 1").exit_code, 2);

@@ -136,6 +136,34 @@ TEST_F(PaintCommand, SeveralColoursMayStandForOnePattern) {
     EXPECT_EQ(pattern::ids_of(written.tessellation.patterns), std::vector<std::string>{"0-5+5-6"});
 }
 
+TEST_F(PaintCommand, ColoursMayHaveCommasInBrackets) {
+    folder_.file(
+        "two.svg",
+        R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 2000 2000" width="2000mm" height="2000mm">
+<rect width="100" height="2000" fill="#00f"/><rect x="100" width="1900" height="2000" fill="red"/></svg>)");
+    const Outcome painted = run(
+        "fretwork paint p.json --patterns colours:two.svg --palette 'rgb(255, 0, 0)=0-1+1-6,blue=0-5+5-6'");
+    ASSERT_EQ(painted.exit_code, 0) << painted.err;
+    const auto centers = tiling::tile_centers(project().tessellation);
+    const auto now = patterns();
+    for (std::size_t t = 0; t < now.size(); ++t)
+        EXPECT_EQ(now[t], centers[t].x < 0.1 ? "0-5+5-6" : "0-1+1-6") << t;
+    EXPECT_THAT(run("fretwork paint p.json --patterns colours:two.svg --palette 'rgb(0,0,255=0-1+1-6'").err,
+                HasSubstr("--palette: 'rgb(0,0,255' is not a colour"));
+}
+
+TEST_F(PaintCommand, AColourHasOnePattern) {
+    const auto before = patterns();
+    for (const std::string other : {"#f00", "red", "rgb(255,0,0)"}) {
+        const Outcome refused = run("fretwork paint p.json --patterns colours:r.svg --palette 'red=0-1+1-6," +
+                                    other + "=0-5+5-6'");
+        EXPECT_EQ(refused.exit_code, 2) << other;
+        EXPECT_THAT(refused.err, HasSubstr("--palette: 'red=0-1+1-6' and '" + other +
+                                           "=0-5+5-6' are for one colour, #ff0000"));
+    }
+    EXPECT_EQ(patterns(), before);
+}
+
 TEST_F(PaintCommand, NumbersOfABoxArePartedByCommasOrBlanks) {
     for (const std::string box : {"0,0,1,1", "'0,0 1,1'", "'0 0 1 1'"}) {
         const Outcome painted = run("fretwork paint p.json --patterns 0-5+5-6 --box " + box);

@@ -94,14 +94,40 @@ TEST_F(Find, NamesWhatIsNoExpression) {
 
 TEST_F(Find, RefusesBracketsThatLeadOutOfTheExpression) {
     const auto names_the_bracket = HasSubstr("at ') ");
-    for (const char* trick : {"1) LIMIT (1", "1) UNION SELECT pattern_id FROM found WHERE (1",
-                              "1) GROUP BY (1", "edges -- '(\n) GROUP BY (1"}) {
+    for (const char* trick :
+         {"1) LIMIT (1", "1) UNION SELECT pattern_id FROM found WHERE (1", "1) GROUP BY (1"}) {
         EXPECT_THAT(complaint({.where = trick}), AllOf(HasSubstr("where: "), names_the_bracket)) << trick;
         EXPECT_THAT(complaint({.sort = trick}), AllOf(HasSubstr("sort: "), names_the_bracket)) << trick;
     }
-    for (const char* sound : {"pattern_id <> ')'", "pattern_id <> ''')'", "edges > (0) -- )",
-                              "((edges)) > (0)", "[edges] > 0 and \"edges\" > `edges` - (1)"})
+    for (const char* sound : {"pattern_id <> ')'", "pattern_id <> ''')'", "((edges)) > (0)",
+                              "[edges] > 0 and \"edges\" > `edges` - (1)"})
         EXPECT_EQ(ids({.where = sound}).size(), 4U) << sound;
+}
+
+/// A comment would hide the rest of a condition, which would then hold for every pattern.
+TEST_F(Find, RefusesCommentsAndSemicolonsOutsideOfQuotes) {
+    EXPECT_THAT(complaint({.where = "edges --3 = 6"}),
+                AllOf(HasSubstr("at '--3 = 6': -- begins a comment"), HasSubstr("- -3 or -(-3)")));
+    EXPECT_THAT(complaint({.sort = "edges -- '(\n) GROUP BY (1"}), HasSubstr("-- begins a comment"));
+    EXPECT_THAT(complaint({.where = "edges /* 3 */ > 0"}), HasSubstr("at '/* 3 */ > 0': it begins"));
+    EXPECT_THAT(complaint({.where = "edges > 0;"}), HasSubstr("at ';': a semicolon"));
+    EXPECT_THAT(complaint({.where = std::string("edges > 0\0", 10)}), HasSubstr("NUL"));
+    EXPECT_THAT(ids({.where = "edges - -3 = 6"}), ElementsAre(id[2]));
+    EXPECT_THAT(ids({.where = "edges -(-3) = 6"}), ElementsAre(id[2]));
+    for (const char* sound : {"pattern_id <> '--'", "pattern_id <> '/*' and edges > 0", "pattern_id <> ';'",
+                              "pattern_id <> 'it''s; -- /*'"})
+        EXPECT_EQ(ids({.where = sound}).size(), 4U) << sound;
+    EXPECT_THAT(complaint({.where = "\"a;b--c\" > 0"}), HasSubstr("no such column: a;b--c"));
+}
+
+TEST_F(Find, SaysWhatIsNotClosed) {
+    const auto bracket = HasSubstr("at '(': it opens a bracket that is not closed");
+    EXPECT_THAT(complaint({.where = "edges = 3 and ("}), bracket);
+    EXPECT_THAT(complaint({.where = "(edges) = 3 and ("}), bracket);
+    EXPECT_THAT(complaint({.where = "pattern_id = ')' and ("}), bracket);
+    EXPECT_THAT(complaint({.where = "pattern_id <> 'a"}), HasSubstr("at ''a': it opens a quote that is not"));
+    EXPECT_THAT(complaint({.sort = "[edges"}), HasSubstr("at '[edges': it opens a quote that is not closed"));
+    EXPECT_THAT(complaint({.where = "edges ="}), HasSubstr("it is not complete"));
 }
 
 /// Brackets and comments do not lead out of the expression, and no other table is read.

@@ -322,6 +322,75 @@ TEST_F(CalculixFile, GravityMustActOnAllBeamsWhereverItStands) {
     EXPECT_EQ(changed("*Node, nset=Nall\n", early("EALL")).frame.gravity, Eigen::Vector3d(1.0, 0.0, -9.81));
 }
 
+/// ccx 2.20 reads a number as a label, too, even if a set has this number as its name.
+TEST_F(CalculixFile, ANumberIsALabelAlsoIfASetHasThisName) {
+    const std::string load = "TIP, 3, -2.5\nTIP, 5, 0.5";
+    const auto loaded = [&](const std::string& by) {
+        const Frame frame =
+            changed("*NSET, NSET=TIP\n40", "*NSET, NSET=20\n40\n*NSET, NSET=TIP\n" + by).frame;
+        EXPECT_EQ(frame.loads.size(), 1u);
+        return frame.loads.at(0).node;
+    };
+    EXPECT_EQ(loaded("40"), NodeIndex(3));
+    EXPECT_EQ(loaded("20"), NodeIndex(1)) << "as an entry of a set";
+    const Frame frame = changed(load, "20, 3, -2.5\n*NSET, NSET=20\n40\n*CLOAD\n20, 3, -1").frame;
+    ASSERT_EQ(frame.loads.size(), 1u);
+    EXPECT_EQ(frame.loads[0].node, NodeIndex(1));
+    EXPECT_EQ(frame.loads[0].force.z(), -3.5);
+    EXPECT_THAT(complaint(load, "*NSET, NSET=7\n40\n*CLOAD\n7, 3, -1"),
+                testing::HasSubstr("line 37 names node 7, which does not exist; a number means no node set"));
+    EXPECT_EQ(changed("ELSET=EALL\nEBEAM",
+                      "ELSET=EALL\nEBEAM\n*ELSET, ELSET=5\nEBEAM\n*BEAM SECTION, ELSET=5, "
+                      "MATERIAL=PLA, SECTION=CIRC\n.03")
+                  .frame.beams[0]
+                  .section,
+              circle_section(0.06))
+        << "a section is always for a set";
+}
+
+TEST_F(CalculixFile, RefusesSetsWithoutNodesWhereTheyAreUsed) {
+    using testing::HasSubstr;
+    const std::string tip = "*NSET, NSET=TIP\n40";
+    EXPECT_THAT(complaint(tip, "*NSET, NSET=TIP"), HasSubstr("names the node set TIP, which has no nodes"));
+    EXPECT_THAT(complaint(tip, "*NSET, NSET=TIP\nTIP"), HasSubstr("line 15 puts the set TIP into itself"));
+    EXPECT_THAT(complaint(tip, tip + "\nTIP"), HasSubstr("line 16 puts the set TIP into itself"));
+    EXPECT_THAT(
+        complaint(tip, "*NSET, NSET=TIP\n40, MOST"),
+        HasSubstr("line 15 puts MOST into the set TIP, where labels and sets that are defined before"));
+    EXPECT_THAT(complaint(tip, "*NSET, NSET=\n40"), HasSubstr("the parameter NSET without a value"));
+    EXPECT_THAT(complaint("*ELSET, ELSET=EALL\nEBEAM", "*ELSET, ELSET=EALL\nEALL"),
+                HasSubstr("line 30 puts the set EALL into itself"));
+    EXPECT_THAT(complaint("TIP, 3, -2.5", "TOP, 3, -2.5"),
+                HasSubstr("line 34 names the node set TOP, which does not exist"));
+    EXPECT_THAT(complaint("TIP, 2, 2,", ", 2, 2,"), HasSubstr("line 28 names no node or node set"));
+    EXPECT_EQ(complaint(tip, "*NSET, NSET=UNUSED\n" + tip), "");
+}
+
+TEST_F(CalculixFile, GravityMayNameTheOnlyElement) {
+    using testing::HasSubstr;
+    EXPECT_THAT(complaint("EALL, GRAV", "2, GRAV"),
+                HasSubstr("line 37 lets gravity act on element 2, a part of the beams; it must act on all of "
+                          "them: name a set of all"));
+    EXPECT_THAT(complaint("EALL, GRAV", "3, GRAV"),
+                HasSubstr("line 37 names element 3, which does not exist"));
+    EXPECT_THAT(complaint("EALL, GRAV", ", GRAV"), HasSubstr("line 37 names no set of all elements"));
+    const std::string second = "*ELEMENT, TYPE=B31, ELSET=EBEAM\n2, 30, 40\n";
+    std::string text = kDeck;
+    text.erase(text.find(second), second.size());
+    text.erase(text.find("40, 1.5, 0.,\n"), 13);
+    text.replace(text.find("*NSET, NSET=TIP\n40"), 18, "*NSET, NSET=TIP\n30");
+    text.replace(text.find("EALL, GRAV"), 10, "1, GRAV");
+    EXPECT_EQ(read(text).frame.gravity, Eigen::Vector3d(0.0, 0.0, -9.81));
+}
+
+TEST_F(CalculixFile, DeckWithoutNodesOrElementsIsToldWhatIsMissing) {
+    const auto told = [&](const std::string& text) { return test::complaint_of([&] { (void)read(text); }); };
+    const std::string file = path_.string() + ": ";
+    for (const char* text : {"", "** nothing\n", "*NODE\n", "*STEP\n*END STEP\n"})
+        EXPECT_THAT(told(text), testing::StartsWith(file + "has no node: *NODE")) << text;
+    EXPECT_THAT(told("*NODE\n1, 0, 0, 0\n"), testing::StartsWith(file + "has no element: *ELEMENT"));
+}
+
 TEST_F(CalculixFile, RefusesBadDecksWithLineNumber) {
     using testing::HasSubstr;
     EXPECT_THAT(complaint("1.E9, .25", "1.E9, .25, 293\n2.E9, .25, 400"),

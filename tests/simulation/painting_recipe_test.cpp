@@ -133,6 +133,17 @@ TEST(PaintingRecipe, AnImageAndADrawingComeWithTheirContent) {
                   centers[tile].x < 0.15 ? "0-1+1-6" : "0-5+5-6");
 }
 
+TEST(PaintingRecipe, AColourHasOnePattern) {
+    const TemporaryFolder folder;
+    const std::filesystem::path drawing = folder.file("regions.svg", kDrawing);
+    const auto painted = [&](const std::string& second) {
+        (void)plate(PaintByColours{drawing, {{"#ff0000", "0-1+1-6"}, {second, "0-5+5-6"}}});
+    };
+    EXPECT_NO_THROW(painted("#0000ff"));
+    EXPECT_THAT(complaint_of([&] { painted("#ff0000"); }),
+                HasSubstr("palette: has the colour #ff0000 twice, for the patterns 0-1+1-6 and 0-5+5-6"));
+}
+
 TEST(PaintingRecipe, TilesThatArePaintedOtherwiseLeaveIt) {
     Project project = plate(kAlongX);
     const std::size_t count = project.tessellation.tiles.size();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork tile: an outline becomes a project, tiled and painted.
 #include "bar_checks.hpp"
+#include "file_identity.hpp"
 #include "interrupt.hpp"
 #include "options/file_options.hpp"
 #include "options/painting_options.hpp"
@@ -64,10 +65,15 @@ outlines::OutlineFile read_outline(const TileOptions& options, std::optional<dou
     return width ? outlines::scaled_to_width(std::move(file), *width) : file;
 }
 
+/// True if --out is a project, which is tiled again. Devices and pipes, such as /dev/stdout, are not read.
+bool is_tiled_again(const TileOptions& options) {
+    return std::filesystem::exists(options.out) && !is_device(options.out);
+}
+
 /// The library that is named; else that of the project which is tiled again, if it has one.
 std::optional<Library> open_library(const TileOptions& options) {
     if (!options.library.empty()) return Library::open(options.library);
-    if (!std::filesystem::exists(options.out)) return std::nullopt;
+    if (!is_tiled_again(options)) return std::nullopt;
     return simulation::open_project_library(options.out, simulation::read_project(options.out), "");
 }
 
@@ -75,7 +81,7 @@ std::optional<Library> open_library(const TileOptions& options) {
 /// none: make_project() then takes the library's, or the setting "made".
 std::optional<reduction::Setting> wanted_setting(const TileOptions& options, const Library* library) {
     if (!options.setting.empty()) return reduction::find_setting(options.setting);
-    if (!options.library.empty() || !std::filesystem::exists(options.out)) return std::nullopt;
+    if (!options.library.empty() || !is_tiled_again(options)) return std::nullopt;
     return simulation::setting_of(simulation::read_project(options.out), library);
 }
 
@@ -136,7 +142,7 @@ void drop_tile_models(Project& before, const Project& tiled) {
 Project write(Project tiled, const TileOptions& options, const Library* library) {
     std::optional<base::FileLock> lock;
     Project project;
-    if (std::filesystem::exists(options.out)) {
+    if (is_tiled_again(options)) {
         lock.emplace(options.out);
         project = simulation::read_project(options.out);
         warn_of_numbers(project, tiled);

@@ -9,7 +9,10 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace fretwork::library {
 namespace {
@@ -74,40 +77,55 @@ class SearchOnly {
                            "'" + base::printable(expression) + "' is no expression of the columns" + problem);
 }
 
-/// The place of the last character of the text in quotes, the name in quotes or the comment that begins at a
-/// place; the place itself if none begins there. Quotes that are doubled inside a text divide it in two,
-/// which changes no bracket.
-std::size_t end_of_unread(std::string_view expression, std::size_t place) {
+/// The place of the last character of the text or name in quotes that begins at a place: npos if it does not
+/// end; the place itself if none begins there. Quotes that are doubled inside a text divide it in two, which
+/// changes nothing outside of quotes.
+std::size_t end_of_quoted(std::string_view expression, std::size_t place) {
     const char first = expression[place];
-    std::size_t end = place;
-    if (first == '\'' || first == '"' || first == '`') end = expression.find(first, place + 1);
-    if (first == '[') end = expression.find(']', place + 1);
-    if (expression.substr(place, 2) == "--") end = expression.find('\n', place);
-    return std::min(end, expression.size());
+    if (first == '\'' || first == '"' || first == '`') return expression.find(first, place + 1);
+    if (first == '[') return expression.find(']', place + 1);
+    return place;
 }
 
-/// The place of the first bracket that closes more than the expression has opened, which would end the
-/// brackets that a query puts around the expression; npos if there is none.
-std::size_t find_leading_out(std::string_view expression) {
-    int depth = 0;
-    for (std::size_t i = 0; i < expression.size(); i = end_of_unread(expression, i) + 1) {
-        if (expression[i] == '(') ++depth;
-        if (expression[i] == ')' && --depth < 0) return i;
+/// What is wrong at a place in an expression.
+struct Flaw {
+    std::size_t place;
+    const char* problem;
+};
+
+/// The first thing outside of quotes that would end the brackets that a query puts around the expression, or
+/// hide what follows; none if the expression is closed in itself.
+std::optional<Flaw> find_flaw(std::string_view expression) {
+    std::vector<std::size_t> open;
+    std::size_t place = 0;
+    while (place < expression.size()) {
+        const std::string_view rest = expression.substr(place);
+        if (rest.starts_with("--")) return Flaw{place, "-- begins a comment; two signs are - -3 or -(-3)"};
+        if (rest.starts_with("/*")) return Flaw{place, "it begins a comment"};
+        if (rest.front() == ';') return Flaw{place, "a semicolon ends the expression"};
+        if (rest.front() == '(') open.push_back(place);
+        if (rest.front() == ')') {
+            if (open.empty()) return Flaw{place, "it closes a bracket that is not open"};
+            open.pop_back();
+        }
+        const std::size_t end = end_of_quoted(expression, place);
+        if (end == std::string_view::npos) return Flaw{place, "it opens a quote that is not closed"};
+        place = end + 1;
     }
-    return std::string_view::npos;
+    if (!open.empty()) return Flaw{open.back(), "it opens a bracket that is not closed"};
+    return std::nullopt;
+}
+
+/// Refuse an expression because of what stands at a place in it.
+[[noreturn]] void refuse_at(const char* name, const std::string& expression, std::size_t place,
+                            const std::string& problem) {
+    refuse(name, expression, " at '" + base::printable(expression.substr(place, 20)) + "': " + problem);
 }
 
 /// Check an expression. Throws InputError that names the invalid expression and the place of the error in it.
 void check_expression(const Database& database, const char* name, const std::string& expression) {
-    for (const std::string_view mark :
-         {std::string_view("\0", 1), std::string_view(";"), std::string_view("/*")}) {
-        if (expression.find(mark) != std::string::npos)
-            refuse(name, expression, ": it may not have a semicolon, a comment, or the character NUL");
-    }
-    if (const std::size_t place = find_leading_out(expression); place != std::string::npos)
-        refuse(name, expression,
-               " at '" + base::printable(expression.substr(place, 20)) +
-                   "': it closes a bracket that is not open");
+    if (expression.find('\0') != std::string::npos) refuse(name, expression, ": it has the character NUL");
+    if (const auto flaw = find_flaw(expression)) refuse_at(name, expression, flaw->place, flaw->problem);
     const std::string before = searched() + "SELECT 1 FROM found WHERE (";
     const std::string sql = before + expression + "\n)";
     sqlite3_stmt* statement = nullptr;
@@ -121,8 +139,9 @@ void check_expression(const Database& database, const char* name, const std::str
     if (code == SQLITE_OK) return;
     const std::size_t place =
         offset < 0 ? expression.size() : static_cast<std::size_t>(offset) - before.size();
-    if (place >= expression.size()) refuse(name, expression, problem.find("near") == 0 ? "" : ": " + problem);
-    refuse(name, expression, " at '" + base::printable(expression.substr(place, 20)) + "': " + problem);
+    if (place < expression.size()) refuse_at(name, expression, place, problem);
+    // What SQLite names after "near" is the bracket behind the expression.
+    refuse(name, expression, ": " + (problem.starts_with("near") ? "it is not complete" : problem));
 }
 
 FoundPattern read_row(const Statement& row) {

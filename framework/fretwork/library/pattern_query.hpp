@@ -10,7 +10,8 @@ namespace fretwork::library {
 
 /// A search for patterns by their behaviour. Both expressions are SQL expressions. They may contain
 /// FoundPatterns::columns, `pattern_id`, `mirror`, numbers, comparison, arithmetic, `between`, `in`, `like`,
-/// `and`, `or`, `not`, `is null`, and SQLite's scalar functions.
+/// `and`, `or`, `not`, `is null`, and SQLite's scalar functions. They may not contain comments (`--` begins
+/// one) or semicolons, except in quotes.
 struct PatternQuery {
     std::string where{};  ///< condition, such as `bending_poisson < 0`; empty: every pattern
     /// Expression by which the patterns are sorted; patterns without a value come last. Empty: by pattern id.

@@ -16,7 +16,8 @@ namespace fretwork::mechanics {
 /// output are skipped, and so are *HEADING, *PART, *ASSEMBLY, their ends and *SOLID SECTION. Any other
 /// keyword is an error. An unknown parameter of a keyword that is read is an error, too, and so are data that
 /// orient beams in Abaqus: a normal at a node, and a node after an element's own nodes. Labels of nodes and
-/// elements are above zero.
+/// elements are above zero. Where a label or a set may stand, a number is a label, as in ccx, even if a set
+/// has this name. Supports and loads on a set without nodes are an error.
 ///
 /// The frame has the supports and loads at the end of the last step. The rules are from the CalculiX CrunchiX
 /// User's Manual (Dhondt; *CLOAD, *BOUNDARY, *DLOAD). By default (OP=MOD), values of earlier steps stay until

@@ -100,8 +100,14 @@ std::vector<tiling::GradedPattern> graded_palette(const PaintByField& choice, co
 std::vector<std::pair<std::string, NamedPattern>> coloured_palette(const PaintByColours& choice,
                                                                    const PaintingGround& ground) {
     std::vector<std::pair<std::string, NamedPattern>> palette;
-    for (const auto& [colour, id] : choice.palette)
+    for (const auto& [colour, id] : choice.palette) {
+        const auto known = std::ranges::find(palette, colour, &std::pair<std::string, NamedPattern>::first);
+        if (known != palette.end())
+            throw base::InputError(kPaletteEntry, "",
+                                   "has the colour " + colour + " twice, for the patterns " +
+                                       known->second.id + " and " + id + ": keep one of them");
         palette.emplace_back(colour, checked_palette(kPaletteEntry, ground.layout, {id}).front());
+    }
     return palette;
 }
 

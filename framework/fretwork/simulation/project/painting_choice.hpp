@@ -84,8 +84,8 @@ struct PaintByField {
 /// keep their patterns.
 struct PaintByColours {
     std::filesystem::path drawing;  ///< SVG file; with a content, its name in messages
-    std::vector<std::pair<std::string, std::string>> palette;  ///< pairs of a colour "#rrggbb" and a pattern
-                                                               ///< id
+    /// Pairs of a colour "#rrggbb" and a pattern id; each colour once.
+    std::vector<std::pair<std::string, std::string>> palette;
     std::optional<FileContent> content{};  ///< content of the drawing; none: it is read from `drawing`
     friend bool operator==(const PaintByColours&, const PaintByColours&) = default;
 };

@@ -10,8 +10,11 @@
 #include <algorithm>
 #include <list>
 #include <map>
+#include <optional>
 #include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace fretwork::mechanics::decks {
 namespace {
@@ -27,7 +30,8 @@ class Reader {
 
     LabelledFrame run() {
         for (const Card& card : deck_.cards()) read(card);
-        for (const auto& [line, set] : pulled_sets_) check_pulled(line, set);
+        check_complete();
+        for (const auto& [line, word] : pulled_) check_pulled(line, word);
         for (const auto& [label, element] : elements_) add_beams(label, element);
         history_.put_into(result_.frame);
         result_.source = deck_.source();
@@ -63,6 +67,15 @@ class Reader {
                        "has " + card.keyword +
                            ", which is not understood: beams, their sections, materials, supports, "
                            "nodal loads and gravity are");
+    }
+
+    void check_complete() const {
+        if (nodes_.empty())
+            throw base::InputError(deck_.source(), "",
+                                   "has no node: *NODE and a line for each node are missing");
+        if (elements_.empty())
+            throw base::InputError(deck_.source(), "",
+                                   "has no element: *ELEMENT and a line for each element are missing");
     }
 
     [[nodiscard]] int positive_label(std::size_t line, const std::string& word) const {
@@ -199,8 +212,15 @@ class Reader {
     }
 
     [[nodiscard]] std::vector<NodeIndex> nodes_named(std::size_t line, const std::string& word) const {
+        if (word.empty()) deck_.fail(line, "names no node or node set before its first comma");
         const std::set<int>* set = node_sets_.find(word);
-        if (set == nullptr) return {node(line, word)};
+        if (const std::optional<int> label = label_of(word)) {
+            if (set != nullptr && !nodes_.contains(*label))
+                deck_.fail(line, "names node " + word + ", which does not exist; a number means no node set");
+            return {node(line, word)};
+        }
+        if (set == nullptr) deck_.fail(line, "names the node set " + word + ", which does not exist");
+        if (set->empty()) deck_.fail(line, "names the node set " + word + ", which has no nodes");
         std::vector<NodeIndex> nodes;
         for (const int label : *set) nodes.push_back(node(line, std::to_string(label)));
         return nodes;
@@ -268,7 +288,8 @@ class Reader {
                 deck_.fail(
                     line,
                     "is no gravity (SET,GRAV,value,direction): other distributed loads are not understood");
-            pulled_sets_.emplace_back(line, words[0]);
+            if (words[0].empty()) deck_.fail(line, "names no set of all elements before GRAV");
+            pulled_.emplace_back(line, words[0]);
             const Eigen::Vector3d direction(deck_.number(line, words[3]), deck_.number(line, words[4]),
                                             deck_.number(line, words[5]));
             if (direction.isZero(0.0)) deck_.fail(line, "gives gravity no direction");
@@ -276,13 +297,24 @@ class Reader {
         }
     }
 
-    /// Check that gravity acts on all elements, also on those that come after it in the deck.
-    void check_pulled(std::size_t line, const std::string& name) const {
-        const std::set<int>& set = element_set(line, name);
-        const auto is_pulled = [&set](const auto& element) { return set.contains(element.first); };
-        if (!std::ranges::all_of(elements_, is_pulled))
+    /// The labels that a word means where an element or a set may stand.
+    [[nodiscard]] std::set<int> elements_named(std::size_t line, const std::string& word) const {
+        const std::optional<int> label = label_of(word);
+        if (!label) return element_set(line, word);
+        if (!elements_.contains(*label))
             deck_.fail(line,
-                       "lets gravity act on " + name + ", a part of the beams; it must act on all of them");
+                       "names element " + word + ", which does not exist" +
+                           (element_sets_.find(word) == nullptr ? "" : "; a number means no element set"));
+        return {*label};
+    }
+
+    /// Check that gravity acts on all elements, also on those that come after it in the deck.
+    void check_pulled(std::size_t line, const std::string& word) const {
+        const std::set<int> pulled = elements_named(line, word);
+        const auto is_pulled = [&pulled](const auto& element) { return pulled.contains(element.first); };
+        if (!std::ranges::all_of(elements_, is_pulled))
+            deck_.fail(line, "lets gravity act on " + (label_of(word) ? "element " + word : word) +
+                                 ", a part of the beams; it must act on all of them: name a set of all");
     }
 
     void add_beams(int label, const ElementData& element) {
@@ -313,7 +345,8 @@ class Reader {
     LabelledFrame result_;
     std::vector<int> beam_labels_;
     DeckHistory history_;
-    std::vector<std::pair<std::size_t, std::string>> pulled_sets_;  ///< sets under gravity, with their lines
+    /// The words for what gravity acts on, with their lines.
+    std::vector<std::pair<std::size_t, std::string>> pulled_;
     std::map<int, NodeIndex> nodes_;
     std::map<int, ElementData> elements_;
     LabelSets node_sets_{"NSET"}, element_sets_{"ELSET"};

@@ -87,6 +87,8 @@ std::vector<double> InputDeck::numbers(const Card::Line& line, Count count) cons
 const std::string& InputDeck::parameter(const Card& card, const std::string& name) const {
     const auto found = card.parameters.find(name);
     if (found == card.parameters.end()) fail(card.line, "(" + card.keyword + ") needs the parameter " + name);
+    if (found->second.empty())
+        fail(card.line, "(" + card.keyword + ") has the parameter " + name + " without a value");
     return found->second;
 }
 

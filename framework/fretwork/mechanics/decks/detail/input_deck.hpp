@@ -52,7 +52,7 @@ class InputDeck {
     /// The numbers of a line; empty words are skipped.
     [[nodiscard]] std::vector<double> numbers(const Card::Line& line, Count count) const;
 
-    /// The value of a parameter. Throws InputError if the card lacks the parameter.
+    /// The value of a parameter. Throws InputError if the card lacks the parameter or its value.
     [[nodiscard]] const std::string& parameter(const Card& card, const std::string& name) const;
     /// Check that an optional parameter, if present, has one of these values.
     void require_choice(const Card& card, const std::string& name,

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/quantity.hpp>
 #include <fretwork/mechanics/decks/detail/label_sets.hpp>
+
+#include <optional>
 
 namespace fretwork::mechanics::decks {
 namespace {
@@ -25,9 +28,14 @@ void generate(const InputDeck& deck, const Card::Line& line, std::set<int>& memb
 
 }  // namespace
 
+std::optional<int> label_of(const std::string& word) {
+    return base::read_number<int>(word);
+}
+
 void LabelSets::read(const InputDeck& deck, const Card& card) {
     deck.allow_only(card, {kind_.c_str(), "GENERATE", "INTERNAL", "UNSORTED"});
-    std::set<int>& members = sets_[deck.parameter(card, kind_)];
+    const std::string& name = deck.parameter(card, kind_);
+    std::set<int>& members = sets_[name];
     for (const Card::Line& line : card.lines) {
         if (card.has("GENERATE")) {
             generate(deck, line, members);
@@ -35,11 +43,16 @@ void LabelSets::read(const InputDeck& deck, const Card& card) {
         }
         for (const std::string& word : line.words) {
             if (word.empty()) continue;
+            if (const std::optional<int> label = label_of(word)) {
+                members.insert(*label);
+                continue;
+            }
+            if (word == name) deck.fail(line.number, "puts the set " + name + " into itself");
             const std::set<int>* inner = find(word);
             if (inner == nullptr)
-                members.insert(deck.integer(line.number, word));
-            else
-                members.insert(inner->begin(), inner->end());
+                deck.fail(line.number, "puts " + word + " into the set " + name +
+                                           ", where labels and sets that are defined before are possible");
+            members.insert(inner->begin(), inner->end());
         }
     }
 }

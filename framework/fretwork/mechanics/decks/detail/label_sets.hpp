@@ -4,10 +4,16 @@
 #include <fretwork/mechanics/decks/detail/input_deck.hpp>
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace fretwork::mechanics::decks {
+
+/// The label that a word means where a label or a set may stand; none if the word is the name of a set. A
+/// number is always a label, as in ccx, even if a set has this number as its name.
+std::optional<int> label_of(const std::string& word);
 
 /// The named sets of nodes, or of elements, of an input deck. A set contains each label once.
 class LabelSets {
@@ -15,7 +21,8 @@ class LabelSets {
     /// @param kind  the parameter that names a set, NSET or ELSET
     explicit LabelSets(std::string kind) : kind_(std::move(kind)) {}
 
-    /// Add the entries of a card *NSET or *ELSET: labels, names of other sets, or ranges (GENERATE).
+    /// Add the entries of a card *NSET or *ELSET: labels, names of sets that are defined before, or ranges
+    /// (GENERATE).
     void read(const InputDeck& deck, const Card& card);
     void add(const std::string& set, int label) { sets_[set].insert(label); }
     /// The labels of a set; null if the set does not exist.
