@@ -60,6 +60,10 @@ TEST(Optimizers, RunWithTheNumberOfStartsThatStandsBehindTheirName) {
         EXPECT_EQ(refused.exit_code, 2) << word;
         EXPECT_THAT(refused.err, testing::HasSubstr("starts")) << word;
     }
+    const auto twice = run_command(run + "--optimizers slsqp:3,slsqp:4 --out p", folder.path());
+    EXPECT_EQ(twice.exit_code, 2);
+    EXPECT_THAT(twice.err, testing::HasSubstr("'slsqp' is listed twice"));
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "p"));
 }
 
 TEST(Optimizers, SearchTheProblemsOfAListWhichMayBeOfAnyLayout) {

@@ -12,6 +12,8 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
+#include <string_view>
 #include <system_error>
 
 namespace fretwork::optimization::study {
@@ -129,6 +131,15 @@ void StudyPlan::validate() const {
     conditions.validate();
     if (repetitions < 1)
         throw base::InputError("repetitions: " + std::to_string(repetitions) + " must be at least 1");
+    std::set<std::string_view> names;
+    for (const Contender& contender : contenders) {
+        const std::string_view name = contender.method->name;
+        if (!names.insert(name).second)
+            throw base::InputError("optimizers", "",
+                                   "'" + std::string(name) +
+                                       "' is listed twice; a study has one number of starts for each method, "
+                                       "so use one folder for each number");
+    }
 }
 
 std::filesystem::path run_table_path(const std::filesystem::path& folder) {
