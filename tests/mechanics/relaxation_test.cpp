@@ -4,6 +4,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/paths/equilibrium.hpp>
 #include <fretwork/mechanics/paths/relaxation.hpp>
+#include <fretwork/mechanics/paths/whole_turns.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -89,14 +90,45 @@ TEST(Relaxation, RotationsAreThoseThatContinueAlongTheBeams) {
     }
 }
 
-// A moment bends a clamped bar into one and a half circles: its tip turns by E I / L times the moment.
-TEST(Relaxation, ARolledBarKeepsAllItsTurns) {
-    constexpr double kAngle = 3.0 * std::numbers::pi;
-    Frame frame = sample::cantilever({.divisions = 16});
-    frame.loads.push_back({NodeIndex(1), {}, {0.0, 1e9 * 1e-6 * kAngle, 0.0}});
-    const Solution found = relax(assemble(frame));
-    ASSERT_TRUE(found.converged());
-    EXPECT_NEAR(found.displacements(1, 4), kAngle, 0.01 * kAngle);
+/// A chain of ten bars along x, rolled up about y by 0.9 rad in each.
+nonlinear::Configuration rolled(const nonlinear::Unknowns& unknowns) {
+    nonlinear::Configuration configuration = unknowns.rest();
+    for (std::size_t node = 0; node < configuration.states.size(); ++node)
+        configuration.states[node].rotation =
+            geometry::exponential(0.9 * static_cast<double>(node) * Eigen::Vector3d::UnitY());
+    return configuration;
+}
+
+TEST(WholeTurns, ContinueAlongTheElementsFromAHeldNode) {
+    Frame chain;
+    chain.nodes = {{0, 0, 0}};
+    for (int node = 1; node <= 10; ++node) {
+        chain.nodes.push_back({0.1 * node, 0, 0});
+        chain.beams.push_back(sample::beam_between(node - 1, node));
+    }
+    Frame held = chain;
+    sample::clamp(held, 0);
+    const Assembly clamped = assemble(held);
+    const nonlinear::Unknowns unknowns(clamped);
+    nonlinear::Configuration configuration = rolled(unknowns);
+    continue_along_elements(unknowns, configuration);
+    for (std::size_t node = 0; node <= 10; ++node)
+        EXPECT_NEAR((configuration.rotation_vectors[node] -
+                     0.9 * static_cast<double>(node) * Eigen::Vector3d::UnitY())
+                        .norm(),
+                    0.0, 1e-12)
+            << node;
+
+    // No rotation is held: the one node with a support, turned by 4.5 - 2 pi, is where the others begin.
+    chain.supports.push_back({NodeIndex(5), sample::kPinned});
+    const Assembly pinned = assemble(chain);
+    const nonlinear::Unknowns free(pinned);
+    configuration = rolled(free);
+    continue_along_elements(free, configuration);
+    for (std::size_t node = 0; node <= 10; ++node)
+        EXPECT_NEAR(configuration.rotation_vectors[node].y(),
+                    0.9 * static_cast<double>(node) - 2.0 * std::numbers::pi, 1e-12)
+            << node;
 }
 
 TEST(Relaxation, SpentIterationsAreReported) {

@@ -149,9 +149,9 @@ TEST(OutsideCommand, ThatNeverReadsOrAsksOnlyOutsideIsStoppedAndItsRunKept) {
     EXPECT_EQ(deaf.ending, Ending::Stopped);
     EXPECT_EQ(deaf.value, sphere(3).value(Eigen::Vector3d::Zero()));
     const auto astray =
-        run("read line; while echo value nan nan nan; do read line; done", {.control = control});
+        run("echo value 0 0 0; while read line; do echo value nan nan nan; done", {.control = control});
     EXPECT_EQ(astray.ending, Ending::Stopped);
-    EXPECT_EQ(astray.cost, 0);
+    EXPECT_EQ(astray.cost, 1);
     EXPECT_GT(astray.points_outside, 100'000);
 }
 
