@@ -64,6 +64,11 @@ TEST(FreeSection, RefusesOtherSections) {
     mechanics::Section odd = mechanics::rectangle_section(0.002, 0.003);
     odd.J *= 2.0;
     EXPECT_THAT(complaint_of([&] { require_rectangle(odd); }), HasSubstr("no rectangle"));
+    // Half the area, with the torsion constant that belongs to its radii of gyration.
+    odd = mechanics::rectangle_section(0.002, 0.003);
+    odd.area /= 2.0;
+    odd.J = mechanics::rectangle_section(mechanics::rectangle_width(odd), mechanics::rectangle_height(odd)).J;
+    EXPECT_THAT(complaint_of([&] { require_rectangle(odd); }), HasSubstr("no rectangle"));
     require_rectangle(mechanics::rectangle_section(0.002, 0.003));
 }
 

@@ -23,7 +23,7 @@ void require_rectangle(const mechanics::Section& section) {
                                                                 mechanics::rectangle_height(section));
     const bool is_other_shape =
         section.shape && !std::holds_alternative<mechanics::RectangleShape>(*section.shape);
-    if (is_other_shape || !is_near(section.J, own.J))
+    if (is_other_shape || !is_near(section.area, own.area) || !is_near(section.J, own.J))
         throw base::InputError(
             "the section of the bars is no rectangle (" +
             std::string(is_other_shape ? mechanics::shape_name(*section.shape) : "other numbers") +
