@@ -25,7 +25,7 @@ constexpr Starts kStarts[] = {
     {"ceres-smoothed-sine", 8},
     {"bobyqa", 8},
     {"subplex", 4},
-    {"slsqp", 16},
+    {"slsqp", 8},
     {"cma-es", 4},
 };
 
