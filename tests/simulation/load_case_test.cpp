@@ -6,6 +6,7 @@
 #include <fretwork/simulation/load_cases/conditions.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
 #include <fretwork/simulation/load_cases/load_case_text.hpp>
+#include <fretwork/simulation/project/new_project.hpp>
 
 namespace fretwork::simulation {
 namespace THIS_TEST {
@@ -277,18 +278,38 @@ LoadCase::Load line_load(const Selection& where, const Eigen::Vector3d& per_leng
     return {where, per_length, Eigen::Vector3d::Zero(), LoadCase::Amount::PerLength};
 }
 
-TEST(LineLoad, IsForcePerLengthTimesTheLengthOfItsPartOfTheRim) {
+// The left rim of a honeycomb is a zigzag of six sides, which is longer than what it covers.
+TEST(LineLoad, IsForcePerLengthTimesTheLengthAlongTheSide) {
     const Surface surface = make_surface(test::honeycomb(4, 3, {"0-1+1-6"}), nullptr);
     const Eigen::Vector3d per_length(0.5, 0.0, -2.0);
     LoadCase load_case;
     load_case.name = "rail";
     load_case.loads = {line_load(NodesAtSide{Side::Left}, per_length)};
-    const auto picked = select_nodes(NodesAtSide{Side::Left}, surface.tessellation);
     const double side = tiling::mean_tile_side(surface.tessellation);  // all are equal, with one node each
     const Conditions conditions = resolve(load_case, surface);
-    EXPECT_LT((total_force(conditions) - static_cast<double>(picked.size()) * side * per_length).norm(),
-              1e-12);
-    EXPECT_EQ(conditions.loads.size(), picked.size());
+    EXPECT_LT((total_force(conditions) - 3.0 * std::sqrt(3.0) * side * per_length).norm(), 1e-12);
+    EXPECT_EQ(conditions.loads.size(), 6U);
+}
+
+// A rectangle's corners and a strip's other long side lie near to a side, too, but do not face it.
+TEST(LineLoad, OnASideDoesNotDependOnTheTiles) {
+    for (const double height : {0.1, 0.02}) {
+        const outlines::Outline outline =
+            outlines::make_outline({{0, 0}, {0.2, 0}, {0.2, height}, {0, height}}, {});
+        for (const double edge : {0.02, 0.011}) {
+            const Surface surface = make_surface(
+                make_project(outline, {.edge_length = edge, .painting = PaintOnePattern{"0-1+1-6"}}, nullptr)
+                    .project,
+                nullptr);
+            LoadCase load_case;
+            load_case.name = "rail";
+            for (const Side side : {Side::Left, Side::Right, Side::Bottom, Side::Top}) {
+                load_case.loads = {line_load(NodesAtSide{side}, {0, 0, -3})};
+                const double length = side == Side::Left || side == Side::Right ? height : 0.2;
+                EXPECT_NEAR(total_force(resolve(load_case, surface)).z(), -3 * length, 1e-9) << edge;
+            }
+        }
+    }
 }
 
 TEST(LineLoad, BetweenTwoPointsRunsTheShorterWayAlongTheRim) {

@@ -38,15 +38,39 @@ void add(const RimSide& side, double length, std::vector<LineBearer>& bearers) {
         bearers.push_back({node, length / static_cast<double>(side.nodes.size())});
 }
 
-/// The bearers on rim sides with all of their nodes along one side of the bounding box.
+/// The direction in which the surface ends at a side of its bounding box.
+Point2 outward(Side side) {
+    switch (side) {
+        case Side::Left:
+            return {-1.0, 0.0};
+        case Side::Right:
+            return {1.0, 0.0};
+        case Side::Bottom:
+            return {0.0, -1.0};
+        case Side::Top:
+            break;
+    }
+    return {0.0, 1.0};
+}
+
+/// The length of a rim side along a side of the bounding box; negative or zero if the surface does not end in
+/// that direction there, as at a corner's other side. The surface lies to the left of a rim side.
+double length_along(const RimSide& rim, Side side) {
+    const Point2 out = outward(side);
+    return (rim.ends[1].y - rim.ends[0].y) * out.x - (rim.ends[1].x - rim.ends[0].x) * out.y;
+}
+
+/// The bearers on rim sides that face one side of the bounding box, with all of their nodes along it.
 std::vector<LineBearer> along_side(Side side, const Tessellation& tessellation) {
+    constexpr double kLeastShare = 1e-9;  // of a rim side's length: less is rounding
     const auto picked = select_nodes(NodesAtSide{side}, tessellation);
     std::vector<LineBearer> bearers;
     for (const auto& loop : rim_of(tessellation)) {
         for (const RimSide& own : loop) {
-            const bool is_along = std::ranges::all_of(
+            const bool is_near = std::ranges::all_of(
                 own.nodes, [&](InterfaceIndex node) { return std::ranges::binary_search(picked, node); });
-            if (is_along) add(own, own.length(), bearers);
+            const double length = length_along(own, side);
+            if (is_near && length > kLeastShare * own.length()) add(own, length, bearers);
         }
     }
     if (bearers.empty())

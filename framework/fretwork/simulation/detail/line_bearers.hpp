@@ -7,13 +7,13 @@
 
 namespace fretwork::simulation::detail {
 
-/// An interface node, and the length of the rim that it stands for, m.
+/// An interface node, and the length of a line load that it stands for, m.
 struct LineBearer {
     tiling::InterfaceIndex node;
     double length = 0.0;
 };
 
-/// The nodes that bear a line load (Amount::PerLength), with their lengths of the rim. Throws InputError if
+/// The nodes that bear a line load (Amount::PerLength), with their lengths. Throws InputError if
 /// the selection is neither a side nor two points, if no side of a tile lies along the side, or if both
 /// points are nearest to the same place of the rim or to different closed lines of it.
 std::vector<LineBearer> line_bearers(const Selection& where, const tiling::Tessellation& tessellation);

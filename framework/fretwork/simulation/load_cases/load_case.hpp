@@ -22,10 +22,11 @@ struct LoadCase {
         friend bool operator==(const Support&, const Support&) = default;
     };
     /// The meaning of a load's force and moment. Each: every selected node gets both. Total: all selected
-    /// nodes share both equally. PerLength: the force is a line load along the rim, in N/m, either along a
-    /// side of the bounding box (NodesAtSide) or along the shorter way between the rim's places nearest to
-    /// two points (NodesNearest). Each interface node on a tile's side represents an equal length of the
-    /// side, measured at rest.
+    /// nodes share both equally. PerLength: the force is a line load, in N/m, either along a side of the
+    /// bounding box (NodesAtSide) or along the shorter way on the rim between the rim's places nearest to two
+    /// points (NodesNearest). On a side of the bounding box, tiles' sides that face it count by their length
+    /// along it, so the total does not depend on the tiles' shape. Each interface node on a tile's side
+    /// represents an equal part of its length, measured at rest.
     enum class Amount { Each, Total, PerLength };
     /// A load on selected nodes.
     struct Load {
