@@ -14,16 +14,17 @@ from csv_tables import print_table
 HERE = pathlib.Path(__file__).resolve().parent
 DOCUMENTED = HERE / "documented"
 OURS = "ceres-multistart"
-# runs, and the best known values of their problems
-SETS = {"60 patterns": ("results.csv.gz", "best_known.csv"), "all 1,824": ("all_patterns_results.csv.gz", "best_known_all_patterns.csv"),
-        "held-out": ("held_out_results.csv.gz", "best_known_held_out.csv")}
+# the best known values of problems, and files of runs on them
+SETS = {"60 patterns": ("best_known.csv", "results.csv.gz"),
+        "all 1,824": ("best_known_all_patterns.csv", "all_patterns_results.csv.gz", "annealing_raw_results.csv.gz"),
+        "held-out": ("best_known_held_out.csv", "held_out_results.csv.gz")}
 METHODS = (OURS, "gauss-newton-multistart", "slsqp", "mlsl", "bobyqa", "cma-es", "differential-evolution", "annealing-cool", "annealing-reject", "simulated-annealing", "annealing-raw")
 
 
 def runs_of(files):
     """method -> problem -> runs, on calibrations, with the starts that the comparison gives."""
-    results, known = files
-    runs = measures.read_runs(DOCUMENTED / results, measures.read_known(HERE / known))
+    known = measures.read_known(HERE / files[0])
+    runs = (run for results in files[1:] for run in measures.read_runs(DOCUMENTED / results, known))
     return measures.group_with_starts(run for run in runs if run.problem.startswith("calibration/"))
 
 

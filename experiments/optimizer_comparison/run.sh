@@ -7,7 +7,7 @@
 #   --held-out      seven methods on 60 patterns on which nothing was tuned: five minutes
 #   --other-setting eight methods on the held-out patterns in another setting (experiments/settings/flat.json): five minutes
 #   --all-patterns  the three best on all 1,824 patterns: two minutes
-#   --annealing-raw annealing of the quantities on all 1,824 patterns: a quarter of an hour
+#   --annealing-raw annealing of the quantities on all 1,824 patterns: 20 minutes of CPU time
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 part=everything
