@@ -162,7 +162,10 @@ TEST(Modes, StripBucklesLaterally) {
 }
 
 TEST(Modes, BadRequestsAreRefused) {
-    EXPECT_THROW(vibration_modes(assemble(sample::star()), 0), base::InputError);
+    for (const int count : {0, kMostModes + 1, 1'000'000'000}) {
+        EXPECT_THROW(vibration_modes(assemble(sample::star()), count), base::InputError) << count;
+        EXPECT_THROW(buckling_modes(assemble(sample::star()), count), base::InputError) << count;
+    }
     Frame weightless = sample::cantilever();
     weightless.beams[0].material.density = 0.0;
     EXPECT_THROW(vibration_modes(assemble(weightless), 1), base::InputError);

@@ -72,6 +72,33 @@ std::string open(const std::vector<std::array<double, 2>>& points) {
 std::string square_of_lines(double side) {
     return line(0, 0, side, 0) + line(side, 0, side, side) + line(side, side, 0, side) + line(0, side, 0, 0);
 }
+using Point3 = std::array<double, 3>;
+/// The groups of a point in space; `code` is the code of x.
+std::string in_space(const Point3& point, int code = 10) {
+    return " " + std::to_string(code) + " " + number(point[0]) + " " + std::to_string(code + 10) + " " +
+           number(point[1]) + " " + std::to_string(code + 20) + " " + number(point[2]);
+}
+/// The corners of a square of 100 mm in the plane, at z plus the slope times (x + y).
+std::vector<Point3> corners(double z, double slope) {
+    return {{0, 0, z}, {100, 0, z + 100 * slope}, {100, 100, z + 200 * slope}, {0, 100, z + 100 * slope}};
+}
+std::string lines_in_space(const std::vector<Point3>& points) {
+    std::string text;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        text += "0 LINE 8 0" + in_space(points[i]) + in_space(points[(i + 1) % points.size()], 11) + " ";
+    return text;
+}
+std::string polyline_in_space(const std::vector<Point3>& points) {
+    std::string text = "0 POLYLINE 8 0 66 1 70 9";
+    for (const Point3& point : points) text += " 0 VERTEX 8 0 70 32" + in_space(point);
+    return text + " 0 SEQEND ";
+}
+/// A spline of degree 1 around four points.
+std::string spline_in_space(const std::vector<Point3>& points) {
+    std::string text = "0 SPLINE 8 0 70 0 71 1 40 0 40 0 40 1 40 2 40 3 40 4 40 4";
+    for (const Point3& point : points) text += in_space(point);
+    return text + in_space(points.front()) + " ";
+}
 constexpr double kRound = 0.1;  // square millimetres: 0.02 mm times a few millimetres of curves
 
 TEST(DxfDrawing, AnEllipseLiesAlongItsMajorAxis) {
@@ -172,6 +199,64 @@ TEST(DxfDrawing, EntitiesSeenFromBelowAreMirrored) {
     EXPECT_NEAR(x, -0.1, 1e-6);
     EXPECT_THAT(complaint_of([] { read("0 CIRCLE 10 0 20 0 40 1 210 1 220 0 230 0"); }),
                 HasSubstr("1 CIRCLE that does not lie flat"));
+}
+
+TEST(DxfDrawing, CurvesTiltedInSpaceAreLeftOut) {
+    const std::vector<Point3> tilted = corners(0, 0.5);
+    const std::string flat = rectangle(200, 0, 10, 10);
+    const auto expect_left_out = [&](const std::string& entities, const std::string& remark) {
+        const OutlineFile file = read(flat + entities);
+        EXPECT_NEAR(area(file), 100, 1e-6) << remark;
+        EXPECT_THAT(file.remarks, ElementsAre(remark));
+    };
+    expect_left_out(lines_in_space(tilted), "4 LINE that does not lie flat left out");
+    expect_left_out(polyline_in_space(tilted), "1 POLYLINE that does not lie flat left out");
+    expect_left_out(spline_in_space(tilted), "1 SPLINE that does not lie flat left out");
+    expect_left_out(polyline_in_space({{0, 0, 0}, {10, 0, 0}, {10, 10, 5}, {0, 10, 0}}),
+                    "1 POLYLINE that does not lie flat left out");  // in no plane
+    expect_left_out("0 LINE 10 5 20 5 30 0 11 5 21 5 31 10", "1 LINE that does not lie flat left out");
+}
+
+TEST(DxfDrawing, ASlopeOfAThousandthIsNotFlat) {
+    EXPECT_THAT(complaint_of([] { read(polyline_in_space(corners(0, 0.001))); }),
+                HasSubstr("1 POLYLINE that does not lie flat left out"));
+}
+
+TEST(DxfDrawing, ASquareOfLinesThatIsTiltedAboutASideIsRefusedWithTheReason) {
+    const double half = 100 * std::sqrt(0.5);
+    EXPECT_THAT(complaint_of([&] {
+                    read(lines_in_space({{0, 0, 0}, {100, 0, 0}, {100, half, half}, {0, half, half}}));
+                }),
+                AllOf(HasSubstr("not closed"), HasSubstr("2 LINE that does not lie flat left out")));
+}
+
+TEST(DxfDrawing, CurvesAtAnyConstantHeightAreTaken) {
+    for (const double slope : {0.0, 1e-8})  // 1e-8: the last digit of z
+        for (const std::string& square :
+             {lines_in_space(corners(5, slope)), polyline_in_space(corners(5, slope)),
+              spline_in_space(corners(5, slope))}) {
+            const OutlineFile file = read(square);
+            EXPECT_NEAR(area(file), 1e4, kRound) << square;
+            EXPECT_THAT(file.remarks, IsEmpty()) << square;
+        }
+    // A line of half a millimetre whose z is rounded to a thousandth.
+    const OutlineFile rounded = read(
+        lines_in_space({{0, 0, 5}, {100, 0, 5}, {100, 100, 5}, {0.5, 100, 5}, {0, 100, 5.001}, {0, 50, 5}}));
+    EXPECT_NEAR(area(rounded), 1e4, kRound);
+    EXPECT_THAT(rounded.remarks, IsEmpty());
+}
+
+TEST(DxfDrawing, CurvesInABlockLieFlatOrNotByTheirOwnHeights) {
+    const auto block = [](const std::string& entities) { return "0 BLOCK 2 A " + entities + "0 ENDBLK "; };
+    const OutlineFile flat =
+        read(Sections{"0 INSERT 2 A 10 0 20 0 30 7 41 2 42 2", "", block(polyline_in_space(corners(5, 0)))});
+    EXPECT_NEAR(area(flat), 4e4, kRound);
+    EXPECT_THAT(flat.remarks, IsEmpty());
+    const OutlineFile tilted =
+        read(Sections{rectangle(200, 0, 10, 10) + "0 INSERT 2 A 10 0 20 0 41 2 42 2 230 -1", "",
+                      block(spline_in_space(corners(5, 0.5)))});
+    EXPECT_NEAR(area(tilted), 100, 1e-6);
+    EXPECT_THAT(tilted.remarks, ElementsAre("1 SPLINE that does not lie flat left out"));
 }
 
 TEST(DxfDrawing, OtherEntitiesAreCountedAndTold) {

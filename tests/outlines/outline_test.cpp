@@ -124,6 +124,15 @@ TEST(Outline, PointsAreEnoughFiniteAndApart) {
                 HasSubstr("point 2 of the boundary is not finite"));
 }
 
+TEST(Outline, PointsBeyondTheLimitsOfLengthsAreRefused) {
+    EXPECT_THAT(complaint_of([] {
+                    make_outline({{0, 0}, {1e308, 0}, {1e308, 1e308}}, {});
+                }),
+                AllOf(HasSubstr("point 1 of the boundary is (1e+308, 0)"),
+                      HasSubstr("a number from -1e+12 to 1e+12 (m)")));
+    EXPECT_DOUBLE_EQ(area_of(make_outline({{-1e12, 0}, {1e12, 0}, {0, 1e12}}, {})), 1e24);
+}
+
 TEST(OutlineJson, ReadsBoundaryAndHoles) {
     const Outline outline = read_outline(data_file("frame.json"));
     EXPECT_EQ(outline.holes.size(), 1U);

@@ -6,6 +6,8 @@ import pickle
 import tempfile
 import unittest
 
+import numpy as np
+
 import fretwork as fw
 import support
 
@@ -87,6 +89,29 @@ class Errors(unittest.TestCase):
         with self.assertRaises(fw.InputError) as caught:
             fw.parse_frame("{}", "\0")
         self.assertRegex(str(caught.exception), r"^\\x00: ")
+
+    def test_displacements_of_too_few_interface_nodes_are_refused(self):
+        setting = fw.paper_setting()
+        fits = [np.zeros((6, 6))] * 5
+        self.assertEqual(fw.linear_responses(fits, setting)[0].samples[0].displacements.shape, (6, 6))
+        for model in ([np.zeros((1, 6))] * 5, fits[:4] + [np.zeros((12, 6))]):
+            with self.assertRaisesRegex(fw.InputError, "the same multiple of 6 rows"):
+                fw.linear_responses(model, setting)
+
+    def test_places_that_are_no_numbers_are_refused(self):
+        tessellation = support.surface().tessellation
+        for bad in (float("nan"), float("inf")):
+            with self.assertRaisesRegex(fw.InputError, "point 0 is"):
+                fw.select_nodes(fw.NodesNearest([[bad, 0]]), tessellation)
+            with self.assertRaisesRegex(fw.InputError, "the clearance is"):
+                fw.close_bars(support.surface(), bad)
+        with self.assertRaisesRegex(fw.GeometryError, "point 1 of the boundary"):
+            fw.make_outline([[0, 0], [1e308, 0], [1e308, 1e308]])
+
+    def test_too_many_modes_are_refused(self):
+        for kind in ("vibration", "buckling"):
+            with self.assertRaisesRegex(fw.InputError, "where 1 to 1000 are possible"):
+                fw.surface_modes(support.surface(), support.tip(), kind, 10**9)
 
     def test_no_outlines_have_no_size(self):
         with self.assertRaisesRegex(fw.InputError, "no outline"):

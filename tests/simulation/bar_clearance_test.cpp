@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "honeycomb.hpp"
 #include "stops.hpp"
+#include "support.hpp"
 
+#include <fretwork/base/text.hpp>
 #include <fretwork/simulation/results/bar_clearance.hpp>
 
+#include <limits>
 #include <set>
 
 namespace fretwork::simulation {
@@ -49,6 +52,16 @@ TEST(BarClearance, BarsAreCloseWhateverLiesAroundThem) {
     for (const CloseBars& pair : close_bars(surface, 5e-3))
         others += pair.tiles[0].value != 3 && pair.tiles[1].value != 3 ? 1 : 0;
     EXPECT_EQ(without.size(), others);
+}
+
+TEST(BarClearance, AClearanceThatIsNoLengthIsRefused) {
+    const Surface surface = surface_of(2, 2);
+    for (const double bad :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -1e-3}) {
+        EXPECT_THAT(test::complaint_of([&] { (void)close_bars(surface, bad); }),
+                    testing::AllOf(testing::HasSubstr("the clearance is " + base::format_number(bad)),
+                                   testing::HasSubstr("0 m or more")));
+    }
 }
 
 TEST(BarClearance, StopsAtAnyLookAndLooksAtEachBar) {

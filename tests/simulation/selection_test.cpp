@@ -2,6 +2,7 @@
 #include "honeycomb.hpp"
 #include "support.hpp"
 
+#include <fretwork/base/text.hpp>
 #include <fretwork/simulation/load_cases/conditions.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
 #include <fretwork/simulation/load_cases/load_case_text.hpp>
@@ -70,6 +71,17 @@ TEST(NodesInCircle, AreRefusedInALineWithoutAPositiveRadiusOrWithoutANode) {
     EXPECT_THAT(complaint_of([&] { check_selections(load_case, surface.tessellation); }),
                 AllOf(HasSubstr("load case 'cantilever'"), HasSubstr("/supports/1"),
                       HasSubstr("no interface node lies in the circle of radius 0.5 m around (9, 8)")));
+}
+
+TEST(NodesNearest, ToAPointThatIsNoPlaceAreRefused) {
+    const tiling::Tessellation tessellation = honeycomb(2, 1, {"0-1+1-6"}).tessellation;
+    for (const double bad : {kNone, std::numeric_limits<double>::infinity(), 1e300}) {
+        EXPECT_THAT(complaint_of([&] {
+                        (void)select_nodes(NodesNearest{{{0, 0}, {bad, 0.5}}}, tessellation);
+                    }),
+                    AllOf(HasSubstr("point 1 is (" + base::format_number(bad) + ", 0.5)"),
+                          HasSubstr("a number from -1e+12 to 1e+12 (m)")));
+    }
 }
 
 TEST(LoadCaseFile, KeepsCirclesInItsFourthFormat) {

@@ -2,12 +2,15 @@
 // Painting by fields, and by the colours of a drawing.
 #include "support.hpp"
 
+#include <fretwork/base/text.hpp>
 #include <fretwork/outlines/coloured_drawing.hpp>
 #include <fretwork/tiling/painting/field.hpp>
 #include <fretwork/tiling/painting/graded_painting.hpp>
 #include <fretwork/tiling/painting/tile_choice.hpp>
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <png.h>
@@ -17,6 +20,7 @@ namespace THIS_TEST {
 
 using test::complaint_of;
 using test::TemporaryFolder;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -112,6 +116,112 @@ std::filesystem::path grey_ramp(const TemporaryFolder& folder, unsigned pixels) 
     std::filesystem::path path = folder.path() / "ramp.png";
     EXPECT_NE(png_image_write_to_file(&image, path.c_str(), 0, grey.data(), 0, nullptr), 0) << image.message;
     return path;
+}
+
+/// A PNG of one row of pixels in this format of libpng.
+std::filesystem::path row_of_pixels(const TemporaryFolder& folder, png_uint_32 format,
+                                    const std::vector<std::uint8_t>& components) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    image.format = format;
+    image.height = 1;
+    image.width = static_cast<png_uint_32>(components.size()) / PNG_IMAGE_SAMPLE_CHANNELS(format);
+    std::filesystem::path path = folder.path() / "row.png";
+    EXPECT_NE(png_image_write_to_file(&image, path.c_str(), 0, components.data(), 0, nullptr), 0)
+        << image.message;
+    return path;
+}
+
+/// The values of a row of pixels, from left to right.
+std::vector<double> pixel_values(const std::filesystem::path& png, int pixels) {
+    std::vector<geometry::Point2> points;
+    for (int i = 0; i < pixels; ++i) points.push_back({i + 0.5, 0.5});
+    return image_values(png, {0, 0, static_cast<double>(pixels), 1}, points);
+}
+
+/// A big-endian number of a PNG file.
+std::string four_bytes(std::size_t value) {
+    std::string bytes;
+    for (const unsigned shift : {24U, 16U, 8U, 0U})
+        bytes.push_back(static_cast<char>((value >> shift) & 255U));
+    return bytes;
+}
+
+/// A chunk of a PNG file, with its CRC-32.
+std::string chunk(const std::string& type, const std::string& data) {
+    std::uint32_t sum = 0xffffffffU;
+    for (const char c : type + data) {
+        sum ^= static_cast<unsigned char>(c);
+        for (int bit = 0; bit < 8; ++bit) sum = (sum >> 1U) ^ ((sum & 1U) * 0xedb88320U);
+    }
+    return four_bytes(data.size()) + type + data + four_bytes(~sum);
+}
+
+/// The data of a PNG file with stored blocks: the row, after the number of its filter.
+std::string stored(const std::string& row) {
+    const std::string data = std::string(1, '\0') + row;
+    std::uint32_t a = 1;  // Adler-32
+    std::uint32_t b = 0;
+    for (const char c : data) {
+        a = (a + static_cast<unsigned char>(c)) % 65521U;
+        b = (b + a) % 65521U;
+    }
+    const auto length = static_cast<unsigned>(data.size());
+    std::string bytes = "\x78\x01\x01";
+    for (const unsigned half : {length, ~length}) {
+        bytes.push_back(static_cast<char>(half & 255U));
+        bytes.push_back(static_cast<char>((half >> 8U) & 255U));
+    }
+    return bytes + data + four_bytes((std::size_t{b} << 16U) | a);
+}
+
+/// A grey PNG of one row without any chunk about gamma, which libpng would write: with 8 or 16 bits.
+std::string plain_grey(const std::vector<int>& greys, int bits) {
+    std::string row;
+    for (const int grey : greys)
+        row += std::string(static_cast<std::size_t>(bits / 8), static_cast<char>(grey));
+    const std::string header = four_bytes(greys.size()) + four_bytes(1) +
+                               std::string{static_cast<char>(bits), '\0', '\0', '\0', '\0'};
+    return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunk("IDAT", stored(row)) + chunk("IEND", "");
+}
+
+TEST(Field, AnImageOfSixteenBitsHasTheValuesOfOneOfEight) {
+    const TemporaryFolder folder;
+    const std::vector<int> greys = {0, 64, 128, 255};
+    for (const int bits : {8, 16}) {
+        const auto values = pixel_values(folder.file("grey.png", plain_grey(greys, bits)), 4);
+        for (std::size_t i = 0; i < greys.size(); ++i)
+            EXPECT_NEAR(values.at(i), 1.0 - greys[i] / 255.0, 1.0 / 255) << bits << " bits, pixel " << i;
+    }
+}
+
+TEST(Field, AShareOfOpacityIsThatShareOfDarkness) {
+    const TemporaryFolder folder;
+    const std::vector<std::uint8_t> greys = {0, 255, 0, 128, 0, 0, 255, 128, 100, 128};
+    const auto values = pixel_values(row_of_pixels(folder, PNG_FORMAT_GA, greys), 5);
+    EXPECT_THAT(values, ElementsAre(1.0, testing::DoubleNear(128 / 255.0, 1e-12), 0.0, 0.0,
+                                    testing::DoubleNear(128 / 255.0 * 155 / 255.0, 1e-12)));
+    const std::vector<std::uint8_t> colours = {0, 0, 0, 128, 100, 100, 100, 255, 9, 9, 9, 0};
+    EXPECT_THAT(
+        pixel_values(row_of_pixels(folder, PNG_FORMAT_RGBA, colours), 3),
+        ElementsAre(testing::DoubleNear(128 / 255.0, 1e-12), testing::DoubleNear(155 / 255.0, 1e-12), 0.0));
+}
+
+TEST(Field, PlacesThatAreNoNumbersAreRefused) {
+    const TemporaryFolder folder;
+    const auto ramp = grey_ramp(folder, 8);
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    for (const double bad : {kNone, std::numeric_limits<double>::infinity(), -1e300}) {
+        EXPECT_THAT(complaint_of([&] {
+                        (void)image_values(ramp, {0, 0, 1, 1}, {{0.5, 0.5}, {0.5, bad}});
+                    }),
+                    AllOf(HasSubstr("point 1 is (0.5, " + base::format_number(bad) + ")"),
+                          HasSubstr("a number from -1e+12 to 1e+12 (m)")));
+        EXPECT_THAT(complaint_of([&] {
+                        (void)image_values(ramp, {bad, 0, 1, 1}, {{0.5, 0.5}});
+                    }),
+                    HasSubstr("the box runs from (" + base::format_number(bad) + ", 0) to (1, 1)"));
+    }
 }
 
 /// The last chunk, IEND, is the last 12 bytes; libpng has all pixels without it.

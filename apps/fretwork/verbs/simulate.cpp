@@ -13,6 +13,7 @@
 #include <fretwork/exports/writer_catalogue.hpp>
 #include <fretwork/mechanics/decks/calculix_file.hpp>
 #include <fretwork/mechanics/frame/frame_file.hpp>
+#include <fretwork/mechanics/modes.hpp>
 #include <fretwork/simulation/load_cases/combination.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
 #include <fretwork/simulation/project/project_library.hpp>
@@ -196,11 +197,11 @@ void add_what_to_solve(CLI::App& verb, SimulateOptions& options) {
 void add_answers(CLI::App& verb, SimulateOptions& options) {
     verb.add_option("--modes", options.simulation.vibration_modes,
                     "Compute this number of natural frequencies of the surface at rest, with the full model")
-        ->check(CLI::Range(0, 1000));
+        ->check(CLI::Range(0, mechanics::kMostModes));
     verb.add_option(
             "--buckling", options.simulation.buckling_modes,
             "Compute this number of critical load factors by linearized buckling, with the full model")
-        ->check(CLI::Range(0, 1000));
+        ->check(CLI::Range(0, mechanics::kMostModes));
     verb.add_option("--steps", options.simulation.load_steps,
                     "Number of equal load steps, each with a result")
         ->capture_default_str();

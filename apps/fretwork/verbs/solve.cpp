@@ -10,6 +10,7 @@
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/exports/tables/line_files.hpp>
 #include <fretwork/mechanics/decks/calculix_file.hpp>
+#include <fretwork/mechanics/modes.hpp>
 #include <fretwork/mechanics/solve.hpp>
 
 #include <algorithm>
@@ -130,10 +131,10 @@ void add_questions(CLI::App& verb, SolveOptions& options) {
         ->excludes(lumped);
     verb.add_option("--buckling", options.solve.buckling_modes,
                     "Number of critical load factors by linearized buckling")
-        ->check(CLI::Range(1, 1000));
+        ->check(CLI::Range(1, mechanics::kMostModes));
     verb.add_option("--modes", options.solve.vibration_modes,
                     "Number of natural frequencies and modes of the structure at rest")
-        ->check(CLI::Range(1, 1000));
+        ->check(CLI::Range(1, mechanics::kMostModes));
 }
 
 }  // namespace

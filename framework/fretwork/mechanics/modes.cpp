@@ -51,9 +51,9 @@ Mode make_mode(const nonlinear::NonlinearSystem& system, double value, const Vec
 }
 
 void check_count(int count) {
-    if (count < 1)
-        throw base::InputError("the number of modes is " + std::to_string(count) +
-                               ", and must be above zero");
+    if (count < 1 || count > kMostModes)
+        throw base::InputError("the number of modes is " + std::to_string(count) + ", where 1 to " +
+                               std::to_string(kMostModes) + " are possible");
 }
 
 std::vector<double> mass_values(const nonlinear::NonlinearSystem& system, const base::Control& control) {

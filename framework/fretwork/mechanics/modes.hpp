@@ -20,6 +20,9 @@ struct Mode {
     NodeValues inner_shape{};  ///< rows of the assembly's other nodes, as in Solution::inner_displacements
 };
 
+/// The largest number of modes that can be wanted.
+inline constexpr int kMostModes = 1000;
+
 /// Options of the search for modes.
 struct ModeOptions {
     base::Control control{};  ///< progress and stop
@@ -27,8 +30,8 @@ struct ModeOptions {
 
 /// The modes of the lowest natural frequencies, ascending, with consistent masses. Prescribed components are
 /// held. The number of modes is at most the number of free components with mass. Throws InputError if `count`
-/// is below one, if no element has mass, or if the mass of an element is not known; NumericalError as
-/// LinearSolver, or if the search does not settle; Stopped.
+/// is below one or above kMostModes, if no element has mass, or if the mass of an element is not known;
+/// NumericalError as LinearSolver, or if the search does not settle; Stopped.
 std::vector<Mode> vibration_modes(const Assembly& assembly, int count, const ModeOptions& options = {});
 
 /// The modes of linearized buckling, ascending in their load factor. If the loads and prescribed

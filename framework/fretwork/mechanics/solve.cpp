@@ -6,6 +6,7 @@
 #include <fretwork/mechanics/decks/calculix_file.hpp>
 #include <fretwork/mechanics/frame/frame_file.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
+#include <fretwork/mechanics/modes.hpp>
 #include <fretwork/mechanics/solve.hpp>
 
 #include <numeric>
@@ -146,7 +147,10 @@ void SolveOptions::validate() const {
             "steps is " + std::to_string(steps.value_or(1)) + ", and must be above zero");
     require(threads.value_or(0) >= 0,
             "threads is " + std::to_string(threads.value_or(0)) + ", and must not be negative");
-    require(vibration_modes >= 0 && buckling_modes >= 0, "the number of modes must not be negative");
+    for (const int modes : {vibration_modes, buckling_modes})
+        require(modes >= 0 && modes <= kMostModes, "the number of modes is " + std::to_string(modes) +
+                                                       ", where 0 to " + std::to_string(kMostModes) +
+                                                       " are possible");
 }
 
 LabelledFrame read_structure(const std::filesystem::path& path) {

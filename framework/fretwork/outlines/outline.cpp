@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/file.hpp>
+#include <fretwork/base/limits.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/geometry/box.hpp>
@@ -27,6 +28,21 @@ void orient(Polygon& polygon, Orientation wanted) {
         std::reverse(polygon.begin() + 1, polygon.end());
 }
 
+/// Refuse coordinates whose products, such as areas, may be too large for a number.
+void check_sizes(const std::vector<Polygon>& loops) {
+    for (std::size_t loop = 0; loop < loops.size(); ++loop) {
+        for (std::size_t i = 0; i < loops[loop].size(); ++i) {
+            const auto [x, y] = loops[loop][i];
+            if (base::is_within(x, base::kLengthLimits) && base::is_within(y, base::kLengthLimits)) continue;
+            throw base::GeometryError("point " + std::to_string(i) + " of " +
+                                      (loop == 0 ? "the boundary" : "hole " + std::to_string(loop - 1)) +
+                                      " is (" + base::format_number(x) + ", " + base::format_number(y) +
+                                      "), where each coordinate must be " +
+                                      base::range_text(base::kLengthLimits) + "; is the unit right?");
+        }
+    }
+}
+
 }  // namespace
 
 double area_of(const Outline& outline) {
@@ -39,6 +55,7 @@ Outline make_outline(Polygon boundary, std::vector<Polygon> holes) {
     std::vector<Polygon> loops{std::move(boundary)};
     for (Polygon& hole : holes) loops.push_back(std::move(hole));
     if (const auto flaw = outline_flaw(loops, {})) throw base::GeometryError(*flaw);
+    check_sizes(loops);
     Outline outline;
     for (std::size_t loop = 0; loop < loops.size(); ++loop) {
         orient(loops[loop], loop == 0 ? Orientation::Counterclockwise : Orientation::Clockwise);

@@ -19,7 +19,7 @@ struct Outline {
 };
 
 /// Check and orient an outline. Throws GeometryError that names the first flaw, such as two sides that cross
-/// (see outline_flaw()).
+/// (see outline_flaw()), or a point beyond the limits of lengths.
 Outline make_outline(geometry::Polygon boundary, std::vector<geometry::Polygon> holes);
 
 /// The area of an outline without its holes, m2.

@@ -108,6 +108,22 @@ void bind_joints(py::module_& m) {
         "fan"_a, "places"_a, "The joint reach of each edge, in widths of a bar.");
 }
 
+/// Refuse displacements that cannot be those of a tile in the setting. The setting does not say how many
+/// interface nodes a side has.
+void check_unit_displacements(const UnitDisplacements& model, const Setting& setting) {
+    if (model.size() != setting.scenarios.size())
+        throw base::InputError("there are displacements of " + std::to_string(model.size()) +
+                               " scenarios, and the setting has " + std::to_string(setting.scenarios.size()));
+    for (std::size_t s = 0; s < model.size(); ++s) {
+        const Eigen::Index rows = model[s].rows();
+        if (rows > 0 && rows % setting.sides == 0 && rows == model.front().rows()) continue;
+        throw base::InputError("the displacements of scenario '" + setting.scenarios[s].name + "' have " +
+                               std::to_string(rows) +
+                               " rows, where all scenarios need the same multiple of " +
+                               std::to_string(setting.sides) + " rows, one for each interface node");
+    }
+}
+
 void bind_responses(py::module_& m) {
     Record<Response> response(
         m, "Response",
@@ -152,10 +168,7 @@ void bind_responses(py::module_& m) {
         "linear_responses",
         [](const UnitDisplacements& model, const Setting& setting) {
             setting.validate();
-            if (model.size() != setting.scenarios.size())
-                throw base::InputError("there are displacements of " + std::to_string(model.size()) +
-                                       " scenarios, and the setting has " +
-                                       std::to_string(setting.scenarios.size()));
+            check_unit_displacements(model, setting);
             return linear_responses(model, setting);
         },
         "model"_a, "setting"_a,

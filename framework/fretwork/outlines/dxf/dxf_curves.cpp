@@ -3,6 +3,8 @@
 #include <fretwork/geometry/plane.hpp>
 #include <fretwork/outlines/dxf/dxf_curves.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace fretwork::outlines::detail {
@@ -13,6 +15,7 @@ using geometry::Polygon;
 
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kFlat = 1e-6;  // largest slope of what lies flat, the precision of single-precision files
 
 Point2 point(const DxfFile& file, const DxfEntity& entity, int code) {
     return {file.value(entity, code), file.value(entity, code + 10)};
@@ -88,12 +91,16 @@ std::vector<Vertex> light_vertices(const DxfFile& file, const DxfEntity& entity)
     return vertices;
 }
 
-/// The vertices of an old-style polyline. Flag 16 marks control points of a curve, which are left out,
-/// because the other vertices lie on this curve.
+/// True for a vertex that is a control point of a curve on which the other vertices of its polyline lie.
+bool is_control_point(const DxfFile& file, const DxfEntity& vertex) {
+    return (file.whole_or(vertex, 70, 0) & 16L) != 0;
+}
+
+/// The vertices of an old-style polyline, without control points.
 std::vector<Vertex> heavy_vertices(const DxfFile& file, std::span<const DxfEntity> from) {
     std::vector<Vertex> vertices;
     for (std::size_t i = 1; i < from.size() && from[i].name == "VERTEX"; ++i)
-        if ((file.whole_or(from[i], 70, 0) & 16L) == 0)
+        if (!is_control_point(file, from[i]))
             vertices.push_back({point(file, from[i], 10), file.value_or(from[i], 42, 0)});
     return vertices;
 }
@@ -132,6 +139,41 @@ DxfDrawn draw_heavy_polyline(const DxfFile& file, std::span<const DxfEntity> fro
     return draw_polyline(file, from.front(), heavy_vertices(file, from), how);
 }
 
+/// A coordinate of all points of a curve whose points each have their own z; nothing for other entities.
+/// `code`: 10 for x, 20 for y, 30 for z.
+std::vector<double> coordinates_in_space(const DxfFile& file, std::span<const DxfEntity> from, int code) {
+    constexpr long kPolylineInSpace = 8;
+    const DxfEntity& entity = from.front();
+    if (entity.name == "LINE") return {file.value_or(entity, code, 0), file.value_or(entity, code + 1, 0)};
+    std::vector<double> found;
+    if (entity.name == "SPLINE")
+        for (const DxfGroup& group : entity.groups)
+            if (group.code == code) found.push_back(file.number(group));
+    if (entity.name == "POLYLINE" && (file.whole_or(entity, 70, 0) & kPolylineInSpace) != 0)
+        for (std::size_t i = 1; i < from.size() && from[i].name == "VERTEX"; ++i)
+            if (!is_control_point(file, from[i])) found.push_back(file.value_or(from[i], code, 0));
+    return found;
+}
+
+/// True if z differs along the curve by more than rounding and the tolerance, so that the curve in the
+/// drawing's plane would have another size.
+bool is_tilted(const DxfFile& file, std::span<const DxfEntity> from, const Flattening& how) {
+    const auto range = [&](int code) {
+        const std::vector<double> values = coordinates_in_space(file, from, code);
+        if (values.empty()) return 0.0;
+        const auto [low, high] = std::ranges::minmax(values);
+        return high - low;
+    };
+    const double rise = range(30);
+    const Affine& map = how.to_metres;
+    const double scale = std::sqrt(std::abs(map.a * map.d - map.b * map.c));
+    return rise > kFlat * std::max(range(10), range(20)) && rise * scale > how.tolerance;
+}
+
+DxfDrawn not_flat(std::string_view name) {
+    return {std::nullopt, std::string(name) + " that does not lie flat"};
+}
+
 /// True for entities whose coordinates are the drawing's coordinates, whatever their extrusion.
 bool is_in_world_coordinates(std::string_view name) {
     return name == "LINE" || name == "ELLIPSE" || name == "SPLINE";
@@ -140,7 +182,6 @@ bool is_in_world_coordinates(std::string_view name) {
 }  // namespace
 
 std::optional<Affine> dxf_orientation(const DxfFile& file, const DxfEntity& entity) {
-    constexpr double kFlat = 1e-6;
     if (std::abs(file.value_or(entity, 210, 0)) > kFlat || std::abs(file.value_or(entity, 220, 0)) > kFlat)
         return std::nullopt;
     return file.value_or(entity, 230, 1) < 0 ? Affine{-1, 0, 0, 1, 0, 0} : Affine{};
@@ -150,13 +191,14 @@ DxfDrawn draw_dxf_entity(const DxfFile& file, std::span<const DxfEntity> from, c
     const DxfEntity& entity = from.front();
     const std::string_view name = entity.name;
     if (name == "VERTEX" || name == "SEQEND" || name == "POINT") return {};
+    if (is_tilted(file, from, given)) return not_flat(name);
     Flattening how = given;
     if (name == "LINE") {
         Polygon points = flatten({{straight(point(file, entity, 10), point(file, entity, 11))}, false}, how);
         return {DxfCurve{std::move(points), DxfCurve::Ends::Open}, ""};
     }
     const auto orientation = dxf_orientation(file, entity);
-    if (!orientation) return {std::nullopt, std::string(name) + " that does not lie flat"};
+    if (!orientation) return not_flat(name);
     if (!is_in_world_coordinates(name)) how.to_metres = given.to_metres.after(*orientation);
     if (name == "CIRCLE" || name == "ARC") return draw_arc(file, entity, how);
     if (name == "ELLIPSE") return draw_ellipse(file, entity, how);

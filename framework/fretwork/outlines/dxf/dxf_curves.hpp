@@ -21,8 +21,9 @@ struct DxfDrawn {
     std::string left_out;
 };
 
-/// Draw the first entity of `from`, with the VERTEX entities that follow it. Throws InputError with file and
-/// line if a value is missing or invalid. Pre: the entity is not an INSERT.
+/// Draw the first entity of `from`, with the VERTEX entities that follow it. An entity that is not parallel
+/// to the drawing's plane is left out. Throws InputError with file and line if a value is missing or invalid.
+/// Pre: the entity is not an INSERT.
 DxfDrawn draw_dxf_entity(const DxfFile& file, std::span<const DxfEntity> from, const Flattening& how);
 
 /// The map from the coordinates of an entity to the coordinates of the drawing. An entity seen from below is

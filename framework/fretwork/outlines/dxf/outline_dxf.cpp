@@ -205,20 +205,18 @@ class DxfReader {
         leave_out_open(lines_.open, open_, "line " + std::to_string(line_numbers_[longest]), remarks_);
     }
     [[noreturn]] void fail_open() const {
-        if (open_.empty()) {
-            const std::string left_out = remarks_.left_out();
-            throw base::GeometryError("there is no closed curve" +
-                                      (left_out.empty() ? "" : " (" + left_out + ")"));
-        }
+        std::string left_out = remarks_.left_out();
+        if (!left_out.empty()) left_out = " (" + left_out + ")";
+        if (open_.empty()) throw base::GeometryError("there is no closed curve" + left_out);
         const std::size_t line = open_.front();
         const auto text = [](Point2 place) {
             return "(" + in_millimetres(place.x) + ", " + in_millimetres(place.y) + ") mm";
         };
-        file_.fail(line_numbers_[line], "there is no closed curve: the one that begins here, from " +
-                                            text(lines_.open[line].front()) + " to " +
-                                            text(lines_.open[line].back()) +
-                                            ", is not closed; loose ends are joined up to " +
-                                            roughly_in_millimetres(widest_gap(how_.tolerance)) + " mm");
+        file_.fail(line_numbers_[line],
+                   "there is no closed curve: the one that begins here, from " +
+                       text(lines_.open[line].front()) + " to " + text(lines_.open[line].back()) +
+                       ", is not closed; loose ends are joined up to " +
+                       roughly_in_millimetres(widest_gap(how_.tolerance)) + " mm" + left_out);
     }
 
     DxfFile file_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/limits.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/geometry/plane.hpp>
 #include <fretwork/simulation/load_cases/selection.hpp>
@@ -17,6 +18,14 @@ using tiling::Tessellation;
 
 std::string exact_place_text(const Point2& point) {
     return "(" + base::format_number(point.x) + ", " + base::format_number(point.y) + ")";
+}
+
+/// Refuse a point to which no node is nearest.
+void check_point(std::size_t number, const Point2& point) {
+    if (base::is_within(point.x, base::kLengthLimits) && base::is_within(point.y, base::kLengthLimits))
+        return;
+    throw base::InputError("point " + std::to_string(number) + " is " + exact_place_text(point) +
+                           ", where each coordinate must be " + base::range_text(base::kLengthLimits));
 }
 
 std::vector<InterfaceIndex> nodes_where(const Tessellation& tessellation, const auto& condition) {
@@ -101,7 +110,9 @@ class Picker {
 
     std::vector<InterfaceIndex> operator()(const NodesNearest& selection) const {
         std::vector<InterfaceIndex> picked;
-        for (const Point2& point : selection.points) {
+        for (std::size_t i = 0; i < selection.points.size(); ++i) {
+            const Point2& point = selection.points[i];
+            check_point(i, point);
             const auto nearer = [&](const Point2& a, const Point2& b) {
                 return std::hypot(a.x - point.x, a.y - point.y) < std::hypot(b.x - point.x, b.y - point.y);
             };

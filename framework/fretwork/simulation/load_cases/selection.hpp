@@ -48,8 +48,8 @@ struct NodesAtSide {
 using Selection = std::variant<NodesById, NodesInBox, NodesInCircle, NodesNearest, NodesAtSide>;
 
 /// The interface nodes of a selection, ascending, each once. Throws InputError if no node lies in a box or a
-/// circle, if an id is out of range, or if a radius is not above zero. Without ids or points,
-/// no node is selected.
+/// circle, if an id is out of range, if a radius is not above zero, or if a point is beyond the limits of
+/// lengths or not a number. Without ids or points, no node is selected.
 std::vector<tiling::InterfaceIndex> select_nodes(const Selection& selection,
                                                  const tiling::Tessellation& tessellation);
 /// The interface nodes of a selection, as select_nodes(). Throws InputError also if no node is selected.

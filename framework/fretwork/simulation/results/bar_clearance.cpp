@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/geometry/box_grid.hpp>
 #include <fretwork/geometry/plane.hpp>
@@ -78,6 +79,9 @@ class PlaneBars {
 }  // namespace
 
 std::vector<CloseBars> close_bars(const Surface& surface, double clearance, const base::Control& control) {
+    if (!(clearance >= 0.0) || !std::isfinite(clearance))
+        throw base::InputError("the clearance is " + base::format_number(clearance) +
+                               ", where a finite length of 0 m or more is needed");
     const double width = mechanics::section_width(surface.setting.section);
     // Bars exactly as far apart as allowed are not reported, whatever the rounding.
     constexpr double kRounding = 1e-9;

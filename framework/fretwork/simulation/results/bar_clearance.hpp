@@ -21,7 +21,8 @@ struct CloseBars {
 
 /// All pairs of bars of a surface with a gap smaller than `clearance` (m; 0: pairs that overlap). The bars
 /// have their width in the plane. Two bars that meet at a node always overlap there, so their gap is measured
-/// between the far end of one bar and the other bar. Unpainted tiles have no bars. Throws Stopped.
+/// between the far end of one bar and the other bar. Unpainted tiles have no bars. Throws InputError if
+/// the clearance is negative or not finite; Stopped.
 std::vector<CloseBars> close_bars(const Surface& surface, double clearance,
                                   const base::Control& control = {});
 

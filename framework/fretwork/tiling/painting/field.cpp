@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/file.hpp>
+#include <fretwork/base/limits.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/tiling/painting/field.hpp>
 
@@ -23,10 +24,36 @@ Point2 share_at(const geometry::Box& box, Point2 point) {
     return {share(box.xmin, box.xmax, point.x), share(box.ymin, box.ymax, point.y)};
 }
 
+/// Refuse coordinates from which no pixel follows.
+void check_places(const geometry::Box& box, const std::vector<Point2>& points) {
+    const auto is_place = [](Point2 point) {
+        return base::is_within(point.x, base::kLengthLimits) && base::is_within(point.y, base::kLengthLimits);
+    };
+    const auto text = [](Point2 point) {
+        return "(" + base::format_number(point.x) + ", " + base::format_number(point.y) + ")";
+    };
+    const std::string needed = ", where each coordinate must be " + base::range_text(base::kLengthLimits);
+    const Point2 low{box.xmin, box.ymin};
+    const Point2 high{box.xmax, box.ymax};
+    if (!is_place(low) || !is_place(high))
+        throw base::InputError("the box runs from " + text(low) + " to " + text(high) + needed);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!is_place(points[i]))
+            throw base::InputError("point " + std::to_string(i) + " is " + text(points[i]) + needed);
+    }
+}
+
 struct GreyImage {
     std::size_t width = 0;
     std::size_t height = 0;
-    std::vector<std::uint8_t> grey;  ///< grey values, row by row from the top
+    /// The grey value, encoded as in sRGB, and the opacity of each pixel, row by row from the top.
+    std::vector<std::uint8_t> pixels;
+
+    /// The darkness on a white ground. Encoded values are mixed, as in browsers and drawing programs.
+    [[nodiscard]] double darkness(std::size_t row, std::size_t column) const {
+        const std::size_t at = 2 * (row * width + column);
+        return (1.0 - pixels[at] / 255.0) * (pixels[at + 1] / 255.0);
+    }
 };
 
 /// The largest number of pixels, more than any surface needs; more pixels could fill the memory.
@@ -57,11 +84,11 @@ GreyImage parse_image(std::string_view bytes, const std::string& source) {
     if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0) fail(image.message);
     if (std::size_t{image.width} * image.height > kMostPixels)
         fail("it has more than " + std::to_string(kMostPixels) + " pixels");
-    image.format = PNG_FORMAT_GRAY;
+    image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // otherwise, 16 bits without a gamma are taken as linear light
+    image.format = PNG_FORMAT_GA;
     GreyImage read{image.width, image.height, {}};
-    read.grey.resize(PNG_IMAGE_SIZE(image));
-    const png_color white{255, 255, 255};  // background of transparent pixels
-    if (png_image_finish_read(&image, &white, read.grey.data(), 0, nullptr) == 0) fail(image.message);
+    read.pixels.resize(PNG_IMAGE_SIZE(image));
+    if (png_image_finish_read(&image, nullptr, read.pixels.data(), 0, nullptr) == 0) fail(image.message);
     if (!has_png_end(bytes))
         throw base::InputError(source, "", "cannot be read as a PNG image: its end is missing");
     return read;
@@ -110,6 +137,7 @@ std::vector<double> image_values(const std::filesystem::path& image, const geome
 
 std::vector<double> image_values(std::string_view png, const std::string& source, const geometry::Box& box,
                                  const std::vector<Point2>& points) {
+    check_places(box, points);
     const GreyImage grey = parse_image(png, source);
     const auto pixel = [](double share, std::size_t count) {
         const double place = std::floor(share * static_cast<double>(count));
@@ -119,7 +147,7 @@ std::vector<double> image_values(std::string_view png, const std::string& source
     for (const Point2& point : points) {
         const Point2 share = share_at(box, point);
         const std::size_t row = pixel(1.0 - share.y, grey.height);
-        values.push_back(1.0 - grey.grey[row * grey.width + pixel(share.x, grey.width)] / 255.0);
+        values.push_back(grey.darkness(row, pixel(share.x, grey.width)));
     }
     return values;
 }

@@ -17,8 +17,11 @@ namespace fretwork::tiling {
 std::vector<double> expression_values(const std::string& expression, const geometry::Box& box,
                                       const std::vector<geometry::Point2>& points);
 
-/// The darkness of a PNG image, stretched over the box, at some points: 0 is white, 1 is black, and
-/// transparent counts as white. Throws InputError if the image cannot be read.
+/// The darkness of a PNG image, stretched over the box, at some points: 0 is white, 1 is black. It is one
+/// minus the grey value as encoded in sRGB, which images without a gamma are taken to be, with 8 bits or 16.
+/// The ground is white: a pixel of opacity a and darkness d counts as a d, so transparent counts as white.
+/// Throws InputError if the image cannot be read, or if a corner of the box or a point, which is named by its
+/// place in the list, is beyond the limits of lengths or not a number.
 std::vector<double> image_values(const std::filesystem::path& image, const geometry::Box& box,
                                  const std::vector<geometry::Point2>& points);
 /// The same for a PNG image in memory; `source` names it in messages.
