@@ -93,6 +93,7 @@ class Objective {
     };
     class NodeMotion;
     struct NodeTerm;
+    class NodeBend;
     class SampleTerms;
     class Differentiation;
 

@@ -13,15 +13,10 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// |a| with its kink rounded, and its first and second derivatives.
-struct SmoothNorm {
-    SmoothNorm(const Vector3d& a, double rounding)
-        : value(std::max(std::sqrt(a.squaredNorm() + rounding * rounding), 1e-300)), slope(a / value) {}
-    double value;
-    Vector3d slope;  ///< derivative with respect to a
-    /// The second derivative with respect to a, positive semidefinite.
-    [[nodiscard]] Matrix3d bend() const { return (Matrix3d::Identity() - slope * slope.transpose()) / value; }
-};
+/// |a| with its kink rounded.
+double smooth_norm(const Vector3d& a, double rounding) {
+    return std::max(std::sqrt(a.squaredNorm() + rounding * rounding), 1e-300);
+}
 
 }  // namespace
 
@@ -33,36 +28,81 @@ struct Objective::NodeTerm {
         : NodeTerm(sample, motion, motion.missed_translation(sample, node),
                    geometry::logarithm(motion.missed_rotation(sample, node)), rounding) {}
 
-    double exact;                       ///< the node's part of e
-    double smoothed;                    ///< the same with smoothed norms
-    Eigen::Matrix<double, 6, 1> slope;  ///< derivative of the smoothed part
+    double exact;                 ///< the node's part of e
+    double smoothed_translation;  ///< the translation's part with its norm smoothed
+    double smoothed_rotation;     ///< the rotation's part with its norm smoothed
+    Vector3d translation_slope;   ///< derivative of `smoothed_translation`
+    Vector3d rotation_slope;      ///< derivative of `smoothed_rotation`
+    double across;                ///< the factor of J_r^T J_r across the axis of rotation; 1 along it
 
-    /// Second derivatives of the smoothed part with respect to the translation.
-    [[nodiscard]] Matrix3d translation_bend(const Sample& sample) const {
-        return sample.translation_factor * sample.magnitude * sample.magnitude * translation_.bend();
-    }
-    [[nodiscard]] Matrix3d rotation_bend(const Sample& sample) const {
-        return sample.rotation_factor * rate_.transpose() * rotation_.bend() * rate_;
-    }
+    [[nodiscard]] double smoothed() const { return smoothed_translation + smoothed_rotation; }
 
   private:
-    NodeTerm(const Sample& sample, const NodeMotion& motion, const Vector3d& difference,
-             const Vector3d& angle, const std::array<double, 2>& rounding)
-        : exact(sample.translation_factor * difference.norm() + sample.rotation_factor * angle.norm()),
-          translation_(difference, rounding[0]),
-          rotation_(angle, rounding[1]),
-          rate_(sample.magnitude * motion.right_jacobian()) {
-        smoothed = sample.translation_factor * translation_.value + sample.rotation_factor * rotation_.value;
-        slope << sample.translation_factor * sample.magnitude * translation_.slope,
-            sample.rotation_factor * rate_.transpose() * rotation_.slope;
-    }
-
-    SmoothNorm translation_;
-    SmoothNorm rotation_;
     // Let m be the magnitude, v = m u the model's rotation vector, a the missed rotation vector, J the right
     // Jacobian. A change du changes a by J(a)^-1 J(v) m du. J(a)^-1 leaves a unchanged, so the slope of |a|
     // is exact without this factor. The curvature takes it as the identity.
-    Matrix3d rate_;
+    NodeTerm(const Sample& sample, const NodeMotion& motion, const Vector3d& difference,
+             const Vector3d& angle, const std::array<double, 2>& rounding)
+        : exact(sample.translation_factor * difference.norm() + sample.rotation_factor * angle.norm()),
+          across(motion.squared_rate_across()) {
+        const double translation = smooth_norm(difference, rounding[0]);
+        const double rotation = smooth_norm(angle, rounding[1]);
+        smoothed_translation = sample.translation_factor * translation;
+        smoothed_rotation = sample.rotation_factor * rotation;
+        translation_slope = sample.translation_factor * sample.magnitude / translation * difference;
+        rotation_slope = sample.rotation_factor * sample.magnitude / rotation * motion.pull_back(angle);
+    }
+};
+
+/// The sum of second derivatives of a node's smoothed norms over the magnitudes of a scenario.
+///
+/// The second derivative of a norm's part p = f |a| is (f^2 A^T A - s s^T) / p, where A is the derivative of
+/// a and s the slope of p. For translations A = m I. For rotations A = m J_r, and J_r^T J_r is the same
+/// multiple of the identity across the axis of rotation at all nodes' magnitudes, and the identity along the
+/// axis.
+class Objective::NodeBend {
+  public:
+    /// @param factor  derivative of E with respect to the node's part of e
+    void add(double factor, const Sample& sample, const NodeTerm& term) {
+        const double translation = factor / term.smoothed_translation;
+        const double rotation = factor / term.smoothed_rotation;
+        even_ += translation * square(sample.translation_factor * sample.magnitude);
+        add_square(-translation, term.translation_slope, translation_);
+        const double along = rotation * square(sample.rotation_factor * sample.magnitude);
+        across_ += term.across * along;
+        along_ += (1.0 - term.across) * along;
+        add_square(-rotation, term.rotation_slope, rotation_);
+    }
+    [[nodiscard]] Matrix3d translation() const { return full(translation_, even_); }
+    /// @param axis  axis of the node's rotation
+    [[nodiscard]] Matrix3d rotation(const Vector3d& axis) const {
+        return full(rotation_, across_) + along_ * axis * axis.transpose();
+    }
+
+  private:
+    /// The upper triangle of a symmetric matrix: xx, yy, zz, xy, xz, yz.
+    using Triangle = std::array<double, 6>;
+
+    static double square(double x) { return x * x; }
+    static void add_square(double factor, const Vector3d& v, Triangle& sum) {
+        const Vector3d scaled = factor * v;
+        sum[0] += scaled.x() * v.x();
+        sum[1] += scaled.y() * v.y();
+        sum[2] += scaled.z() * v.z();
+        sum[3] += scaled.x() * v.y();
+        sum[4] += scaled.x() * v.z();
+        sum[5] += scaled.y() * v.z();
+    }
+    static Matrix3d full(const Triangle& t, double diagonal) {
+        return Matrix3d{
+            {t[0] + diagonal, t[3], t[4]}, {t[3], t[1] + diagonal, t[5]}, {t[4], t[5], t[2] + diagonal}};
+    }
+
+    double even_ = 0.0;    ///< multiple of the identity in the translation's part
+    double across_ = 0.0;  ///< multiple of the identity in the rotation's part
+    double along_ = 0.0;   ///< multiple of axis axis^T in the rotation's part
+    Triangle translation_{};
+    Triangle rotation_{};
 };
 
 /// All nodes in one sample.
@@ -78,7 +118,7 @@ class Objective::SampleTerms {
         for (std::size_t node = 0; node < motions.size(); ++node) {
             const NodeTerm& term = nodes_.emplace_back(sample, node, motions[node], rounding);
             exact_ += term.exact;
-            smoothed_ += term.smoothed;
+            smoothed_ += term.smoothed();
         }
     }
     [[nodiscard]] std::span<const NodeTerm> nodes() const { return nodes_; }
@@ -130,8 +170,10 @@ class Objective::Differentiation {
             for (std::size_t node = 0; node < bends_[s].size(); ++node) {
                 const auto at = static_cast<Eigen::Index>(6 * node);
                 const NodeBend& bend = bends_[s][node];
-                bent.middleRows<3>(at) = bend.translation.lazyProduct(rates.middleRows<3>(at));
-                bent.middleRows<3>(at + 3) = bend.rotation.lazyProduct(rates.middleRows<3>(at + 3));
+                const Vector3d turn = model_.displacements[s].row(at / 6).tail<3>();
+                bent.middleRows<3>(at) = bend.translation().lazyProduct(rates.middleRows<3>(at));
+                bent.middleRows<3>(at + 3) =
+                    bend.rotation(turn.stableNormalized()).lazyProduct(rates.middleRows<3>(at + 3));
             }
             sum.noalias() += rates.transpose() * bent;
         }
@@ -144,11 +186,6 @@ class Objective::Differentiation {
     Eigen::MatrixXd jacobian;  ///< derivatives of `errors`
 
   private:
-    struct NodeBend {
-        Matrix3d translation = Matrix3d::Zero();
-        Matrix3d rotation = Matrix3d::Zero();
-    };
-
     void add_scenario(std::size_t s) {
         auto motions = NodeMotion::of_all(model_.displacements[s]);
         const auto samples = owner_.samples_of(s);
@@ -168,7 +205,8 @@ class Objective::Differentiation {
         const double root = std::sqrt(sample.weight);
         Eigen::Index at = 0;
         for (const NodeTerm& term : terms_.nodes()) {
-            slopes_.block<6, 1>(at, row) = root * term.slope;
+            slopes_.block<3, 1>(at, row) = root * term.translation_slope;
+            slopes_.block<3, 1>(at + 3, row) = root * term.rotation_slope;
             at += 6;
         }
         objective += sample.weight * terms_.exact() * terms_.exact();
@@ -180,8 +218,7 @@ class Objective::Differentiation {
     void add_bends(const Sample& sample, std::vector<NodeBend>& bends, double error) {
         const double factor = 2.0 * std::sqrt(sample.weight) * error;
         for (std::size_t node = 0; node < bends.size(); ++node) {
-            bends[node].translation += factor * terms_.nodes()[node].translation_bend(sample);
-            bends[node].rotation += factor * terms_.nodes()[node].rotation_bend(sample);
+            bends[node].add(factor, sample, terms_.nodes()[node]);
         }
     }
 
@@ -210,8 +247,11 @@ DisplacementGradient Objective::smoothed_gradient(const UnitDisplacements& model
             result.objective += sample.weight * terms.exact() * terms.exact();
             result.value += sample.weight * terms.smoothed() * terms.smoothed();
             const double factor = 2.0 * sample.weight * terms.smoothed();
-            for (std::size_t node = 0; node < motions.size(); ++node)
-                slopes.row(static_cast<Eigen::Index>(node)) += factor * terms.nodes()[node].slope.transpose();
+            for (std::size_t node = 0; node < motions.size(); ++node) {
+                auto row = slopes.row(static_cast<Eigen::Index>(node));
+                row.head<3>() += factor * terms.nodes()[node].translation_slope.transpose();
+                row.tail<3>() += factor * terms.nodes()[node].rotation_slope.transpose();
+            }
         }
     }
     return result;

@@ -23,8 +23,7 @@ class Objective::NodeMotion {
     [[nodiscard]] Eigen::Quaterniond missed_rotation(const Sample& sample, std::size_t node) const {
         return sample.targets[node].inverse_rotation * rotation_.rotation();
     }
-    [[nodiscard]] Eigen::Matrix3d right_jacobian() const { return rotation_.right_jacobian(); }
-    /// The transpose of right_jacobian() times a vector.
+    [[nodiscard]] double squared_rate_across() const { return rotation_.squared_rate_across(); }
     [[nodiscard]] Eigen::Vector3d pull_back(const Eigen::Vector3d& vector) const {
         return rotation_.pull_back(vector);
     }

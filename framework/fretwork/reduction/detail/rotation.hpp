@@ -24,14 +24,17 @@ class GrowingRotation {
     [[nodiscard]] Eigen::Quaterniond rotation() const {
         return {cosine_, sine_ * axis_.x(), sine_ * axis_.y(), sine_ * axis_.z()};
     }
-    /// J with exp(v + dv) = exp(v) exp(J dv) to first order, where v is the rotation vector.
-    [[nodiscard]] Eigen::Matrix3d right_jacobian() const;
-    /// J^T times a vector.
+    /// J^T times a vector, where exp(v + dv) = exp(v) exp(J dv) to first order, and v is the rotation vector.
     [[nodiscard]] Eigen::Vector3d pull_back(const Eigen::Vector3d& vector) const {
         if (angle_ == 0.0) return vector;
         const double along = 2.0 * sine_ * cosine_ / angle_;
         const double across = 2.0 * sine_ * sine_ / angle_;
         return along * vector + (1.0 - along) * axis_.dot(vector) * axis_ + across * axis_.cross(vector);
+    }
+    /// The eigenvalue of J^T J across the axis; along the axis it is 1.
+    [[nodiscard]] double squared_rate_across() const {
+        const double rate = angle_ == 0.0 ? 1.0 : 2.0 * sine_ / angle_;
+        return rate * rate;
     }
 
   private:
