@@ -2,9 +2,9 @@
 #include "sample.hpp"
 
 #include <fretwork/base/error.hpp>
+#include <fretwork/mechanics/nonlinear/unknowns.hpp>
 #include <fretwork/mechanics/paths/equilibrium.hpp>
 #include <fretwork/mechanics/paths/relaxation.hpp>
-#include <fretwork/mechanics/paths/whole_turns.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

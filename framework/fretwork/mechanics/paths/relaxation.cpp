@@ -4,7 +4,6 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/mechanics/nonlinear/newton.hpp>
 #include <fretwork/mechanics/paths/relaxation.hpp>
-#include <fretwork/mechanics/paths/whole_turns.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -180,7 +179,7 @@ class Relaxation {
             termination = Termination::Diverged;
             load_factor = go_back();
         }
-        continue_along_elements(unknowns_, configuration_);
+        nonlinear::continue_along_elements(unknowns_, configuration_);
         system_.evaluate(configuration_, load_factor);
         Solution solution = system_.describe(configuration_, load_factor);
         solution.termination = termination;

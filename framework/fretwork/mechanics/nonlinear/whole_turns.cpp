@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/index.hpp>
 #include <fretwork/geometry/rotation.hpp>
-#include <fretwork/mechanics/paths/whole_turns.hpp>
+#include <fretwork/mechanics/nonlinear/unknowns.hpp>
 #include <fretwork/mechanics/structure/coupling.hpp>
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace fretwork::mechanics {
+namespace fretwork::mechanics::nonlinear {
 namespace {
 
 using base::at;
@@ -27,7 +27,7 @@ Eigen::Vector3d continued(const Eigen::Quaterniond& from, Eigen::Vector3d vector
 
 class Continuation {
   public:
-    Continuation(const nonlinear::Unknowns& unknowns, nonlinear::Configuration& configuration)
+    Continuation(const Unknowns& unknowns, Configuration& configuration)
         : unknowns_(unknowns),
           configuration_(configuration),
           graph_(structure::coupling_graph(unknowns.assembly())),
@@ -96,8 +96,8 @@ class Continuation {
         return configuration_.states[at(node)].rotation;
     }
 
-    const nonlinear::Unknowns& unknowns_;
-    nonlinear::Configuration& configuration_;
+    const Unknowns& unknowns_;
+    Configuration& configuration_;
     sparse::NodeGraph graph_;
     std::vector<bool> is_reached_;
     std::vector<int> front_;  ///< nodes reached last
@@ -105,8 +105,8 @@ class Continuation {
 
 }  // namespace
 
-void continue_along_elements(const nonlinear::Unknowns& unknowns, nonlinear::Configuration& configuration) {
+void continue_along_elements(const Unknowns& unknowns, Configuration& configuration) {
     Continuation(unknowns, configuration).run();
 }
 
-}  // namespace fretwork::mechanics
+}  // namespace fretwork::mechanics::nonlinear
