@@ -92,20 +92,21 @@ def run(command, folder, build):
 
 def check(page, slow, build):
     """Compare a page with the commands that its tables name, and give the number of faults."""
+    name = page.parent.name if page.name == "README.md" else f"{page.parent.name}/{page.name}"
     found = tables(page.read_text())
     wanted = {command: None for table in found for is_slow, command, _ in table.commands if is_slow == slow}
     faults = 0
     for command in wanted:
         code, printed, complaint = run(command, page.parent, build)
         if code != 0:
-            print(f"{page.parent.name}: {command}: exit code {code}: {complaint}")
+            print(f"{name}: {command}: exit code {code}: {complaint}")
             faults += 1
             continue
         of_command = [(table, varies) for table in found for is_slow, other, varies in table.commands if other == command and is_slow == slow]
         missing = [row for table, varies in of_command for row in table.missing(rows(printed), varies)]
         for row in missing:
-            print(f"{page.parent.name}: not printed by {command}: | {' | '.join(row)} |")
-        print(f"{page.parent.name}: {command}: {len(of_command)} tables, {sum(len(table.rows) for table, _ in of_command)} rows, {len(missing)} differ")
+            print(f"{name}: not printed by {command}: | {' | '.join(row)} |")
+        print(f"{name}: {command}: {len(of_command)} tables, {sum(len(table.rows) for table, _ in of_command)} rows, {len(missing)} differ")
         faults += len(missing)
     return faults
 
@@ -116,7 +117,7 @@ def main():
     parser.add_argument("--slow", action="store_true")
     parser.add_argument("--only", nargs="+", default=[])
     options = parser.parse_args()
-    pages = [page for page in sorted(EXPERIMENTS.glob("*/README.md")) if not options.only or page.parent.name in options.only]
+    pages = [page for page in sorted(EXPERIMENTS.glob("*/*.md")) if not options.only or page.parent.name in options.only]
     faults = sum([check(page, options.slow, options.build.resolve()) for page in pages])
     unmarked = sum(not table.commands for page in pages for table in tables(page.read_text()))
     print(f"{unmarked} tables of these pages name no command that prints them")
