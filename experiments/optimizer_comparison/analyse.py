@@ -143,9 +143,7 @@ class Analysis:
                  "high"], rows)
 
     def ratio(self, theirs, ours, quantity):
-        """Of the means over patterns of the means over runs."""
-        means = [np.mean([np.mean([quantity(run) for run in runs]) for runs in self.groups[name].values()]) for name in (theirs, ours)]
-        return float(means[0] / means[1])
+        return measures.ratio_of_means(self.groups[theirs], self.groups[ours], quantity)
 
     def verdicts(self):
         """The targets for this project's calibrators: share within 0.1 %, and cost and CPU time beside annealing's."""

@@ -6,8 +6,6 @@ Usage: headline.py      Shares have exact 95 % intervals where each pattern has 
 """
 import pathlib
 
-import numpy as np
-
 import measures  # also finds the folder common
 from csv_tables import print_table
 
@@ -30,8 +28,7 @@ def runs_of(files):
 
 def means(by_problem):
     """Cost and CPU time in ms of a run: of the means over patterns."""
-    return [float(np.mean([np.mean([quantity(run) for run in runs]) for runs in by_problem.values()]))
-            for quantity in (lambda run: run.cost, lambda run: 1e3 * run.cpu)]
+    return [measures.mean_of_means(by_problem, quantity) for quantity in (lambda run: run.cost, lambda run: 1e3 * run.cpu)]
 
 
 def main():

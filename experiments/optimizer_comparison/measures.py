@@ -150,6 +150,15 @@ def success_text(by_problem):
     return f"{100 * rate:.1f} ({100 * low:.1f} to {100 * high:.1f})"
 
 
+def mean_of_means(by_problem, quantity):
+    """The mean over problems of the means over runs."""
+    return float(np.mean([np.mean([quantity(run) for run in runs]) for runs in by_problem.values()]))
+
+
+def ratio_of_means(theirs, ours, quantity):
+    return mean_of_means(theirs, quantity) / mean_of_means(ours, quantity)
+
+
 def bootstrap_ratio(theirs, ours, quantity, draws=1000, seed=1):
     """95 % interval of the ratio of two methods' means over the same problems, which are drawn with replacement."""
     random = np.random.default_rng(seed)

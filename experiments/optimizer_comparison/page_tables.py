@@ -83,7 +83,7 @@ def annealing():
         line = [f"`{variant}`", f"{100 * measures.success_rate([run for runs in groups[variant].values() for run in runs], measures.SUCCESS):.1f}"]
         for descent in descents:
             for quantity in (lambda run: run.cost, lambda run: run.cpu):
-                ratio = mean_of_means(groups[variant], quantity) / mean_of_means(groups[descent], quantity)
+                ratio = measures.ratio_of_means(groups[variant], groups[descent], quantity)
                 low, high = measures.bootstrap_ratio(groups[variant], groups[descent], quantity)
                 line.append(f"{ratio:.3g} ({low:.3g} to {high:.3g})")
         lines.append(line)
@@ -98,10 +98,6 @@ def annealing_raw():
         ends = np.array([run.best for run in measures.read_runs(DOCUMENTED / file, known)])
         lines.append([f"{budget:,}", f"{len(ends):,}", f"{ends.mean():.2f}", f"{ends.std():.2f}", f"{ends.std() / ends.mean():.2f}"])
     print_table(["evaluations, at most", "patterns", "mean E", "deviation", "deviation / mean"], lines)
-
-
-def mean_of_means(by_problem, quantity):
-    return np.mean([np.mean([quantity(run) for run in runs]) for runs in by_problem.values()])
 
 
 def sample():
