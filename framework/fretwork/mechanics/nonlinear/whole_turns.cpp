@@ -34,7 +34,8 @@ class Continuation {
           is_reached_(configuration.states.size(), false) {}
 
     void run() {
-        begin_at_nodes([this](int node) { return has_known_vector(node); });
+        for (int node = 0; node < graph_.nodes; ++node)
+            if (has_known_vector(node)) reach(node);
         spread();
         begin_one_by_one([this](int node) { return has_support(node); });
         begin_one_by_one([](int) { return true; });
@@ -51,12 +52,6 @@ class Continuation {
     [[nodiscard]] bool has_support(int node) const {
         return std::ranges::any_of(std::views::iota(0, kDofsPerNode),
                                    [&](int dof) { return unknowns_.is_held(node, dof); });
-    }
-
-    template <typename Condition>
-    void begin_at_nodes(const Condition& condition) {
-        for (int node = 0; node < graph_.nodes; ++node)
-            if (!is_reached_[at(node)] && condition(node)) reach(node);
     }
 
     /// Begin at one node of each part of the structure that is not reached.

@@ -161,11 +161,17 @@ class Relaxation {
                found.reactions.allFinite() && std::ranges::all_of(system_.tangent(), is_number);
     }
 
+    /// Evaluate the configuration under the full load, with the rotation vectors that a solution has.
+    void evaluate_end() {
+        nonlinear::continue_along_elements(unknowns_, configuration_);
+        system_.evaluate(configuration_, 1.0);
+    }
+
     /// Go back to the last peak, or to rest without load if that is not finite either: prescribed
     /// displacements may leave no finite state to begin at. Returns the load factor.
     double go_back() {
         configuration_ = last_peak_;
-        system_.evaluate(configuration_, 1.0);
+        evaluate_end();
         if (is_finite(1.0)) return 1.0;
         configuration_ = unknowns_.rest();
         system_.evaluate(configuration_, 0.0);
@@ -174,13 +180,11 @@ class Relaxation {
 
     [[nodiscard]] Solution finish(Termination termination, int iterations) {
         double load_factor = 1.0;
-        system_.evaluate(configuration_, load_factor);
+        evaluate_end();
         if (!is_finite(load_factor)) {
             termination = Termination::Diverged;
             load_factor = go_back();
         }
-        nonlinear::continue_along_elements(unknowns_, configuration_);
-        system_.evaluate(configuration_, load_factor);
         Solution solution = system_.describe(configuration_, load_factor);
         solution.termination = termination;
         solution.iterations = iterations;

@@ -56,8 +56,7 @@ Point2 outward(Side side) {
 /// The length of a rim side along a side of the bounding box; negative or zero if the surface does not end in
 /// that direction there, as at a corner's other side. The surface lies to the left of a rim side.
 double length_along(const RimSide& rim, Side side) {
-    const Point2 out = outward(side);
-    return (rim.ends[1].y - rim.ends[0].y) * out.x - (rim.ends[1].x - rim.ends[0].x) * out.y;
+    return geometry::cross(outward(side), rim.ends[1] - rim.ends[0]);
 }
 
 /// The bearers on rim sides that face one side of the bounding box, with all of their nodes along it.
