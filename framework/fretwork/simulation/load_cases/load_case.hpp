@@ -24,9 +24,10 @@ struct LoadCase {
     /// The meaning of a load's force and moment. Each: every selected node gets both. Total: all selected
     /// nodes share both equally. PerLength: the force is a line load, in N/m, either along a side of the
     /// bounding box (NodesAtSide) or along the shorter way on the rim between the rim's places nearest to two
-    /// points (NodesNearest). On a side of the bounding box, tiles' sides that face it count by their length
-    /// along it, so the total does not depend on the tiles' shape. Each interface node on a tile's side
-    /// represents an equal part of its length, measured at rest.
+    /// points (NodesNearest). On a side of the bounding box, tiles' sides that face it, with all of their
+    /// nodes at the side, count by their length along it: a straight side bears its whole length, a curved
+    /// one only what lies within a tile's side of the box. Each interface node on a tile's side represents an
+    /// equal part of its length, measured at rest.
     enum class Amount { Each, Total, PerLength };
     /// A load on selected nodes.
     struct Load {
