@@ -66,7 +66,7 @@ void print_design_json(const DesignReport& report, std::span<const design::Desig
                        {"curvatures_outside", base::or_null(report.gamut.share_outside())},
                        {"slides", report.slides},
                        {"end", design::design_end_name(report.end)},
-                       {"starts", report.starts},
+                       {"starts", report.start_misfits},
                        {"history", history_json(report)},
                        {"patterns", report.patterns},
                        {"warnings", design::plain_texts(warnings)},

@@ -70,7 +70,7 @@ double thread_cpu_seconds() {
 Measurement measure(const reduction::CalibrationInput& input, const reduction::CalibrationOptions& options) {
     const double start = thread_cpu_seconds();
     const auto found = reduction::calibrate(reduction::find_tile_model("paper6"), input, options);
-    return {found.objective, found.evaluations, thread_cpu_seconds() - start};
+    return {found.objective, found.cost, thread_cpu_seconds() - start};
 }
 
 PatternResult examine(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,

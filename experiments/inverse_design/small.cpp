@@ -154,7 +154,7 @@ void print_designs(const Arguments& arguments, const Instance& instance) {
             std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
         std::printf("%llu,%zu,%.12g,%s,%d,%zu,%.4f\n", static_cast<unsigned long long>(arguments.seed), t,
                     found.trial.objective, digits(found.point.patterns).c_str(), trials.solutions(),
-                    report.starts.size(), seconds);
+                    report.start_misfits.size(), seconds);
     }
 }
 

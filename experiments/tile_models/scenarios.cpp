@@ -88,7 +88,7 @@ Examined examine(const pattern::NodeLayout& layout, const pattern::Pattern& patt
         auto errors = own_errors(model, input, fitted);
         const double sum = std::accumulate(errors.begin(), errors.end(), 0.0);
         result.rows.push_back({result.pattern.id, model.name, model.parameters.size(), sum, std::move(errors),
-                               fitted.evaluations, model.parameters.empty() ? 0.0 : fit.cpu_seconds,
+                               fitted.cost, model.parameters.empty() ? 0.0 : fit.cpu_seconds,
                                fitted.at_bound.size()});
         if (!model.parameters.empty()) result.pattern.calibrations.push_back(fitted);
     }

@@ -34,6 +34,14 @@ TEST(Help, SaysWhatALimitCounts) {
             << verb;
 }
 
+TEST(Help, SaysInWhatADecksProgramDiffers) {
+    const TemporaryFolder folder;
+    for (const std::string verb : {"solve", "simulate"})
+        EXPECT_THAT(run_command("fretwork " + verb + " --help", folder.path()).out,
+                    testing::ContainsRegex("[Rr]ectangular bars are"))
+            << verb;
+}
+
 TEST(Help, OfCalibrateBeginsWithWhatOneNeeds) {
     const TemporaryFolder folder;
     const std::string help = run_command("fretwork calibrate --help", folder.path()).out;

@@ -178,7 +178,7 @@ TEST(Search, ReplacesNoLightPaintingByAHeavyStart) {
     Search search(trials, options, time, report);
     search.set_columns({0, 1, 2, 3, 4}, {0, 1, 2, 3, 4});
     const Solved found = search.improve_from_others(light, {light, heavy}, 0.0, 0);
-    EXPECT_EQ(report.starts.size(), 1U);
+    EXPECT_EQ(report.start_misfits.size(), 1U);
     EXPECT_LE(trials.mass_of(found.point), options.max_mass);
 }
 

@@ -35,7 +35,7 @@ design::DesignReport sample() {
     report.history = {{1, 40, 0.1, 0.8}, {5, 40, 0.2, 0.5}};
     report.gamut.reached = {{1.0, 0.0}};
     report.gamut.wanted = {{3.0, 0.0}};
-    report.starts = {0.5, 0.6};
+    report.start_misfits = {0.5, 0.6};
     return report;
 }
 

@@ -58,7 +58,7 @@ TEST_F(LibraryTest, GivesBackWhatWasStoredToTheLastBit) {
     EXPECT_EQ(got.seconds, wanted.seconds);
     EXPECT_EQ(got.calibration.objective, wanted.calibration.objective);
     EXPECT_EQ(got.calibration.scenario_errors, wanted.calibration.scenario_errors);
-    EXPECT_EQ(got.calibration.evaluations, wanted.calibration.evaluations);
+    EXPECT_EQ(got.calibration.cost, wanted.calibration.cost);
     EXPECT_EQ(got.calibration.at_bound, wanted.calibration.at_bound);
     EXPECT_EQ(got.calibration.parameters, wanted.calibration.parameters);
     EXPECT_EQ(library.properties("0-1+1-6"), data.properties);
@@ -342,7 +342,7 @@ TEST_F(LibraryTest, StoringADifferentValueIsRefusedWithItsWholeBatch) {
     EXPECT_THAT(complaint_of([&] { library.store(batch); }), HasSubstr("0-1+1-6"));
     EXPECT_EQ(library.content_hash(), hash);
     PatternData other = sample_data("0-1+1-6", 1.0);
-    other.calibrations[0].calibration.evaluations += 1;
+    other.calibrations[0].calibration.cost += 1;
     EXPECT_THAT(complaint_of([&] { library.store(std::vector{other}); }), HasSubstr("calibration"));
 }
 

@@ -62,7 +62,7 @@ inline CalibrationRecord sample_calibration(double objective, std::uint64_t seed
     record.calibration.starts = 8;
     record.calibration.objective = objective;
     record.calibration.scenario_errors = {0.1, 0.2, 1.0 / 3.0, 0.4, 0.5};
-    record.calibration.evaluations = 1234;
+    record.calibration.cost = 1234;
     record.calibration.model = "paper6";
     record.calibration.parameters = {{"A", 4e-6},     {"I2", 1.0 / 3e12}, {"I3", 1.3e-12},
                                      {"J", 2.25e-12}, {"R", 0.012},       {"theta", -0.1}};

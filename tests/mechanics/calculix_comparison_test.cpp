@@ -125,7 +125,7 @@ TEST(CalculixComparison, RunsTheDeckThatIsWrittenForIt) {
         beam.divisions = 1;
     }
     const test::TemporaryFolder folder;
-    std::ofstream(folder.path() / "ours.inp") << calculix_text(frame, DeckReader::Calculix);
+    std::ofstream(folder.path() / "ours.inp") << calculix_text(frame, DeckProgram::Calculix);
     const std::string run =
         "cd '" + folder.path().string() + "' && OMP_NUM_THREADS=1 ccx -i ours > ours.log 2>&1";
     ASSERT_EQ(std::system(run.c_str()), 0) << base::read_text_file(folder.path() / "ours.log");
@@ -134,7 +134,7 @@ TEST(CalculixComparison, RunsTheDeckThatIsWrittenForIt) {
         follow_load_path(assemble(frame), std::vector{1.0}).back().displacements.row(kLoaded).head<3>();
     // One of their quadratic elements a beam, and their torsion constant, a sixth larger.
     EXPECT_LT((theirs - ours).norm(), 0.05 * ours.norm()) << theirs.transpose() << " | " << ours.transpose();
-    EXPECT_EQ(parse_calculix(calculix_text(frame, DeckReader::Calculix), "again").frame.beams.size(),
+    EXPECT_EQ(parse_calculix(calculix_text(frame, DeckProgram::Calculix), "again").frame.beams.size(),
               2 * frame.beams.size());
 }
 

@@ -67,7 +67,7 @@ TEST(Calibration, IsDeterministicAndItsScenarioErrorsSumToTheObjective) {
     const Calibration again = calibrate_paper6(responses, setting);
     EXPECT_EQ(first.objective, again.objective);
     EXPECT_EQ(paper6_values(first).A, paper6_values(again).A);
-    EXPECT_EQ(first.evaluations, again.evaluations);
+    EXPECT_EQ(first.cost, again.cost);
     ASSERT_EQ(first.scenario_errors.size(), 5U);
     EXPECT_NEAR(std::accumulate(first.scenario_errors.begin(), first.scenario_errors.end(), 0.0),
                 first.objective, 1e-12 * first.objective);
@@ -115,7 +115,7 @@ TEST(Calibration, StaysWithinItsBudget) {
     const Setting setting = paper_setting();
     const auto responses = compute_responses(paper_layout(), paper_pattern("0-1+1-6"), setting);
     const Calibration found = calibrate_paper6(responses, setting, {.budget = 30});
-    EXPECT_EQ(found.evaluations, 30);
+    EXPECT_EQ(found.cost, 30);
     EXPECT_FALSE(found.converged);
 }
 

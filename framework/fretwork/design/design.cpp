@@ -75,7 +75,7 @@ class Designer {
         search_.begin_at(starts.front());
         Solved found = search_.improve(starts.front(), reserve());
         best_ = found.point;
-        report_.starts.push_back(std::sqrt(found.trial.objective));
+        report_.start_misfits.push_back(std::sqrt(found.trial.objective));
         found = search_.improve_from_others(std::move(found), starts, reserve(), search_.left_for_defect());
         best_ = found.point;
         report_.end = search_.end();

@@ -186,7 +186,7 @@ struct DesignReport {
     /// Mean distance between the interface nodes of the reduced model and of the full model, as a share of
     /// the largest wanted displacement. 0 if no painting replaced the first checked single pattern.
     double model_error = 0.0;
-    std::vector<double> starts;           ///< final misfit (see DesignProgress) of each start of the search
+    std::vector<double> start_misfits;    ///< final misfit (see DesignProgress) of each start of the search
     std::vector<DesignProgress> history;  ///< an entry for each better painting
     DesignEnd end = DesignEnd::NoSwapImproves;  ///< the reason why the search ended
     bool slides = false;                        ///< true if a goal lets nodes slide along a mesh

@@ -54,7 +54,7 @@ Json calibration_json(const CalibrationRecord& record) {
                      {"budget", record.budget},
                      {"objective", calibration.objective},
                      {"scenario_errors", calibration.scenario_errors},
-                     {"evaluations", calibration.evaluations},
+                     {"evaluations", calibration.cost},
                      {"converged", calibration.converged},
                      {"at_bound", calibration.at_bound},
                      {"seconds", record.seconds}};
@@ -135,7 +135,7 @@ void print_calibration(const CalibrationRecord& record) {
     std::printf("  %s by %s, seed %llu, %d starts: E = %.4f after %ld evaluations%s\n",
                 base::printable(calibration.model).c_str(), base::printable(calibration.optimizer).c_str(),
                 static_cast<unsigned long long>(calibration.seed), calibration.starts, calibration.objective,
-                calibration.evaluations, calibration.converged ? "" : ", not converged");
+                calibration.cost, calibration.converged ? "" : ", not converged");
     if (calibration.parameters.empty()) return;
     std::printf("    %s", parameters_text(calibration).c_str());
     if (!calibration.at_bound.empty())

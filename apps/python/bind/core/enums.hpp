@@ -74,7 +74,7 @@ FRETWORK_ENUM(mechanics::StartingPoint, "StartingPoint", "The state from which a
               "rest", "last-equilibrium");
 FRETWORK_ENUM(mechanics::StabilityCheck, "StabilityCheck",
               "The choice whether to check the stability of an equilibrium.", "made", "skipped");
-FRETWORK_ENUM(mechanics::DeckReader, "DeckReader", "The program that is to read an input deck.", "abaqus",
+FRETWORK_ENUM(mechanics::DeckProgram, "DeckProgram", "The program that is to read an input deck.", "abaqus",
               "calculix");
 
 FRETWORK_ENUM(optimization::Evaluation, "Evaluation", "The kinds of evaluation that a problem may offer.",

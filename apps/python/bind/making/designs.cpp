@@ -237,7 +237,8 @@ void bind_report(py::module_& m) {
         .constant("model_error", &DesignReport::model_error,
                   "mean distance between the reduced model and the full model, as a share of the largest "
                   "displacement wanted")
-        .constant("starts", &DesignReport::starts, "misfit that each start of the search reached")
+        .constant("start_misfits", &DesignReport::start_misfits,
+                  "misfit that each start of the search reached")
         .constant("history", &DesignReport::history, "")
         .constant("end", &DesignReport::end, "")
         .constant("slides", &DesignReport::slides, "True if a goal lets nodes slide along a mesh")

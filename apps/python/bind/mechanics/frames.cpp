@@ -154,11 +154,11 @@ void bind_frame_functions(py::module_& m) {
     m.def("refined", &refined, "frame"_a, "times"_a,
           "The frame with this many times as many elements in every beam.");
     bind_files<Frame>(m, "frame", {&parse_frame, &frame_text, &read_frame, &write_frame});
-    bind_enum<DeckReader>(m);
+    bind_enum<DeckProgram>(m);
     m.def("parse_calculix", &parse_calculix, "text"_a, "source"_a = "text",
           "Read the beams of a CalculiX or Abaqus input deck.");
     m.def("read_calculix", &read_calculix, "path"_a, "Read a deck file.");
-    m.def("calculix_text", &calculix_text, "frame"_a, "reader"_a = DeckReader::Abaqus,
+    m.def("calculix_text", &calculix_text, "frame"_a, "program"_a = DeckProgram::Abaqus,
           "The text of a deck for a frame.");
     m.def("write_calculix", &write_calculix, "frame"_a, "path"_a);
     m.def("read_structure", &read_structure, "path"_a,

@@ -127,7 +127,9 @@ void bind_calibrations(py::module_& m) {
         .constant("objective", &Calibration::objective, "E of Eq. (8) at the parameters")
         .constant("scenario_errors", &Calibration::scenario_errors,
                   "contributions to E, one for each scenario")
-        .constant("evaluations", &Calibration::evaluations, "")
+        .constant("cost", &Calibration::cost,
+                  "cost of the fit, in the unit of the calibration's problem: factorizations of a stiffness, "
+                  "or condensed tiles")
         .constant("parameters", &Calibration::parameters, "by name, SI")
         .constant("at_bound", &Calibration::at_bound, "names of the parameters at a bound")
         .constant("converged", &Calibration::converged, "")

@@ -318,7 +318,7 @@ Solved Search::improve_from_others(Solved best, const std::vector<Solved>& start
     const auto try_from = [&](const Solved& start) {
         const double gain = is_small() ? kLeastGain : kWorthwhileGain;
         Solved found = descend(start, reserve, {gain, is_small() ? 0.0 : best.trial.objective});
-        report_.starts.push_back(std::sqrt(found.trial.objective));
+        report_.start_misfits.push_back(std::sqrt(found.trial.objective));
         if (!found.trial.is_found || !is_better(found, best)) return false;
         best = std::move(found);
         return true;

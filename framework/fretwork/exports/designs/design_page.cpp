@@ -170,9 +170,9 @@ std::vector<std::string> design_limits(const DesignReport& report) {
     if (report.error && report.model_error > 0.2 * report.error->mean)
         lines.push_back("The reduced model of the search is off by " + percent(report.model_error) +
                         " of the largest displacement: nearer paintings are hard to tell apart.");
-    if (report.starts.size() > 1) {
-        const auto [least, most] = std::ranges::minmax(report.starts);
-        lines.push_back("The " + std::to_string(report.starts.size()) +
+    if (report.start_misfits.size() > 1) {
+        const auto [least, most] = std::ranges::minmax(report.start_misfits);
+        lines.push_back("The " + std::to_string(report.start_misfits.size()) +
                         " starts of the search ended with misfits from " + percent(least) + " to " +
                         percent(most) + ".");
     }

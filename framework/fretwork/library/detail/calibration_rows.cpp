@@ -42,7 +42,7 @@ CalibrationRecord read_row(const Statement& row) {
     calibration.starts = row.count(3);
     record.budget = row.count(4);
     calibration.objective = row.real(5);
-    calibration.evaluations = row.integer(6);
+    calibration.cost = row.integer(6);
     calibration.converged = row.integer(7) != 0;
     if (!row.text(8).empty()) calibration.at_bound = base::split(row.text(8), ',');
     record.seconds = row.real(9);
@@ -113,7 +113,7 @@ void insert_calibration(const Database& database, const std::string& pattern_id,
     Statement statement(database, "INSERT INTO calibration (pattern_id, " + std::string(kColumns) +
                                       ") VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     const Calibration& c = record.calibration;
-    bind_of_one(statement, pattern_id, record.key(), c.objective, static_cast<std::int64_t>(c.evaluations),
+    bind_of_one(statement, pattern_id, record.key(), c.objective, static_cast<std::int64_t>(c.cost),
                 int{c.converged}, base::join(c.at_bound, ","), record.seconds)
         .run();
     insert_parameters(database, pattern_id, record);
@@ -139,7 +139,7 @@ bool are_equal(const CalibrationRecord& left, const CalibrationRecord& right) {
     const Calibration& a = left.calibration;
     const Calibration& b = right.calibration;
     return left.key() == right.key() && a.objective == b.objective &&
-           a.scenario_errors == b.scenario_errors && a.evaluations == b.evaluations &&
+           a.scenario_errors == b.scenario_errors && a.cost == b.cost &&
            sorted(a.parameters) == sorted(b.parameters) && a.at_bound == b.at_bound &&
            a.converged == b.converged;
 }

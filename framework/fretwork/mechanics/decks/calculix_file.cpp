@@ -10,8 +10,8 @@ LabelledFrame parse_calculix(std::string_view text, const std::string& source) {
     return decks::frame_of(decks::InputDeck(text, source));
 }
 
-std::string calculix_text(const Frame& frame, DeckReader reader) {
-    return decks::deck_text(frame, reader);
+std::string calculix_text(const Frame& frame, DeckProgram program) {
+    return decks::deck_text(frame, program);
 }
 
 LabelledFrame read_calculix(const std::filesystem::path& path) {

@@ -33,23 +33,24 @@ namespace fretwork::mechanics {
 LabelledFrame parse_calculix(std::string_view text, const std::string& source);
 
 /// The program that is to read a deck.
-enum class DeckReader {
+enum class DeckProgram {
     Abaqus,  ///< the deck has one B31 for each beam, and *BEAM GENERAL SECTION
     /// The deck has one B32R for each beam, and *BEAM SECTION; the middle nodes follow the frame's nodes. ccx
-    /// expands these beams to solids, includes shear and thick joints, and takes torsion by the polar second
-    /// moment.
+    /// expands these beams to solids, and includes shear and thick joints. The torsion constant of
+    /// its rectangles is nearly b^3 h^3 / (3 b^2 + 3 h^2), up to 19 % more than Saint-Venant's. For squares,
+    /// this is the polar second moment.
     Calculix
 };
 
-/// The text of a deck for a frame, for `reader` and parse_calculix. Nodes are labelled from 1. Numbers are
+/// The text of a deck for a frame, for `program` and parse_calculix. Nodes are labelled from 1. Numbers are
 /// rounded to the twenty characters of an entry, which hold at least 14 digits. Throws as validate(), and
 /// InputError that names a feature of the frame if decks cannot express it: releases, divisions, shear areas,
 /// a given shear modulus, and, for CalculiX, sections that are neither rectangles nor circles.
-std::string calculix_text(const Frame& frame, DeckReader reader = DeckReader::Abaqus);
+std::string calculix_text(const Frame& frame, DeckProgram program = DeckProgram::Abaqus);
 
 /// Read a deck file. Throws as parse_calculix.
 LabelledFrame read_calculix(const std::filesystem::path& path);
-/// Write a deck file for DeckReader::Abaqus atomically. Throws as calculix_text(), or IoError.
+/// Write a deck file for DeckProgram::Abaqus atomically. Throws as calculix_text(), or IoError.
 void write_calculix(const Frame& frame, const std::filesystem::path& path);
 
 }  // namespace fretwork::mechanics

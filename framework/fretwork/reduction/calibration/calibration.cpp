@@ -72,7 +72,7 @@ Calibration fit(const TileModel& model, const CalibrationProblem& problem, const
     const UnitDisplacements best = problem.displacements(report.point);
     calibration.objective = objective.value(best);
     calibration.scenario_errors = objective.scenario_errors(best);
-    calibration.evaluations = report.cost;
+    calibration.cost = report.cost;
     calibration.at_bound = parameters_at_bound(problem.bounds(), report.point, model);
     calibration.dead_starts = report.dead_starts;
     calibration.converged = report.ending == optimization::Ending::Converged;

@@ -45,7 +45,8 @@ struct Calibration {
     double objective = 0.0;  ///< E of Eq. (8) at the parameters
     /// Weighted contribution of each scenario of the setting to E: the sum over the magnitudes in Eq. (8).
     std::vector<double> scenario_errors;
-    long evaluations = 0;  ///< cost of the fit, in the unit of the calibration's problem
+    /// Cost of the fit, in the unit of the calibration's problem. Libraries call it `evaluations`.
+    long cost = 0;
     /// Fitted parameters in the order of the model's row (if read from a library, sorted by name); empty if
     /// nothing is fitted.
     std::vector<NamedValue> parameters;

@@ -59,19 +59,19 @@ std::string solid_section(const Section& section, std::size_t beam) {
 
 class Writer {
   public:
-    Writer(const Frame& frame, DeckReader reader) : frame_(frame), reader_(reader) {}
+    Writer(const Frame& frame, DeckProgram program) : frame_(frame), program_(program) {}
 
     std::string run() {
         text_ = "*HEADING\n" + std::string(base::kMadeBy) + "\n*NODE, NSET=NALL\n";
         for (std::size_t i = 0; i < frame_.nodes.size(); ++i)
             text_ += std::to_string(i + 1) + "," + vector_text(frame_.nodes[i]) + "\n";
-        if (reader_ == DeckReader::Calculix) write_middle_nodes();
+        if (program_ == DeckProgram::Calculix) write_middle_nodes();
         for (std::size_t i = 0; i < frame_.beams.size(); ++i) group_of(frame_.beams[i]).push_back(i);
         for (std::size_t g = 0; g < groups_.size(); ++g) write_group(g);
         text_ += "*ELSET, ELSET=EALL\n";
         for (std::size_t g = 0; g < groups_.size(); ++g) text_ += "BEAMS" + std::to_string(g + 1) + "\n";
         write_supports();
-        const bool is_calculix = reader_ == DeckReader::Calculix;
+        const bool is_calculix = program_ == DeckProgram::Calculix;
         text_ += is_calculix ? "*STEP, NLGEOM, INC=1000\n*STATIC\n0.1,1.\n" : "*STEP, NLGEOM\n*STATIC\n";
         write_actions();
         if (is_calculix) text_ += "*NODE PRINT, NSET=NALL\nU\n*NODE FILE\nU\n";
@@ -109,7 +109,7 @@ class Writer {
     void write_group(std::size_t g) {
         const auto& [like, beams] = groups_[g];
         const std::string name = std::to_string(g + 1);
-        const bool is_calculix = reader_ == DeckReader::Calculix;
+        const bool is_calculix = program_ == DeckProgram::Calculix;
         text_ +=
             std::string("*ELEMENT, TYPE=") + (is_calculix ? "B32R" : "B31") + ", ELSET=BEAMS" + name + "\n";
         for (const std::size_t i : beams)
@@ -166,17 +166,17 @@ class Writer {
     }
 
     const Frame& frame_;
-    DeckReader reader_;
+    DeckProgram program_;
     std::string text_;
     std::vector<Group> groups_;
 };
 
 }  // namespace
 
-std::string deck_text(const Frame& frame, DeckReader reader) {
+std::string deck_text(const Frame& frame, DeckProgram program) {
     validate(frame);
     check_writable(frame);
-    return Writer(frame, reader).run();
+    return Writer(frame, program).run();
 }
 
 }  // namespace fretwork::mechanics::decks

@@ -8,6 +8,6 @@
 namespace fretwork::mechanics::decks {
 
 /// The text of a deck; see calculix_text().
-std::string deck_text(const Frame& frame, DeckReader reader);
+std::string deck_text(const Frame& frame, DeckProgram program);
 
 }  // namespace fretwork::mechanics::decks
