@@ -293,6 +293,8 @@ TEST_F(CalculixFile, InvalidFrameIsReportedWithLabelsOfDeck) {
     EXPECT_THAT(complaint(".02, .01", ".02, -.01"), StartsWith(file + "line 24: the width of a rectangle"));
     EXPECT_THAT(complaint("SECTION=RECT\n.02, .01", "SECTION=GENERAL\n0., 1e-8, 0., 1e-8, 1e-8"),
                 StartsWith(file + "element 1/section/area"));
+    EXPECT_THAT(complaint("TIP, 3, -2.5", "TIP, 3, 1e40"), StartsWith(file + "node 40/force: is ("));
+    EXPECT_THAT(complaint("TIP, 2, 2, 0.003", "TIP, 2, 2, 1e40"), StartsWith(file + "node 40/uy: is 1e+40"));
     EXPECT_THAT(complaint("*DENSITY\n1240", "*DENSITY\n0"),
                 testing::AllOf(StartsWith(file), HasSubstr("density")));
 }

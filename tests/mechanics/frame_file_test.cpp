@@ -188,7 +188,13 @@ TEST_F(FrameFile, ValuesBeyondAnythingThatIsBuiltAreRefusedWithTheirLimits) {
                 AllOf(HasSubstr("/material/young_modulus"), HasSubstr("1e+18 (Pa)")));
     EXPECT_THAT(complaint("\"width\": 0.002", "\"width\": 1e-320"), HasSubstr("/section/area"));
     EXPECT_THAT(complaint("[0,0,-9.81]", "[0,0,-1e308]"), HasSubstr("/gravity"));
-    EXPECT_THAT(complaint("\"uz\": 0.01", "\"uz\": 1e308"), HasSubstr("/prescribed/1/uz"));
+    EXPECT_THAT(complaint("\"uz\": 0.01", "\"uz\": 1e308"), HasSubstr("/prescribed/0/uz"));
+}
+
+/// One entry may prescribe several components.
+TEST_F(FrameFile, AComponentThatTwoEntriesPrescribeIsRefusedWithTheSecond) {
+    EXPECT_THAT(complaint(R"("ux": -0.02 })", R"("ux": -0.02 }, { "node": 3, "uz": 0.02 })"),
+                HasSubstr("/prescribed/1: uz of node 3 is prescribed twice"));
 }
 
 TEST_F(FrameFile, NamesThatAreNotThereAreRefused) {

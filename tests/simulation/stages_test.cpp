@@ -292,6 +292,10 @@ TEST(Stages, RefuseEntriesThatContradictEachOther) {
     EXPECT_THAT(complaint(R"({"name": "a", "prescribed": [{"side": "right", "uz": 0.01},
                                                           {"side": "right", "uz": 0.02}]})"),
                 testing::StartsWith("load stage 'a': /prescribed/1: gives uz of node "));
+    // An entry of the file may give several components.
+    EXPECT_THAT(complaint(R"({"name": "a", "prescribed": [{"side": "right", "uy": 0, "uz": 0.01},
+                                                          {"side": "right", "uz": 0.02}]})"),
+                testing::StartsWith("load stage 'a': /prescribed/1: gives uz of node "));
     EXPECT_THAT(complaint(R"({"name": "a", "free": [{"side": "right", "fixed": ["uz"]}]})"),
                 testing::StartsWith("load stage 'a': /free/0: releases nothing"));
     EXPECT_THAT(complaint(R"({"name": "a", "free": [{"side": "left", "fixed": ["uz"]}]})"),

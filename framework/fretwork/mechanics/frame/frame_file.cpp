@@ -68,7 +68,15 @@ class FrameReader {
   public:
     explicit FrameReader(const JsonReader& document) : document_(document) {}
 
-    Frame read() {
+    /// The checked frame. Messages name `source`.
+    Frame read(const std::string& source) && {
+        read_lists();
+        detail::check_frame(frame_, {.source = source, .prescribed_entries = prescribed_entries_});
+        return std::move(frame_);
+    }
+
+  private:
+    void read_lists() {
         document_.expect_format("frame", 2);
         document_.allow_only({"format", "nodes", "materials", "sections", "beams", "supports", "prescribed",
                               "loads", "gravity"});
@@ -79,13 +87,13 @@ class FrameReader {
         for (const JsonReader& beam : document_.at("beams").elements())
             frame_.beams.push_back(read_beam(beam));
         for (const JsonReader& support : optional_list("supports")) read_support(support);
-        for (const JsonReader& given : optional_list("prescribed")) read_prescribed(given);
+        const auto prescribed = optional_list("prescribed");
+        for (std::size_t entry = 0; entry < prescribed.size(); ++entry)
+            read_prescribed(prescribed[entry], entry);
         for (const JsonReader& load : optional_list("loads")) read_load(load);
         frame_.gravity = read_optional_vector(document_, "gravity");
-        return std::move(frame_);
     }
 
-  private:
     [[nodiscard]] std::vector<JsonReader> optional_list(std::string_view key) const {
         const auto member = document_.find(key);
         return member ? member->elements() : std::vector<JsonReader>{};
@@ -120,12 +128,14 @@ class FrameReader {
         frame_.supports.push_back({read_node(reader.at("node")), read_dofs(reader.at("fixed"))});
     }
 
-    void read_prescribed(const JsonReader& reader) {
+    void read_prescribed(const JsonReader& reader, std::size_t entry) {
         reader.allow_only({"node", "ux", "uy", "uz", "rx", "ry", "rz"});
         const NodeIndex node = read_node(reader.at("node"));
         for (std::size_t d = 0; d < kDofsPerNode; ++d) {
-            if (const auto value = reader.find(kDofNames[d]))
-                frame_.prescribed.push_back({node, static_cast<Dof>(d), value->number()});
+            const auto value = reader.find(kDofNames[d]);
+            if (!value) continue;
+            frame_.prescribed.push_back({node, static_cast<Dof>(d), value->number()});
+            prescribed_entries_.push_back(entry);
         }
     }
 
@@ -137,6 +147,7 @@ class FrameReader {
 
     const JsonReader& document_;
     Frame frame_;
+    std::vector<std::size_t> prescribed_entries_;  ///< entry of each prescribed component
     std::map<std::string, Material> materials_;
     std::map<std::string, Section> sections_;
 };
@@ -206,10 +217,7 @@ void append_conditions(Json& document, const Frame& frame) {
 }  // namespace
 
 Frame parse_frame(std::string_view text, const std::string& source) {
-    const JsonReader document = JsonReader::from_text(text, source);
-    Frame frame = FrameReader(document).read();
-    detail::check_frame(frame, {source});
-    return frame;
+    return FrameReader(JsonReader::from_text(text, source)).read(source);
 }
 
 Frame read_frame(const std::filesystem::path& path) {

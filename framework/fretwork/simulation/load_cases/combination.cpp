@@ -6,6 +6,23 @@
 namespace fretwork::simulation {
 namespace {
 
+/// The load case, with an origin for each entry. In a merged list, an entry has another position.
+/// @param name  name of the load case in messages about its entries; empty: none
+LoadCase with_origins(LoadCase load_case, const std::string& name) {
+    const auto note = [&](auto& entries, std::size_t first) {
+        for (std::size_t i = 0; i < entries.size(); ++i) {
+            LoadCase::Origin& origin = entries[i].origin;
+            if (!origin.position) origin.position = first + i;
+            if (origin.load_case.empty()) origin.load_case = name;
+        }
+    };
+    note(load_case.supports, 0);
+    note(load_case.loads, 0);
+    note(load_case.area_loads, load_case.loads.size());
+    note(load_case.prescribed, 0);
+    return load_case;
+}
+
 void add(const LoadCase& part, double factor, LoadCase& sum) {
     sum.supports.insert(sum.supports.end(), part.supports.begin(), part.supports.end());
     for (LoadCase::Load load : part.loads) {
@@ -31,7 +48,8 @@ const LoadCase& load_case_of(const std::string& name, std::span<const LoadCase> 
 }
 
 LoadCase combined(const LoadCase& load_case, std::span<const LoadCase> cases) {
-    LoadCase sum = load_case;
+    if (load_case.combines.empty()) return load_case;
+    LoadCase sum = with_origins(load_case, "");
     sum.combines.clear();
     for (std::size_t i = 0; i < load_case.combines.size(); ++i) {
         const LoadCase::Share& share = load_case.combines[i];
@@ -41,7 +59,7 @@ LoadCase combined(const LoadCase& load_case, std::span<const LoadCase> cases) {
             const LoadCase& part = load_case_of(share.load_case, cases);
             if (!part.combines.empty())
                 throw base::InputError("'" + part.name + "' is a combination, too: name what it combines");
-            add(part, share.factor, sum);
+            add(with_origins(part, part.name), share.factor, sum);
         });
     }
     return sum;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <string_view>
 #include <utility>
 
 namespace fretwork::simulation {
@@ -13,23 +14,44 @@ namespace {
 
 using mechanics::NodeIndex;
 
-/// Picks the interface nodes of a load case's entries, and names the entry that picks none.
-class EntryPicker {
-  public:
-    EntryPicker(const LoadCase& load_case, const tiling::Tessellation& tessellation)
-        : load_case_(load_case), tessellation_(tessellation) {}
+/// The name of an entry in errors: its load case, and its place there.
+struct EntryName {
+    const LoadCase& load_case;
+    std::string_view list;
+    const LoadCase::Origin& origin;
+    std::size_t index;  ///< position of an entry that was not read
 
-    [[nodiscard]] std::vector<tiling::InterfaceIndex> operator()(const Selection& where,
-                                                                 const std::string& list,
-                                                                 std::size_t entry) const {
-        return base::located("load case '" + load_case_.name + "'", "/" + list + "/" + std::to_string(entry),
-                             [&] { return select_some_nodes(where, tessellation_); });
+    /// Return the value of `work`. Errors name the entry, or a part of it such as "/tiles".
+    template <class Work>
+    auto located(const Work& work, const std::string& part = "") const {
+        const std::string place =
+            "/" + std::string(list) + "/" + std::to_string(origin.position.value_or(index)) + part;
+        const std::string own = "load case '" + load_case.name + "'";
+        if (origin.load_case.empty()) return base::located(own, place, work);
+        return base::located(
+            own, "", [&] { return base::located("load case '" + origin.load_case + "'", place, work); });
     }
-
-  private:
-    const LoadCase& load_case_;
-    const tiling::Tessellation& tessellation_;
 };
+
+EntryName support_name(const LoadCase& load_case, std::size_t entry) {
+    return {load_case, "supports", load_case.supports[entry].origin, entry};
+}
+EntryName prescribed_name(const LoadCase& load_case, std::size_t entry) {
+    return {load_case, "prescribed", load_case.prescribed[entry].origin, entry};
+}
+EntryName load_name(const LoadCase& load_case, std::size_t entry) {
+    return {load_case, "loads", load_case.loads[entry].origin, entry};
+}
+/// load_case_text() writes loads per area last.
+EntryName area_load_name(const LoadCase& load_case, std::size_t entry) {
+    return {load_case, "loads", load_case.area_loads[entry].origin, load_case.loads.size() + entry};
+}
+
+/// The interface nodes of an entry. Complaints name the entry.
+std::vector<tiling::InterfaceIndex> picked(const Selection& where, const EntryName& name,
+                                           const tiling::Tessellation& tessellation) {
+    return name.located([&] { return select_some_nodes(where, tessellation); });
+}
 
 /// The tiles with an area load, and the interface nodes that bear it.
 class AreaBearers {
@@ -38,31 +60,29 @@ class AreaBearers {
     AreaBearers(const LoadCase& load_case, std::size_t entry, const tiling::Tessellation& tessellation)
         : tiles_(tessellation.tiles.size(), true), nodes_(tessellation.interface_nodes.size(), true) {
         const LoadCase::AreaLoad& load = load_case.area_loads[entry];
-        const std::size_t place = load_case.loads.size() + entry;  // load_case_text() puts them last
+        const EntryName name = area_load_name(load_case, entry);
         if (const auto* where = std::get_if<Selection>(&load.where)) {
             nodes_.assign(nodes_.size(), false);
-            for (const auto node : EntryPicker(load_case, tessellation)(*where, "loads", place))
-                nodes_[node] = true;
+            for (const auto node : picked(*where, name, tessellation)) nodes_[node] = true;
             return;
         }
         tiles_.assign(tiles_.size(), false);
-        const auto complain = [&](const std::string& problem) {
-            throw base::InputError("load case '" + load_case.name + "'",
-                                   "/loads/" + std::to_string(place) + "/tiles", problem);
-        };
-        const std::vector<int>& numbers = std::get<LoadCase::AreaLoad::Tiles>(load.where).numbers;
-        if (numbers.empty()) complain("is empty, where the number of a tile is needed");
-        for (const int tile : numbers) {
-            if (tile < 0 || static_cast<std::size_t>(tile) >= tiles_.size())
-                complain("there is no tile " + std::to_string(tile) + "; the last one is " +
-                         std::to_string(tiles_.size() - 1));
-            tiles_[tile] = true;
-        }
+        name.located([&] { take(std::get<LoadCase::AreaLoad::Tiles>(load.where).numbers); }, "/tiles");
     }
     [[nodiscard]] bool has(std::size_t tile) const { return tiles_[tile]; }
     [[nodiscard]] bool has(tiling::InterfaceIndex node) const { return nodes_[node]; }
 
   private:
+    void take(const std::vector<int>& numbers) {
+        if (numbers.empty()) throw base::InputError("is empty, where the number of a tile is needed");
+        for (const int tile : numbers) {
+            if (tile < 0 || static_cast<std::size_t>(tile) >= tiles_.size())
+                throw base::InputError("there is no tile " + std::to_string(tile) + "; the last one is " +
+                                       std::to_string(tiles_.size() - 1));
+            tiles_[tile] = true;
+        }
+    }
+
     std::vector<bool> tiles_;
     std::vector<bool> nodes_;
 };
@@ -70,8 +90,9 @@ class AreaBearers {
 /// Complaints name the entry.
 std::vector<detail::LineBearer> bearers_of(const LoadCase& load_case, std::size_t entry,
                                            const tiling::Tessellation& tessellation) {
-    return base::located("load case '" + load_case.name + "'", "/loads/" + std::to_string(entry),
-                         [&] { return detail::line_bearers(load_case.loads[entry].where, tessellation); });
+    return load_name(load_case, entry).located([&] {
+        return detail::line_bearers(load_case.loads[entry].where, tessellation);
+    });
 }
 
 /// The nodes with the parts of tiles' areas that they bear, m2: one entry for each loaded tile of a node.
@@ -118,10 +139,7 @@ EntryMarks::Load picked_load(const LoadCase::Load& load, std::vector<tiling::Int
 class Resolver {
   public:
     Resolver(const LoadCase& load_case, const Surface& surface, std::span<const double> masses)
-        : load_case_(load_case),
-          surface_(surface),
-          masses_(masses),
-          picked_(load_case, surface.tessellation) {}
+        : load_case_(load_case), surface_(surface), masses_(masses) {}
 
     Conditions resolve() && {
         if (!load_case_.combines.empty())
@@ -136,37 +154,44 @@ class Resolver {
     }
 
   private:
+    [[nodiscard]] std::vector<tiling::InterfaceIndex> pick(const Selection& where,
+                                                           const EntryName& name) const {
+        return picked(where, name, surface_.tessellation);
+    }
+
     void add_support(std::size_t i) {
         const LoadCase::Support& support = load_case_.supports[i];
-        for (const auto node : picked_(support.where, "supports", i)) {
+        for (const auto node : pick(support.where, support_name(load_case_, i))) {
             conditions_.supports.push_back({NodeIndex(node.value), support.fixed});
         }
     }
 
     void add_prescribed(std::size_t i) {
         const LoadCase::PrescribedDisplacement& entry = load_case_.prescribed[i];
-        for (const auto node : picked_(entry.where, "prescribed", i)) {
-            const mechanics::PrescribedDisplacement wanted{NodeIndex(node.value), entry.dof, entry.value};
-            if (is_new(wanted, i)) conditions_.prescribed.push_back(wanted);
-        }
+        const EntryName name = prescribed_name(load_case_, i);
+        const auto nodes = pick(entry.where, name);
+        name.located([&] {
+            for (const auto node : nodes) {
+                const mechanics::PrescribedDisplacement wanted{NodeIndex(node.value), entry.dof, entry.value};
+                if (is_new(wanted)) conditions_.prescribed.push_back(wanted);
+            }
+        });
     }
 
     /// Several entries may pick one node, but must prescribe the same value there.
-    [[nodiscard]] bool is_new(const mechanics::PrescribedDisplacement& wanted, std::size_t entry) {
+    [[nodiscard]] bool is_new(const mechanics::PrescribedDisplacement& wanted) {
         const auto [other, is_first] =
             prescribed_values_.try_emplace({wanted.node, wanted.dof}, wanted.value);
         if (is_first || other->second == wanted.value) return is_first;
-        throw base::InputError("load case '" + load_case_.name + "'", "/prescribed/" + std::to_string(entry),
-                               "prescribes " + base::format_number(wanted.value) + " at interface node " +
-                                   std::to_string(wanted.node.value) +
-                                   ", where an entry before it prescribes " +
-                                   base::format_number(other->second));
+        throw base::InputError("prescribes " + base::format_number(wanted.value) + " at interface node " +
+                               std::to_string(wanted.node.value) + ", where an entry before it prescribes " +
+                               base::format_number(other->second));
     }
 
     void add_load(std::size_t i) {
         const LoadCase::Load& load = load_case_.loads[i];
         if (load.amount == LoadCase::Amount::PerLength) return add_line_load(i);
-        const auto nodes = picked_(load.where, "loads", i);
+        const auto nodes = pick(load.where, load_name(load_case_, i));
         const double share =
             load.amount == LoadCase::Amount::Total ? 1.0 / static_cast<double>(nodes.size()) : 1.0;
         for (const auto node : nodes) {
@@ -203,7 +228,6 @@ class Resolver {
     const LoadCase& load_case_;
     const Surface& surface_;
     std::span<const double> masses_;  ///< mass of each tile, kg
-    EntryPicker picked_;
     Conditions conditions_;
     std::map<std::pair<NodeIndex, mechanics::Dof>, double> prescribed_values_;
 };
@@ -211,15 +235,16 @@ class Resolver {
 }  // namespace
 
 EntryMarks entry_marks(const LoadCase& load_case, const tiling::Tessellation& tessellation) {
-    const EntryPicker picked(load_case, tessellation);
     EntryMarks marks;
     for (std::size_t i = 0; i < load_case.supports.size(); ++i)
-        marks.supports.push_back(picked(load_case.supports[i].where, "supports", i));
+        marks.supports.push_back(
+            picked(load_case.supports[i].where, support_name(load_case, i), tessellation));
     for (std::size_t i = 0; i < load_case.prescribed.size(); ++i)
-        marks.prescribed.push_back(picked(load_case.prescribed[i].where, "prescribed", i));
+        marks.prescribed.push_back(
+            picked(load_case.prescribed[i].where, prescribed_name(load_case, i), tessellation));
     for (std::size_t i = 0; i < load_case.loads.size(); ++i) {
         const LoadCase::Load& load = load_case.loads[i];
-        auto nodes = picked(load.where, "loads", i);
+        auto nodes = picked(load.where, load_name(load_case, i), tessellation);
         marks.loads.push_back(load.amount == LoadCase::Amount::PerLength
                                   ? spread_load(bearers_of(load_case, i, tessellation), load.force)
                                   : picked_load(load, std::move(nodes)));

@@ -62,7 +62,8 @@ struct EntryMarks {
 EntryMarks entry_marks(const LoadCase& load_case, const tiling::Tessellation& tessellation);
 
 /// Check that every entry of a load case has its place on a tessellation, painted or not: interface nodes,
-/// tiles, or a line along the rim. Throws InputError that names the load case and the entry.
+/// tiles, or a line along the rim. Throws InputError that names the load case and the entry, by its position
+/// in the file from which it was read.
 void check_selections(const LoadCase& load_case, const tiling::Tessellation& tessellation);
 
 }  // namespace fretwork::simulation

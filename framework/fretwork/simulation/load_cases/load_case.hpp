@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -15,10 +17,20 @@ namespace fretwork::simulation {
 /// A load case: supports and loads of a surface, and other load cases to combine. Supports and loads act on
 /// interface nodes, because every tile model has these.
 struct LoadCase {
+    /// The source of an entry, for messages. All origins are equal, so that load cases with equal entries are
+    /// equal.
+    struct Origin {
+        /// Position in its list of the file, from 0. None if the entry was not read: messages then give the
+        /// position at which load_case_text() writes it.
+        std::optional<std::size_t> position{};
+        std::string load_case{};  ///< load case from which combined() took the entry; empty: none
+        friend bool operator==(const Origin&, const Origin&) { return true; }
+    };
     /// The support of selected nodes.
     struct Support {
         Selection where;          ///< the nodes
         mechanics::DofSet fixed;  ///< components that stay zero
+        Origin origin{};          ///< source of the entry
         friend bool operator==(const Support&, const Support&) = default;
     };
     /// The meaning of a load's force and moment. Each: every selected node gets both. Total: all selected
@@ -36,6 +48,7 @@ struct LoadCase {
         Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< moment of fixed direction in space, N m; not
                                                            ///< used with PerLength
         Amount amount = Amount::Each;                      ///< meaning of force and moment
+        Origin origin{};                                   ///< source of the entry
         friend bool operator==(const Load&, const Load&) = default;
     };
     /// A given value of a displacement component at selected nodes.
@@ -43,6 +56,7 @@ struct LoadCase {
         Selection where;                          ///< the nodes
         mechanics::Dof dof = mechanics::Dof::ux;  ///< the component
         double value = 0.0;                       ///< value, m or rad
+        Origin origin{};  ///< source of the entry, which may prescribe several components
         friend bool operator==(const PrescribedDisplacement&, const PrescribedDisplacement&) = default;
     };
     /// A load per area. Each interface node represents an equal share of the area of each of its tiles. The
@@ -56,6 +70,7 @@ struct LoadCase {
         /// Nodes, for the area that they represent, or tiles.
         std::variant<Selection, Tiles> where;
         Eigen::Vector3d per_area = Eigen::Vector3d::Zero();  ///< N/m2
+        Origin origin{};                                     ///< source of the entry
         friend bool operator==(const AreaLoad&, const AreaLoad&) = default;
     };
     /// Another load case of the same project, with a factor (combination.hpp).

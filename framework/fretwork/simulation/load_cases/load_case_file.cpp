@@ -176,7 +176,8 @@ Json load_json(const LoadCase::Load& load) {
 }
 
 /// One entry may prescribe several dofs; each becomes one PrescribedDisplacement.
-void add_prescribed(const JsonReader& json, std::vector<LoadCase::PrescribedDisplacement>& list) {
+void add_prescribed(const JsonReader& json, const LoadCase::Origin& origin,
+                    std::vector<LoadCase::PrescribedDisplacement>& list) {
     allow_beside_selection(json, {"ux", "uy", "uz", "rx", "ry", "rz"});
     const Selection where = read_selection(json);
     const std::size_t before = list.size();
@@ -184,7 +185,7 @@ void add_prescribed(const JsonReader& json, std::vector<LoadCase::PrescribedDisp
         const auto dof = dof_of(key);
         if (!dof) continue;
         const base::Limits& limits = *dof < Dof::rx ? base::kLengthLimits : base::kAngleLimits;
-        list.push_back({where, *dof, read_number(value, limits)});
+        list.push_back({where, *dof, read_number(value, limits), origin});
     }
     if (list.size() == before) json.fail("prescribes nothing: one of ux, uy, uz, rx, ry, rz is needed");
 }
@@ -212,6 +213,18 @@ Json area_load_json(const LoadCase::AreaLoad& load) {
         json["tiles"] = tiles->numbers;
     json["per_area"] = vector_json(load.per_area);
     return json;
+}
+
+/// The list of loads has loads of all kinds, in any order.
+void add_any_load(const JsonReader& json, const LoadCase::Origin& origin, LoadCase& load_case) {
+    const bool is_along_line = json.find("per_length").has_value();
+    if (!is_along_line && json.find("per_area")) {
+        load_case.area_loads.push_back(read_area_load(json));
+        load_case.area_loads.back().origin = origin;
+        return;
+    }
+    load_case.loads.push_back(is_along_line ? read_line_load(json) : read_load(json));
+    load_case.loads.back().origin = origin;
 }
 
 LoadCase::Share read_share(const JsonReader& json) {
@@ -275,13 +288,17 @@ FormatOfCase oldest_format(const LoadCase& load_case) {
 
 std::vector<LoadCase::Support> read_supports(const JsonReader& list) {
     std::vector<LoadCase::Support> supports;
-    for (const JsonReader& entry : list.elements()) supports.push_back(read_support(entry));
+    for (const JsonReader& entry : list.elements()) {
+        supports.push_back(read_support(entry));
+        supports.back().origin.position = supports.size() - 1;
+    }
     return supports;
 }
 
 std::vector<LoadCase::PrescribedDisplacement> read_prescribed(const JsonReader& list) {
     std::vector<LoadCase::PrescribedDisplacement> prescribed;
-    for (const JsonReader& entry : list.elements()) add_prescribed(entry, prescribed);
+    const auto entries = list.elements();
+    for (std::size_t i = 0; i < entries.size(); ++i) add_prescribed(entries[i], {i}, prescribed);
     return prescribed;
 }
 
@@ -302,14 +319,8 @@ LoadCase read_load_case(const JsonReader& json) {
     if (load_case.name.empty()) json.at("name").fail("is empty, where a name is needed");
     if (const auto description = json.find("description")) load_case.description = description->string();
     if (const auto supports = json.find("supports")) load_case.supports = read_supports(*supports);
-    for (const JsonReader& load : elements_of(json, "loads")) {
-        if (load.find("per_length"))
-            load_case.loads.push_back(read_line_load(load));
-        else if (load.find("per_area"))
-            load_case.area_loads.push_back(read_area_load(load));
-        else
-            load_case.loads.push_back(read_load(load));
-    }
+    const auto loads = elements_of(json, "loads");
+    for (std::size_t i = 0; i < loads.size(); ++i) add_any_load(loads[i], {i}, load_case);
     if (const auto prescribed = json.find("prescribed")) load_case.prescribed = read_prescribed(*prescribed);
     load_case.gravity = read_vector(json.find("gravity"), base::kAccelerationLimits);
     for (const JsonReader& share : elements_of(json, "combines"))

@@ -15,12 +15,22 @@ std::string component_text(int node, int dof) {
            std::to_string(node);
 }
 
+std::size_t position_of(const LoadCase::Share&, std::size_t index) {
+    return index;
+}
+/// An entry of a file may be several of the list.
+template <class Entry>
+std::size_t position_of(const Entry& entry, std::size_t index) {
+    return entry.origin.position.value_or(index);
+}
+
 /// Calls `take(entry)` for each entry of a list of a load stage; errors name the load stage and the entry.
 template <class Entry, class Take>
 void for_entries(const LoadStage& stage, const std::string& list, const std::vector<Entry>& entries,
                  const Take& take) {
     for (std::size_t i = 0; i < entries.size(); ++i)
-        base::located("load stage '" + stage.name + "'", "/" + list + "/" + std::to_string(i),
+        base::located("load stage '" + stage.name + "'",
+                      "/" + list + "/" + std::to_string(position_of(entries[i], i)),
                       [&] { take(entries[i]); });
 }
 

@@ -75,6 +75,14 @@ class FrameCheck {
         return names_.beam_labels.empty() ? place("beams", beam)
                                           : "element " + std::to_string(names_.beam_labels[beam]);
     }
+    /// A source with labels is a deck, where nodes name what acts on them.
+    [[nodiscard]] std::string prescribed_place(std::size_t i) const {
+        if (!names_.node_labels.empty()) return name_of(frame_.prescribed[i].node);
+        return place("prescribed", names_.prescribed_entries.empty() ? i : names_.prescribed_entries[i]);
+    }
+    [[nodiscard]] std::string load_place(std::size_t i) const {
+        return names_.node_labels.empty() ? place("loads", i) : name_of(frame_.loads[i].node);
+    }
 
     void check_nodes() const {
         for (std::size_t i = 0; i < frame_.nodes.size(); ++i) {
@@ -167,26 +175,26 @@ class FrameCheck {
         std::set<std::pair<int, Dof>> seen;
         for (std::size_t i = 0; i < frame_.prescribed.size(); ++i) {
             const PrescribedDisplacement& given = frame_.prescribed[i];
-            require_node(given.node, place("prescribed", i) + "/node");
+            require_node(given.node, prescribed_place(i) + "/node");
             const char* name = dof_name(given.dof);
             const base::Limits& limits = given.dof < Dof::rx ? base::kLengthLimits : base::kAngleLimits;
             if (!base::is_within(given.value, limits))
-                fail(place("prescribed", i) + "/" + name, "is " + format_number(given.value) + ", where " +
-                                                              base::range_text(limits) + " is needed");
+                fail(prescribed_place(i) + "/" + name, "is " + format_number(given.value) + ", where " +
+                                                           base::range_text(limits) + " is needed");
             if (!seen.emplace(given.node.value, given.dof).second)
-                fail(place("prescribed", i),
+                fail(prescribed_place(i),
                      std::string(name) + " of " + name_of(given.node) + " is prescribed twice");
         }
     }
 
     void check_loads() const {
         for (std::size_t i = 0; i < frame_.loads.size(); ++i) {
-            require_node(frame_.loads[i].node, place("loads", i) + "/node");
+            require_node(frame_.loads[i].node, load_place(i) + "/node");
             const NodalLoad& load = frame_.loads[i];
             if (!are_within(load.force, base::kForceLimits))
-                fail_vector(place("loads", i) + "/force", load.force, base::kForceLimits);
+                fail_vector(load_place(i) + "/force", load.force, base::kForceLimits);
             if (!are_within(load.moment, base::kMomentLimits))
-                fail_vector(place("loads", i) + "/moment", load.moment, base::kMomentLimits);
+                fail_vector(load_place(i) + "/moment", load.moment, base::kMomentLimits);
         }
     }
 

@@ -3,6 +3,7 @@
 
 #include <fretwork/mechanics/frame/frame.hpp>
 
+#include <cstddef>
 #include <span>
 #include <string>
 
@@ -18,6 +19,9 @@ struct FrameNames {
     /// The labels of the nodes, and for each beam the label of its element, if the source has labels. Without
     /// labels, nodes and beams are named by their places in a frame file ("/beams/3").
     std::span<const int> node_labels{}, beam_labels{};
+    /// For each prescribed component, the position of its entry in the source, which may prescribe several.
+    /// Empty: each component has an entry of its own.
+    std::span<const std::size_t> prescribed_entries{};
 };
 
 /// Check a frame as validate() does, with these names in messages.
