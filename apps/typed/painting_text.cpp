@@ -4,9 +4,9 @@
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/outlines/coloured_drawing.hpp>
+#include <fretwork/simulation/internal/colour_entries.hpp>
 
 #include <cmath>
-#include <map>
 #include <optional>
 #include <string_view>
 #include <typed/painting_text.hpp>
@@ -29,17 +29,13 @@ struct Entry {
 
 /// The words between commas. Commas in brackets, as in rgb(255, 0, 0), belong to a word.
 std::vector<std::string> words_of_palette(const std::string& palette) {
-    std::vector<std::string> words(1);
-    int depth = 0;
-    for (const char c : palette) {
-        if (c == '(') ++depth;
-        if (c == ')' && depth > 0) --depth;
-        if (c == ',' && depth == 0)
-            words.emplace_back();
-        else
-            words.back() += c;
+    std::vector<std::string> words;
+    for (std::string_view rest = palette;;) {
+        const std::size_t end = base::find_outside(rest, ',');
+        words.emplace_back(rest.substr(0, end));
+        if (end == rest.size()) return words;
+        rest.remove_prefix(end + 1);
     }
-    return words;
 }
 
 std::vector<Entry> entries_of(const std::string& palette) {
@@ -157,7 +153,7 @@ class PaintingReader {
 
     [[nodiscard]] simulation::PaintByColours by_colours(const std::string& drawing) const {
         simulation::PaintByColours choice{.drawing = drawing, .palette = {}};
-        std::map<std::string, std::string> texts;  // the entry of each colour
+        std::vector<std::pair<std::string, std::string>> entries;  // each colour with its entry
         for (const Entry& entry : entries_of(text_.palette)) {
             if (entry.right.empty())
                 throw base::InputError(name("palette"), "",
@@ -165,14 +161,10 @@ class PaintingReader {
                                            "0-1+1-6,#00f=0-5+5-6");
             const std::string colour =
                 base::located(name("palette"), "", [&] { return outlines::parse_colour(entry.left); });
-            const std::string own = entry.left + "=" + entry.right;
-            const auto [known, is_new] = texts.emplace(colour, own);
-            if (!is_new)
-                throw base::InputError(name("palette"), "",
-                                       "'" + known->second + "' and '" + own + "' are for one colour, " +
-                                           colour + ": keep one of them");
+            entries.emplace_back(colour, entry.left + "=" + entry.right);
             choice.palette.emplace_back(colour, entry.right);
         }
+        simulation::check_colours(entries, name("palette"));
         return choice;
     }
 

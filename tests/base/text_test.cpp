@@ -39,6 +39,16 @@ TEST(Split, IsUndoneByJoin) {
     for (const std::string text : {"", "a", "a,b", ",a,,b,"}) EXPECT_EQ(join(split(text, ','), ","), text);
 }
 
+TEST(FindOutside, PassesOverQuotesAndBrackets) {
+    EXPECT_EQ(find_outside("a,b", ','), 1U);
+    EXPECT_EQ(find_outside("rgb(1,2)=x,y", ','), 10U);
+    EXPECT_EQ(find_outside("[x=',]'],y", ','), 8U);
+    EXPECT_EQ(find_outside("\"a,'\",b", ','), 5U);
+    EXPECT_EQ(find_outside("a),b", ','), 2U) << "a bracket that none has opened";
+    for (const std::string_view text : {"", "ab", "(a,b", "'a,b"})
+        EXPECT_EQ(find_outside(text, ','), text.size()) << text;
+}
+
 TEST(SplitLines, LeavesOutLineFeedsAndCarriageReturnsBeforeThem) {
     EXPECT_EQ(split_lines("a\r\n\r\nb\rc\n"), (std::vector<std::string>{"a", "", "b\rc", ""}));
     EXPECT_EQ(split_lines(""), std::vector<std::string>{""});

@@ -32,6 +32,10 @@ TEST(RegularPolygon, SideTHasItsMiddleAt270Plus360TOverSidesDegrees) {
 
 TEST(RegularPolygon, RefusesWhatIsNoPolygon) {
     EXPECT_THROW(regular_polygon(2, 1.0), base::InputError);
+    EXPECT_EQ(regular_polygon(kMostPolygonSides, 1.0).size(), static_cast<std::size_t>(kMostPolygonSides));
+    for (const int sides : {-1, kMostPolygonSides + 1, std::numeric_limits<int>::max()})
+        EXPECT_THROW(regular_polygon(sides, 1.0), base::InputError) << sides;
+    EXPECT_THROW(regular_polygon(6, 1e300), base::InputError);
     EXPECT_THROW(regular_polygon(6, 0.0), base::InputError);
     EXPECT_THROW(regular_polygon(6, -1.0), base::InputError);
     EXPECT_THROW(regular_polygon(6, std::numeric_limits<double>::quiet_NaN()), base::InputError);

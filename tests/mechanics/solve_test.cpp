@@ -6,6 +6,7 @@
 #include <fretwork/mechanics/decks/calculix_file.hpp>
 #include <fretwork/mechanics/frame/frame_file.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
+#include <fretwork/mechanics/modes.hpp>
 #include <fretwork/mechanics/solve.hpp>
 
 #include <gmock/gmock.h>
@@ -74,6 +75,12 @@ TEST(Solve, OptionsThatTheSolverWouldIgnoreAreRefused) {
     EXPECT_THAT(complaint({.rotational_mass = RotationalMass::Natural}), HasSubstr("dynamic-relaxation"));
     EXPECT_THAT(complaint({.solver = Solver::DynamicRelaxation, .threads = 2}), HasSubstr("one thread"));
     EXPECT_THAT(complaint({.steps = 0}), HasSubstr("steps is 0"));
+    for (const int modes : {-1, kMostModes + 1}) {
+        const std::string refused =
+            "the number of modes is " + std::to_string(modes) + ", where 0 to 1000 are possible";
+        EXPECT_EQ(complaint({.vibration_modes = modes}), refused);
+        EXPECT_EQ(complaint({.buckling_modes = modes}), refused);
+    }
     EXPECT_THROW(solve(assemble(sample::star()), {.estimate_error = true}), base::InputError);
     EXPECT_THROW(solve(assemble(sample::star()), {.lumped_gravity = true}), base::InputError);
 }

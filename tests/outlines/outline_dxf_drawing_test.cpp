@@ -215,6 +215,10 @@ TEST(DxfDrawing, CurvesTiltedInSpaceAreLeftOut) {
     expect_left_out(polyline_in_space({{0, 0, 0}, {10, 0, 0}, {10, 10, 5}, {0, 10, 0}}),
                     "1 POLYLINE that does not lie flat left out");  // in no plane
     expect_left_out("0 LINE 10 5 20 5 30 0 11 5 21 5 31 10", "1 LINE that does not lie flat left out");
+    const std::string ellipse = "0 ELLIPSE 10 100 20 0 30 5 11 40 21 0 31 ";
+    expect_left_out(ellipse + "30 40 0.5", "1 ELLIPSE that does not lie flat left out");
+    expect_left_out(ellipse + "-30 40 0.5 41 0 42 1 210 0 220 0 230 1",
+                    "1 ELLIPSE that does not lie flat left out");
 }
 
 TEST(DxfDrawing, ASlopeOfAThousandthIsNotFlat) {
@@ -244,6 +248,9 @@ TEST(DxfDrawing, CurvesAtAnyConstantHeightAreTaken) {
         lines_in_space({{0, 0, 5}, {100, 0, 5}, {100, 100, 5}, {0.5, 100, 5}, {0, 100, 5.001}, {0, 50, 5}}));
     EXPECT_NEAR(area(rounded), 1e4, kRound);
     EXPECT_THAT(rounded.remarks, IsEmpty());
+    const OutlineFile ellipse = read("0 ELLIPSE 10 0 20 0 30 5 11 4 21 0 31 1e-9 40 0.5");
+    EXPECT_NEAR(area(ellipse), 8 * kPi, kRound);
+    EXPECT_THAT(ellipse.remarks, IsEmpty());
 }
 
 TEST(DxfDrawing, CurvesInABlockLieFlatOrNotByTheirOwnHeights) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 namespace fretwork::pattern {
@@ -86,8 +87,10 @@ TEST(Fan, ABeamToTheRightRadialNodeEndsAtTheNextSectorsLeftOne) {
     }
 }
 
-TEST(Fan, HasAtLeastThreeSectors) {
-    EXPECT_THROW(paper7_fan("0-6", 2), base::InputError);
+TEST(Fan, HasFromThreeToTenThousandSectors) {
+    for (const int sides : {-1, 2, geometry::kMostPolygonSides + 1, std::numeric_limits<int>::max()})
+        EXPECT_THROW(paper7_fan("0-6", sides), base::InputError) << sides;
+    EXPECT_EQ(paper7_fan("0-6", geometry::kMostPolygonSides).edges.size(), 10'000U);
 }
 
 TEST(PlaceFan, CommutesWithAffineMaps) {

@@ -108,10 +108,27 @@ class Errors(unittest.TestCase):
         with self.assertRaisesRegex(fw.GeometryError, "point 1 of the boundary"):
             fw.make_outline([[0, 0], [1e308, 0], [1e308, 1e308]])
 
+    def test_a_line_load_between_places_that_are_no_numbers_is_refused(self):
+        case = support.tip()
+        for bad in (float("nan"), float("inf")):
+            ends = fw.NodesNearest([[0, 0], [bad, 0]])
+            case.loads = [fw.LoadCase.Load(ends, force=[0, 0, -1], amount="per-length")]
+            with self.assertRaisesRegex(fw.InputError, "/loads/0: point 1 is"):
+                fw.simulate(support.surface(), case)
+
     def test_too_many_modes_are_refused(self):
         for kind in ("vibration", "buckling"):
             with self.assertRaisesRegex(fw.InputError, "where 1 to 1000 are possible"):
                 fw.surface_modes(support.surface(), support.tip(), kind, 10**9)
+
+    def test_huge_counts_are_refused_at_once(self):
+        layout, scenario, huge = fw.paper_layout(), fw.paper_scenarios()[0], 2**31 - 1
+        star = fw.parse_pattern_id(layout, support.PATTERN)
+        for make in (lambda: fw.make_fan(layout, star, huge), lambda: fw.regular_polygon(huge, 1.0),
+                     lambda: fw.spread_over_sides(scenario, huge),
+                     lambda: fw.random_painting(2**60, [fw.WeightedPattern()], 1)):
+            with self.assertRaises(fw.InputError):
+                make()
 
     def test_no_outlines_have_no_size(self):
         with self.assertRaisesRegex(fw.InputError, "no outline"):

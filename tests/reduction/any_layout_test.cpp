@@ -13,6 +13,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace fretwork::reduction {
 namespace THIS_TEST {
 
@@ -82,6 +84,21 @@ TEST(SpreadScenario, HoldsAllNodesOfASideAlike) {
     for (std::size_t i = 0; i < spread.supports.size(); ++i) {
         EXPECT_EQ(spread.supports[i].interface_node / 3, axial.supports[i / 3].interface_node);
         EXPECT_EQ(spread.supports[i].fixed, axial.supports[i / 3].fixed);
+    }
+}
+
+TEST(SpreadScenario, RefusesCountsOfNoLayoutAndNodesOfNoPolygon) {
+    const Scenario& axial = paper_scenarios().front();
+    constexpr int kHuge = std::numeric_limits<int>::max();
+    for (const int nodes : {-1, 0, kMostNodesASide + 1, kHuge})
+        EXPECT_THROW((void)spread_over_sides(axial, nodes), base::InputError) << nodes;
+    for (const int node : {-1, kLargestInterfaceNode + 1, kHuge}) {
+        Scenario held = axial;
+        held.supports.front().interface_node = node;
+        EXPECT_THROW((void)spread_over_sides(held, 2), base::InputError) << node;
+        Scenario loaded = axial;
+        loaded.loads.front().interface_node = node;
+        EXPECT_THROW((void)spread_over_sides(loaded, 2), base::InputError) << node;
     }
 }
 

@@ -171,6 +171,11 @@ TEST(Simulate, AnUnknownModelAndZeroStepsAreRefused) {
                     simulate(surface, cantilever({0, 0, 1}), {.model = "full", .load_steps = 0});
                 }),
                 HasSubstr("the number of steps is 0"));
+    for (const int modes : {-1, 1001})
+        EXPECT_THAT(complaint_of([&] {
+                        simulate(surface, cantilever({0, 0, 1}), {.model = "full", .buckling_modes = modes});
+                    }),
+                    HasSubstr("the number of modes is " + std::to_string(modes) + ", where 0 to 1000"));
 }
 
 TEST(Simulate, OnlyTheNonlinearFullModelHasStepsAndADiscretizationError) {

@@ -220,7 +220,7 @@ TEST(Field, PlacesThatAreNoNumbersAreRefused) {
         EXPECT_THAT(complaint_of([&] {
                         (void)image_values(ramp, {bad, 0, 1, 1}, {{0.5, 0.5}});
                     }),
-                    HasSubstr("the box runs from (" + base::format_number(bad) + ", 0) to (1, 1)"));
+                    HasSubstr("the lower left corner of the box is (" + base::format_number(bad) + ", 0)"));
     }
 }
 

@@ -4,6 +4,7 @@
 #include <fretwork/tiling/painting/painting.hpp>
 
 #include <algorithm>
+#include <limits>
 
 namespace fretwork::tiling {
 namespace THIS_TEST {
@@ -75,6 +76,14 @@ TEST(Painting, ChanceFavoursNoPattern) {
 TEST(Painting, WithoutPatternsNothingCanBePainted) {
     Tessellation tessellation = blank(2);
     EXPECT_THAT(complaint_of([&] { paint_randomly(tessellation, {}, 1); }), HasSubstr("no pattern"));
+}
+
+TEST(Painting, ByChanceIsForATessellationsNumberOfTiles) {
+    const std::vector<WeightedPattern> patterns = {{{"a"}, 1.0}};
+    for (const std::size_t tiles : {kMostPaintedTiles + 1, std::numeric_limits<std::size_t>::max()})
+        EXPECT_THAT(complaint_of([&] { (void)random_painting(tiles, patterns, 1); }),
+                    HasSubstr("the number of tiles is " + std::to_string(tiles) +
+                              ", where 0 to 10000000 are possible"));
 }
 
 TEST(Painting, OnePatternPaintsAll) {

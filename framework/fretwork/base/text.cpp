@@ -82,6 +82,26 @@ std::vector<std::string> split(std::string_view text, char separator) {
     }
 }
 
+std::size_t find_outside(std::string_view text, char sign) {
+    int depth = 0;
+    char quote = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (quote != 0) {
+            if (c == quote) quote = 0;
+        } else if (c == sign && depth == 0) {
+            return i;
+        } else if (c == '"' || c == '\'') {
+            quote = c;
+        } else if (c == '(' || c == '[') {
+            ++depth;
+        } else if ((c == ')' || c == ']') && depth > 0) {
+            --depth;
+        }
+    }
+    return text.size();
+}
+
 std::vector<std::string> split_lines(std::string_view text) {
     std::vector<std::string> lines = split(text, '\n');
     for (std::string& line : lines)

@@ -25,6 +25,10 @@ std::string counted(std::size_t count, std::string_view noun);
 /// empty word.
 std::vector<std::string> split(std::string_view text, char separator);
 
+/// The position of a sign outside of quotes ("" or '') and brackets (() or []); the size of the text if there
+/// is none.
+std::size_t find_outside(std::string_view text, char sign);
+
 /// The lines of a text, split at line feeds; a carriage return at the end of a line is left out. After a line
 /// feed at the end of the text comes one more, empty line.
 std::vector<std::string> split_lines(std::string_view text);

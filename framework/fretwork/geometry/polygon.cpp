@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/limits.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/geometry/polygon.hpp>
 
@@ -21,12 +22,12 @@ Kernel::Point_2 kernel_point(const Point2& point) {
 }  // namespace
 
 Polygon regular_polygon(int sides, double side) {
-    if (sides < 3)
-        throw base::InputError("a polygon has at least 3 sides, and " + std::to_string(sides) +
-                               " were wanted");
-    if (!(side > 0.0) || !std::isfinite(side))
-        throw base::InputError("the side of a polygon is a positive length, and " +
-                               base::format_number(side) + " was wanted");
+    if (sides < 3 || sides > kMostPolygonSides)
+        throw base::InputError("a regular polygon has 3 to " + std::to_string(kMostPolygonSides) +
+                               " sides, and " + std::to_string(sides) + " were wanted");
+    if (!base::is_positive_within(side, base::kLengthLimits))
+        throw base::InputError("the side of a polygon is " + base::positive_range_text(base::kLengthLimits) +
+                               ", and " + base::format_number(side) + " was wanted");
     const double half_sector = std::numbers::pi / sides;
     const double radius = side / (2.0 * std::sin(half_sector));
     Polygon polygon;

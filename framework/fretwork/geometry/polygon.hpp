@@ -15,9 +15,13 @@ struct Point2 {
 /// A simple polygon: its vertices in counterclockwise order, each listed once.
 using Polygon = std::vector<Point2>;
 
+/// The largest number of sides of a regular polygon, and of sectors of a fan (pattern::make_fan()).
+inline constexpr int kMostPolygonSides = 10'000;
+
 /// The regular polygon around the origin. The middle of side t lies at angle 270 + 360 t / sides degrees, so
 /// vertex t lies at angle 270 + 360 (t - 1/2) / sides degrees. `side` is the side length in metres. Throws
-/// InputError unless sides >= 3 and side is above 0 and finite.
+/// InputError unless there are 3 to kMostPolygonSides sides, and `side` is a positive length within
+/// base::kLengthLimits.
 Polygon regular_polygon(int sides, double side);
 
 /// The signed area, m^2: positive for a counterclockwise polygon.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/mechanics/internal/mode_count.hpp>
 #include <fretwork/mechanics/modes.hpp>
 #include <fretwork/mechanics/nonlinear/nonlinear_system.hpp>
 #include <fretwork/mechanics/structure/constraints.hpp>
@@ -48,12 +49,6 @@ Mode make_mode(const nonlinear::NonlinearSystem& system, double value, const Vec
                  ? move
                  : turn;
     return {value, table.topRows(reported), table.bottomRows(table.rows() - reported)};
-}
-
-void check_count(int count) {
-    if (count < 1 || count > kMostModes)
-        throw base::InputError("the number of modes is " + std::to_string(count) + ", where 1 to " +
-                               std::to_string(kMostModes) + " are possible");
 }
 
 std::vector<double> mass_values(const nonlinear::NonlinearSystem& system, const base::Control& control) {
@@ -118,7 +113,7 @@ std::vector<double> softening(const nonlinear::NonlinearSystem& system, const No
 }  // namespace
 
 std::vector<Mode> vibration_modes(const Assembly& assembly, int count, const ModeOptions& options) {
-    check_count(count);
+    check_mode_count(count, 1);
     nonlinear::NonlinearSystem system(assembly, 1, options.control);
     system.evaluate(system.unknowns().rest(), 0.0);
     std::vector<double> masses = mass_values(system, options.control);
@@ -136,7 +131,7 @@ std::vector<Mode> vibration_modes(const Assembly& assembly, int count, const Mod
 }
 
 std::vector<Mode> buckling_modes(const Assembly& assembly, int count, const ModeOptions& options) {
-    check_count(count);
+    check_mode_count(count, 1);
     nonlinear::NonlinearSystem system(assembly, 1, options.control);
     system.evaluate(system.unknowns().rest(), 0.0);
     sparse::Ldlt factors = factorize_at_rest(system, options.control);

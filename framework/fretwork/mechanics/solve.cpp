@@ -5,6 +5,7 @@
 #include <fretwork/base/stopwatch.hpp>
 #include <fretwork/mechanics/decks/calculix_file.hpp>
 #include <fretwork/mechanics/frame/frame_file.hpp>
+#include <fretwork/mechanics/internal/mode_count.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/modes.hpp>
 #include <fretwork/mechanics/solve.hpp>
@@ -147,10 +148,7 @@ void SolveOptions::validate() const {
             "steps is " + std::to_string(steps.value_or(1)) + ", and must be above zero");
     require(threads.value_or(0) >= 0,
             "threads is " + std::to_string(threads.value_or(0)) + ", and must not be negative");
-    for (const int modes : {vibration_modes, buckling_modes})
-        require(modes >= 0 && modes <= kMostModes, "the number of modes is " + std::to_string(modes) +
-                                                       ", where 0 to " + std::to_string(kMostModes) +
-                                                       " are possible");
+    for (const int modes : {vibration_modes, buckling_modes}) check_mode_count(modes, 0);
 }
 
 LabelledFrame read_structure(const std::filesystem::path& path) {

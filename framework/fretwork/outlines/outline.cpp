@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/file.hpp>
-#include <fretwork/base/limits.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/geometry/box.hpp>
+#include <fretwork/geometry/internal/place_limits.hpp>
 #include <fretwork/outlines/detail/outline_readers.hpp>
 #include <fretwork/outlines/detail/remarks.hpp>
 #include <fretwork/outlines/outline.hpp>
@@ -32,13 +32,11 @@ void orient(Polygon& polygon, Orientation wanted) {
 void check_sizes(const std::vector<Polygon>& loops) {
     for (std::size_t loop = 0; loop < loops.size(); ++loop) {
         for (std::size_t i = 0; i < loops[loop].size(); ++i) {
-            const auto [x, y] = loops[loop][i];
-            if (base::is_within(x, base::kLengthLimits) && base::is_within(y, base::kLengthLimits)) continue;
-            throw base::GeometryError("point " + std::to_string(i) + " of " +
-                                      (loop == 0 ? "the boundary" : "hole " + std::to_string(loop - 1)) +
-                                      " is (" + base::format_number(x) + ", " + base::format_number(y) +
-                                      "), where each coordinate must be " +
-                                      base::range_text(base::kLengthLimits) + "; is the unit right?");
+            const Point2& place = loops[loop][i];
+            if (geometry::is_within_limits(place)) continue;
+            const std::string name = "point " + std::to_string(i) + " of " +
+                                     (loop == 0 ? "the boundary" : "hole " + std::to_string(loop - 1));
+            throw base::GeometryError(geometry::beyond_limits_text(name, place) + "; is the unit right?");
         }
     }
 }

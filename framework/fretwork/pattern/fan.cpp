@@ -91,8 +91,9 @@ geometry::Point2 barycentric_point(const std::array<Rational, 3>& place,
 }  // namespace
 
 Fan make_fan(const NodeLayout& layout, const Pattern& pattern, int sides) {
-    if (sides < 3)
-        throw base::InputError("a fan has at least 3 sectors, and " + std::to_string(sides) + " were wanted");
+    if (sides < 3 || sides > geometry::kMostPolygonSides)
+        throw base::InputError("a fan has 3 to " + std::to_string(geometry::kMostPolygonSides) +
+                               " sectors, and " + std::to_string(sides) + " were wanted");
     FanBuilder builder(layout, sides);
     builder.add_inner_nodes(pattern);
     builder.add_edges(pattern);

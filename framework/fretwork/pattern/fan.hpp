@@ -38,7 +38,8 @@ struct Fan {
 /// the regular hexagon, as in the paper.
 inline constexpr int kReferenceSides = 6;
 
-/// Repeat a pattern around a polygon of `sides` sides. Throws InputError unless sides >= 3.
+/// Repeat a pattern around a polygon of `sides` sides. Throws InputError unless there are 3 to
+/// geometry::kMostPolygonSides sides.
 Fan make_fan(const NodeLayout& layout, const Pattern& pattern, int sides);
 
 /// The positions (m) of the nodes of a fan in a convex polygon. Sector t is the triangle of the polygon's

@@ -3,7 +3,7 @@
 #include <fretwork/base/named.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/mechanics/modes.hpp>
+#include <fretwork/mechanics/internal/mode_count.hpp>
 #include <fretwork/simulation/simulation_options.hpp>
 
 #include <algorithm>
@@ -107,11 +107,7 @@ void SimulationOptions::validate(const Surface& surface) const {
     if (estimate_error && !nonlinear)
         throw base::InputError(
             "the discretization error is estimated for nonlinear models made of beams only");
-    for (const int modes : {vibration_modes, buckling_modes}) {
-        if (modes < 0 || modes > mechanics::kMostModes)
-            throw base::InputError("the number of modes is " + std::to_string(modes) + ", where 0 to " +
-                                   std::to_string(mechanics::kMostModes) + " are possible");
-    }
+    for (const int modes : {vibration_modes, buckling_modes}) mechanics::check_mode_count(modes, 0);
     if (load_steps > 1 && !nonlinear)
         throw base::InputError("the number of steps is " + std::to_string(load_steps) +
                                ", where a linear solution has no path to divide");

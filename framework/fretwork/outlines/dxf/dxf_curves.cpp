@@ -139,12 +139,16 @@ DxfDrawn draw_heavy_polyline(const DxfFile& file, std::span<const DxfEntity> fro
     return draw_polyline(file, from.front(), heavy_vertices(file, from), how);
 }
 
-/// A coordinate of all points of a curve whose points each have their own z; nothing for other entities.
-/// `code`: 10 for x, 20 for y, 30 for z.
+/// A coordinate of all points of a curve whose points each have their own z; for an ellipse, of the ends of
+/// its longer axis, relative to the center; nothing for other entities. `code`: 10 for x, 20 for y, 30 for z.
 std::vector<double> coordinates_in_space(const DxfFile& file, std::span<const DxfEntity> from, int code) {
     constexpr long kPolylineInSpace = 8;
     const DxfEntity& entity = from.front();
     if (entity.name == "LINE") return {file.value_or(entity, code, 0), file.value_or(entity, code + 1, 0)};
+    if (entity.name == "ELLIPSE") {
+        const double end = file.value_or(entity, code + 1, 0);
+        return {-end, end};
+    }
     std::vector<double> found;
     if (entity.name == "SPLINE")
         for (const DxfGroup& group : entity.groups)

@@ -23,27 +23,6 @@ std::string without_comments(std::string_view text) {
     return kept;
 }
 
-/// The position of a sign outside of quotes and brackets; the end of the text if there is none.
-std::size_t find_outside(std::string_view text, char sign) {
-    int depth = 0;
-    char quote = 0;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (quote != 0) {
-            if (c == quote) quote = 0;
-        } else if (c == sign && depth == 0) {
-            return i;
-        } else if (c == '"' || c == '\'') {
-            quote = c;
-        } else if (c == '(' || c == '[') {
-            ++depth;
-        } else if ((c == ')' || c == ']') && depth > 0) {
-            --depth;
-        }
-    }
-    return text.size();
-}
-
 /// The position after the closing brace of a block that begins with a brace.
 std::size_t end_of_block(std::string_view text) {
     int depth = 0;
@@ -92,7 +71,7 @@ std::vector<CssDeclaration> parse_css_declarations(std::string_view text) {
     const std::string plain = without_comments(text);
     std::vector<CssDeclaration> declarations;
     for (std::string_view rest = plain; !rest.empty();) {
-        const std::size_t end = find_outside(rest, ';');
+        const std::size_t end = base::find_outside(rest, ';');
         const std::string_view one = rest.substr(0, end);
         const std::size_t colon = one.find(':');
         if (colon != std::string_view::npos)
@@ -134,7 +113,7 @@ void CssRules::add(std::string_view text) {
 void CssRules::add_rule(std::string_view selectors, std::string_view block) {
     blocks_.push_back(parse_css_declarations(block));
     while (!selectors.empty()) {
-        const std::size_t end = find_outside(selectors, ',');
+        const std::size_t end = base::find_outside(selectors, ',');
         if (auto selector = parse_css_selector(selectors.substr(0, end))) {
             rules_by_key_[key_of(*selector)].push_back(rules_.size());
             rules_.push_back({std::move(*selector), blocks_.size() - 1});

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/mechanics/internal/node_json.hpp>
 #include <fretwork/reduction/detail/embedded_scenarios.hpp>
@@ -12,9 +13,6 @@ namespace {
 
 using base::Json;
 using base::JsonReader;
-
-/// The largest number of an interface node, more than any polygon of a setting has.
-constexpr int kLargestInterfaceNode = 999;
 
 int read_interface_node(const JsonReader& json) {
     return static_cast<int>(json.at("interface_node").integer(0, kLargestInterfaceNode));
@@ -66,6 +64,9 @@ Json load_json(const Scenario::Load& load) {
 /// Append a copy of `part` for each node of its side.
 template <class Part>
 void add_for_side(std::vector<Part>& parts, const Part& part, int nodes_a_side) {
+    if (part.interface_node < 0 || part.interface_node > kLargestInterfaceNode)
+        throw base::InputError("there is no interface node " + std::to_string(part.interface_node) +
+                               " in a scenario; they run from 0 to " + std::to_string(kLargestInterfaceNode));
     for (int node = 0; node < nodes_a_side; ++node) {
         parts.push_back(part);
         parts.back().interface_node = part.interface_node * nodes_a_side + node;
@@ -124,6 +125,10 @@ const std::vector<Scenario>& paper_scenarios() {
 }
 
 Scenario spread_over_sides(const Scenario& scenario, int nodes_a_side) {
+    if (nodes_a_side < 1 || nodes_a_side > kMostNodesASide)
+        throw base::InputError("the number of interface nodes on each side is " +
+                               std::to_string(nodes_a_side) + ", where 1 to " +
+                               std::to_string(kMostNodesASide) + " are possible");
     Scenario spread = scenario;
     spread.supports.clear();
     spread.loads.clear();

@@ -39,10 +39,16 @@ struct Scenario {
 /// (experiments/scenarios/*.json).
 const std::vector<Scenario>& paper_scenarios();
 
+/// The largest number of an interface node of a scenario, more than any polygon of a setting has.
+inline constexpr int kLargestInterfaceNode = 999;
+/// The largest number of interface nodes on each side of a tile, more than any layout has.
+inline constexpr int kMostNodesASide = 1000;
+
 /// The scenario for a tile with several interface nodes on each side. All nodes of side i have the supports
 /// of interface node i of the given scenario, and share the force and moment of that node equally. Nodes lie
 /// symmetrically about the middle of their side, so the resultants of a side stay the same. The paper has one
-/// node on each side.
+/// node on each side. Throws InputError unless there are 1 to kMostNodesASide nodes on each side, and the
+/// interface nodes of the given scenario have numbers from 0 to kLargestInterfaceNode.
 Scenario spread_over_sides(const Scenario& scenario, int nodes_a_side);
 
 /// Read a scenario from JSON text; `source` names the text in messages. Throws InputError.

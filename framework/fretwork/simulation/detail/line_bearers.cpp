@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/geometry/internal/place_limits.hpp>
 #include <fretwork/geometry/plane.hpp>
 #include <fretwork/simulation/detail/line_bearers.hpp>
+#include <fretwork/simulation/load_cases/detail/side_strip.hpp>
 #include <fretwork/tiling/tessellation.hpp>
 
 #include <algorithm>
@@ -38,21 +40,6 @@ void add(const RimSide& side, double length, std::vector<LineBearer>& bearers) {
         bearers.push_back({node, length / static_cast<double>(side.nodes.size())});
 }
 
-/// The direction in which the surface ends at a side of its bounding box.
-Point2 outward(Side side) {
-    switch (side) {
-        case Side::Left:
-            return {-1.0, 0.0};
-        case Side::Right:
-            return {1.0, 0.0};
-        case Side::Bottom:
-            return {0.0, -1.0};
-        case Side::Top:
-            break;
-    }
-    return {0.0, 1.0};
-}
-
 /// The length of a rim side along a side of the bounding box; negative or zero if the surface does not end in
 /// that direction there, as at a corner's other side. The surface lies to the left of a rim side.
 double length_along(const RimSide& rim, Side side) {
@@ -62,12 +49,13 @@ double length_along(const RimSide& rim, Side side) {
 /// The bearers on rim sides that face one side of the bounding box, with all of their nodes along it.
 std::vector<LineBearer> along_side(Side side, const Tessellation& tessellation) {
     constexpr double kLeastShare = 1e-9;  // of a rim side's length: less is rounding
-    const auto picked = select_nodes(NodesAtSide{side}, tessellation);
+    const SideStrip strip(side, tessellation);
     std::vector<LineBearer> bearers;
     for (const auto& loop : rim_of(tessellation)) {
         for (const RimSide& own : loop) {
-            const bool is_near = std::ranges::all_of(
-                own.nodes, [&](InterfaceIndex node) { return std::ranges::binary_search(picked, node); });
+            const bool is_near = std::ranges::all_of(own.nodes, [&](InterfaceIndex node) {
+                return strip.contains(tessellation.interface_nodes[node]);
+            });
             const double length = length_along(own, side);
             if (is_near && length > kLeastShare * own.length()) add(own, length, bearers);
         }
@@ -109,6 +97,10 @@ double length_of(const std::vector<RimSide>& loop) {
 }
 
 std::vector<LineBearer> between(const std::array<Point2, 2>& ends, const Tessellation& tessellation) {
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        if (!geometry::is_within_limits(ends[i]))
+            throw base::InputError(geometry::beyond_limits_text("point " + std::to_string(i), ends[i]));
+    }
     const auto rim = rim_of(tessellation);
     RimPlace from = nearest_place(rim, ends[0]);
     RimPlace to = nearest_place(rim, ends[1]);

@@ -14,8 +14,9 @@ struct LineBearer {
 };
 
 /// The nodes that bear a line load (Amount::PerLength), with their lengths. Throws InputError if
-/// the selection is neither a side nor two points, if no side of a tile lies along the side, or if both
-/// points are nearest to the same place of the rim or to different closed lines of it.
+/// the selection is neither a side nor two points, if no side of a tile lies along the side, if a point is
+/// beyond the limits of lengths or not a number, or if both points are nearest to the same place of the rim
+/// or to different closed lines of it.
 std::vector<LineBearer> line_bearers(const Selection& where, const tiling::Tessellation& tessellation);
 
 }  // namespace fretwork::simulation::detail

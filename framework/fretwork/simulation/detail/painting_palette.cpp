@@ -4,6 +4,7 @@
 #include <fretwork/pattern/pattern.hpp>
 #include <fretwork/reduction/effective_properties.hpp>
 #include <fretwork/simulation/detail/painting_palette.hpp>
+#include <fretwork/simulation/internal/colour_entries.hpp>
 #include <fretwork/tiling/painting/painting.hpp>
 
 #include <algorithm>
@@ -99,15 +100,13 @@ std::vector<tiling::GradedPattern> graded_palette(const PaintByField& choice, co
 
 std::vector<std::pair<std::string, NamedPattern>> coloured_palette(const PaintByColours& choice,
                                                                    const PaintingGround& ground) {
+    std::vector<std::pair<std::string, std::string>> entries;
     std::vector<std::pair<std::string, NamedPattern>> palette;
     for (const auto& [colour, id] : choice.palette) {
-        const auto known = std::ranges::find(palette, colour, &std::pair<std::string, NamedPattern>::first);
-        if (known != palette.end())
-            throw base::InputError(kPaletteEntry, "",
-                                   "has the colour " + colour + " twice, for the patterns " +
-                                       known->second.id + " and " + id + ": keep one of them");
+        entries.emplace_back(colour, colour + "=" + id);
         palette.emplace_back(colour, checked_palette(kPaletteEntry, ground.layout, {id}).front());
     }
+    check_colours(entries, kPaletteEntry);
     return palette;
 }
 

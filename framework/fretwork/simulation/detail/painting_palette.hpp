@@ -23,7 +23,7 @@ std::vector<tiling::WeightedPattern> weighted_palette(const PaintAtRandom& choic
 /// The patterns of the palette with their values: the property or, without one, the middles of equal parts of
 /// 0 to 1. With dithering, these values reach from 0 to 1.
 std::vector<tiling::GradedPattern> graded_palette(const PaintByField& choice, const PaintingGround& ground);
-/// Colours as "#rrggbb", each with a pattern. Throws InputError that names a colour that is listed twice.
+/// Colours as "#rrggbb", each with a pattern. Throws InputError if a colour is listed twice.
 std::vector<std::pair<std::string, pattern::NamedPattern>> coloured_palette(const PaintByColours& choice,
                                                                             const PaintingGround& ground);
 

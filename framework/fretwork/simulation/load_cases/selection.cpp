@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/limits.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/geometry/internal/place_limits.hpp>
 #include <fretwork/geometry/plane.hpp>
+#include <fretwork/simulation/load_cases/detail/side_strip.hpp>
 #include <fretwork/simulation/load_cases/selection.hpp>
 
 #include <algorithm>
@@ -12,21 +13,10 @@
 namespace fretwork::simulation {
 namespace {
 
+using geometry::exact_place_text;
 using geometry::Point2;
 using tiling::InterfaceIndex;
 using tiling::Tessellation;
-
-std::string exact_place_text(const Point2& point) {
-    return "(" + base::format_number(point.x) + ", " + base::format_number(point.y) + ")";
-}
-
-/// Refuse a point to which no node is nearest.
-void check_point(std::size_t number, const Point2& point) {
-    if (base::is_within(point.x, base::kLengthLimits) && base::is_within(point.y, base::kLengthLimits))
-        return;
-    throw base::InputError("point " + std::to_string(number) + " is " + exact_place_text(point) +
-                           ", where each coordinate must be " + base::range_text(base::kLengthLimits));
-}
 
 std::vector<InterfaceIndex> nodes_where(const Tessellation& tessellation, const auto& condition) {
     std::vector<InterfaceIndex> picked;
@@ -45,22 +35,6 @@ std::vector<bool> rim_nodes(const Tessellation& tessellation) {
     std::vector<bool> on_rim(uses.size());
     std::transform(uses.begin(), uses.end(), on_rim.begin(), [](int count) { return count == 1; });
     return on_rim;
-}
-
-/// The height of a point if `side` is below. Its distance from that side of the bounding box is its height
-/// above the lowest point.
-double height(const Point2& point, Side side) {
-    switch (side) {
-        case Side::Left:
-            return point.x;
-        case Side::Right:
-            return -point.x;
-        case Side::Bottom:
-            return point.y;
-        case Side::Top:
-            return -point.y;
-    }
-    return 0.0;
 }
 
 class Picker {
@@ -112,7 +86,8 @@ class Picker {
         std::vector<InterfaceIndex> picked;
         for (std::size_t i = 0; i < selection.points.size(); ++i) {
             const Point2& point = selection.points[i];
-            check_point(i, point);
+            if (!geometry::is_within_limits(point))
+                throw base::InputError(geometry::beyond_limits_text("point " + std::to_string(i), point));
             const auto nearer = [&](const Point2& a, const Point2& b) {
                 return std::hypot(a.x - point.x, a.y - point.y) < std::hypot(b.x - point.x, b.y - point.y);
             };
@@ -123,13 +98,20 @@ class Picker {
     }
 
     std::vector<InterfaceIndex> operator()(const NodesAtSide& selection) const {
-        double lowest = std::numeric_limits<double>::infinity();
-        for (const Point2& node : tessellation_.interface_nodes)
-            lowest = std::min(lowest, height(node, selection.side));
-        const double strip = tiling::mean_tile_side(tessellation_);
+        constexpr double kRounding = 1e-9;  // of a tile side: a node in the middle belongs to both sides
+        const detail::SideStrip strip(selection.side, tessellation_);
         const std::vector<bool> on_rim = rim_nodes(tessellation_);
+        const auto place = [&](std::size_t i) { return tessellation_.interface_nodes[i]; };
+        double low = std::numeric_limits<double>::infinity();
+        double high = -low;
+        for (std::size_t i = 0; i < on_rim.size(); ++i) {
+            if (!on_rim[i]) continue;
+            low = std::min(low, strip.height(place(i)));
+            high = std::max(high, strip.height(place(i)));
+        }
+        const double middle = 0.5 * (low + high) + kRounding * strip.width();
         return nodes_where(tessellation_, [&](std::size_t i) {
-            return on_rim[i] && height(tessellation_.interface_nodes[i], selection.side) <= lowest + strip;
+            return on_rim[i] && strip.contains(place(i)) && strip.height(place(i)) <= middle;
         });
     }
 

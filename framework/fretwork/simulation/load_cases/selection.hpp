@@ -39,7 +39,8 @@ struct NodesNearest {
     friend bool operator==(const NodesNearest&, const NodesNearest&) = default;
 };
 /// The interface nodes on the rim whose distance from a side of the bounding box is at most one mean tile
-/// side.
+/// side. On a surface that is narrower than two tile sides, a node belongs to the nearer one of two opposite
+/// sides, and to both if it lies in the middle between the outermost nodes of the rim.
 struct NodesAtSide {
     Side side = Side::Left;  ///< side of the bounding box of the interface nodes
     friend bool operator==(const NodesAtSide&, const NodesAtSide&) = default;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/file.hpp>
-#include <fretwork/base/limits.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/geometry/internal/place_limits.hpp>
 #include <fretwork/tiling/painting/field.hpp>
 
 #include <algorithm>
@@ -26,21 +26,13 @@ Point2 share_at(const geometry::Box& box, Point2 point) {
 
 /// Refuse coordinates from which no pixel follows.
 void check_places(const geometry::Box& box, const std::vector<Point2>& points) {
-    const auto is_place = [](Point2 point) {
-        return base::is_within(point.x, base::kLengthLimits) && base::is_within(point.y, base::kLengthLimits);
+    const auto check = [](const std::string& name, Point2 place) {
+        if (!geometry::is_within_limits(place))
+            throw base::InputError(geometry::beyond_limits_text(name, place));
     };
-    const auto text = [](Point2 point) {
-        return "(" + base::format_number(point.x) + ", " + base::format_number(point.y) + ")";
-    };
-    const std::string needed = ", where each coordinate must be " + base::range_text(base::kLengthLimits);
-    const Point2 low{box.xmin, box.ymin};
-    const Point2 high{box.xmax, box.ymax};
-    if (!is_place(low) || !is_place(high))
-        throw base::InputError("the box runs from " + text(low) + " to " + text(high) + needed);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (!is_place(points[i]))
-            throw base::InputError("point " + std::to_string(i) + " is " + text(points[i]) + needed);
-    }
+    check("the lower left corner of the box", {box.xmin, box.ymin});
+    check("the upper right corner of the box", {box.xmax, box.ymax});
+    for (std::size_t i = 0; i < points.size(); ++i) check("point " + std::to_string(i), points[i]);
 }
 
 struct GreyImage {

@@ -139,6 +139,9 @@ void paint(Tessellation& tessellation, const Painting& painting) {
 
 Painting random_painting(std::size_t tiles, std::span<const WeightedPattern> patterns, std::uint64_t seed) {
     if (patterns.empty()) throw base::InputError("there is no pattern to paint with");
+    if (tiles > kMostPaintedTiles)
+        throw base::InputError("the number of tiles is " + std::to_string(tiles) + ", where 0 to " +
+                               std::to_string(kMostPaintedTiles) + " are possible");
     Painting painting;
     std::vector<double> shares;  // sum of the weights up to and including each pattern
     for (const WeightedPattern& choice : patterns) {

@@ -63,8 +63,12 @@ struct WeightedPattern {
     double weight = 1.0;
 };
 
+/// The largest number of tiles of a random painting, a hundred times that of a tessellation of an outline.
+inline constexpr std::size_t kMostPaintedTiles = 10'000'000;
+
 /// A random painting for `tiles` tiles. The same seed gives the same painting on every machine. Throws
-/// InputError if there are no patterns or a weight is not a finite number above zero.
+/// InputError if there are no patterns, if a weight is not a finite number above zero, or if there are more
+/// than kMostPaintedTiles tiles.
 Painting random_painting(std::size_t tiles, std::span<const WeightedPattern> patterns, std::uint64_t seed);
 
 /// Paint the listed tiles with the patterns of the painting: tile k of the list as entry k of its tiles. All

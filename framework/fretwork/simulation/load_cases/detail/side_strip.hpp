@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/geometry/plane.hpp>
+#include <fretwork/simulation/load_cases/selection.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace fretwork::simulation::detail {
+
+/// The direction in which the surface ends at a side of its bounding box.
+inline geometry::Point2 outward(Side side) {
+    switch (side) {
+        case Side::Left:
+            return {-1.0, 0.0};
+        case Side::Right:
+            return {1.0, 0.0};
+        case Side::Bottom:
+            return {0.0, -1.0};
+        case Side::Top:
+            break;
+    }
+    return {0.0, 1.0};
+}
+
+/// The strip along a side of the bounding box of the interface nodes, one mean tile side wide.
+class SideStrip {
+  public:
+    SideStrip(Side side, const tiling::Tessellation& tessellation)
+        : outward_(outward(side)), width_(tiling::mean_tile_side(tessellation)) {
+        for (const geometry::Point2& node : tessellation.interface_nodes)
+            lowest_ = std::min(lowest_, height(node));
+    }
+    /// The width of the strip, m.
+    [[nodiscard]] double width() const { return width_; }
+    /// The height of a place if the side is below, m.
+    [[nodiscard]] double height(geometry::Point2 place) const { return -geometry::dot(outward_, place); }
+    /// True if the strip contains a place.
+    [[nodiscard]] bool contains(geometry::Point2 place) const { return height(place) <= lowest_ + width_; }
+
+  private:
+    geometry::Point2 outward_;
+    double width_;
+    double lowest_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace fretwork::simulation::detail
