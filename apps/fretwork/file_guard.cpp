@@ -217,4 +217,13 @@ void check_files(const Program& program) {
     }
 }
 
+void check_files_beside(const CLI::App& verb, const std::vector<fs::path>& made) {
+    const CLI::App* root = &verb;
+    while (root->get_parent() != nullptr) root = root->get_parent();
+    const std::vector<NamedFile> files = named_files(dynamic_cast<const Program&>(*root));
+    for (const fs::path& path : made) {
+        for (const NamedFile& file : files) check_pair({path, FileRole::Output, {}}, file);
+    }
+}
+
 }  // namespace fretwork::app

@@ -4,6 +4,7 @@
 #include "options/file_options.hpp"
 #include "verbs.hpp"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -32,5 +33,9 @@ const CLI::App& find_verb(const CLI::App& app, const std::string& wanted);
 /// existing file is replaced only if it is empty or has the same kind of content. Throws InputError that
 /// names the file.
 void check_files(const Program& program);
+/// Refuse files that a verb makes beside a named one, such as the steps of a series, if an option of the
+/// command line names one of them, too. Throws InputError that names the file. Pre: the verb belongs to a
+/// Program.
+void check_files_beside(const CLI::App& verb, const std::vector<std::filesystem::path>& made);
 
 }  // namespace fretwork::app

@@ -2,6 +2,7 @@
 #include "support.hpp"
 
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <fcntl.h>
@@ -13,6 +14,7 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <thread>
+#include <unistd.h>
 #include <vector>
 
 namespace fretwork::base {
@@ -49,6 +51,36 @@ TEST(File, ReplacingKeepsPermissionsAndLeavesNothingBeside) {
     EXPECT_EQ(std::filesystem::status(path).permissions(),
               std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
     EXPECT_EQ(entries(folder.path()), 1U);
+}
+
+/// Only root may give files away: without root, the owner is one's own before and after.
+TEST(File, ReplacingKeepsTheOwnerAndTheGroup) {
+    const TemporaryFolder folder;
+    const auto status_of = [](const std::filesystem::path& path) {
+        struct stat status {};
+        EXPECT_EQ(::stat(path.c_str(), &status), 0);
+        return status;
+    };
+    constexpr uid_t kOther = 65534;
+    for (const char* name : {"alone", "batch"}) {
+        const auto path = folder.file(name, "old");
+        const int given = ::chown(path.c_str(), kOther, kOther);
+        EXPECT_TRUE(given == 0 || ::getuid() != 0 || errno == EINVAL || errno == EPERM);
+        ASSERT_EQ(::chmod(path.c_str(), 0640), 0);
+    }
+    const auto alone = status_of(folder.path() / "alone");
+    const auto batch = status_of(folder.path() / "batch");
+    write_file_atomically(folder.path() / "alone", "new");
+    FolderBatch files(folder.path());
+    files.add("batch", "new");
+    files.commit();
+    EXPECT_EQ(read_text_file(folder.path() / "alone"), "new");
+    EXPECT_EQ(read_text_file(folder.path() / "batch"), "new");
+    EXPECT_EQ(status_of(folder.path() / "alone").st_uid, alone.st_uid);
+    EXPECT_EQ(status_of(folder.path() / "alone").st_gid, alone.st_gid);
+    EXPECT_EQ(status_of(folder.path() / "alone").st_mode & 0777U, 0640U);
+    EXPECT_EQ(status_of(folder.path() / "batch").st_uid, batch.st_uid);
+    EXPECT_EQ(status_of(folder.path() / "batch").st_gid, batch.st_gid);
 }
 
 /// A race: without a lock, this fails often, but not always.

@@ -258,6 +258,26 @@ TEST_F(ResultTools, LoadStepsAreASeriesForParaviewInFilesOfTheirOwn) {
     EXPECT_THAT(refused.err, StartsWith("fretwork: st-2.vtu: is there, and not made by fretwork"));
 }
 
+TEST_F(ResultTools, AStepOfASeriesIsNoOtherFileOfTheCommand) {
+    const std::string series = "fretwork simulate p.json --steps 2 --series x.pvd ";
+    const auto refuse = [&](const std::string& command, const std::string& complaint) {
+        const Outcome refused = run(command);
+        EXPECT_EQ(refused.exit_code, 2) << command;
+        EXPECT_THAT(refused.err, StartsWith("fretwork: " + complaint)) << command;
+        EXPECT_FALSE(std::filesystem::exists(folder_.path() / "x.pvd")) << command;
+    };
+    const std::string twice = "is named for two outputs of this command";
+    refuse(series + "--out x.json --vtu x-1.vtu", "x-1.vtu: " + twice);
+    refuse(series + "--out x.json --vtu ./x-2.vtu", "./x-2.vtu: " + twice);
+    std::filesystem::create_symlink("x-2.vtu", folder_.path() / "link.vtu");
+    refuse(series + "--out x.json --vtu link.vtu", "link.vtu: " + twice);
+    folder_.file("x-1.vtu", R"({"format": "fretwork/load-case/1"})");
+    refuse(series + "--out x.json --case ./x-1.vtu", "x-1.vtu: is read by this command, and would be");
+    std::filesystem::remove(folder_.path() / "x-1.vtu");
+    EXPECT_EQ(run(series + "--out x.json --vtu x-3.vtu").exit_code, 0) << "the series has two steps";
+    EXPECT_TRUE(std::filesystem::exists(folder_.path() / "x-3.vtu"));
+}
+
 TEST_F(ResultTools, SlipsOfUnitsAndNamesAreRefusedWithWhatIsMeant) {
     const std::string tile = "fretwork tile experiments/outlines/specimen.svg --out q.json --edge-length ";
     EXPECT_THAT(run(tile + "26").err, HasSubstr("did you mean 26mm?"));

@@ -2,6 +2,7 @@
 #include "support.hpp"
 #include "trials_of.hpp"
 
+#include <fretwork/design/checks/designed_project.hpp>
 #include <fretwork/design/search/free_section.hpp>
 #include <fretwork/mechanics/frame/section.hpp>
 
@@ -70,6 +71,30 @@ TEST(FreeSection, RefusesOtherSections) {
     odd.J = mechanics::rectangle_section(mechanics::rectangle_width(odd), mechanics::rectangle_height(odd)).J;
     EXPECT_THAT(complaint_of([&] { require_rectangle(odd); }), HasSubstr("no rectangle"));
     require_rectangle(mechanics::rectangle_section(0.002, 0.003));
+}
+
+/// The search may leave the bars as they are.
+TEST(FreeSection, OnlyOtherBarsPartTheProjectFromItsLibrary) {
+    simulation::Project project = test::cantilever_project(2, 2, 0.02);
+    project.library_path = "bars.db";
+    const Trials trials = test::trials_of(project, test::bent(1.0), kSection);
+    const auto designed = [&](const Eigen::VectorXd& unknowns) {
+        Point point = trials.uniform(0);
+        point.unknowns = unknowns;
+        DesignReport report;
+        report.project = project;
+        write_point(trials, point, {project.load_cases.front().name}, report);
+        return report;
+    };
+    const DesignReport same = designed(trials.initial_unknowns());
+    EXPECT_EQ(same.project.library_path, "bars.db");
+    EXPECT_TRUE(same.warnings.empty());
+    EXPECT_EQ(same.project.setting->section, project.setting->section);
+    EXPECT_NEAR(same.width.value(), 0.002, 1e-12);
+    const DesignReport wider = designed(1.001 * trials.initial_unknowns());
+    EXPECT_TRUE(wider.project.library_path.empty());
+    EXPECT_EQ(wider.warnings.size(), 1U);
+    EXPECT_NEAR(mechanics::rectangle_width(wider.project.setting->section), 0.002002, 1e-12);
 }
 
 /// Hidden: bars of another thickness under one pattern. One pattern is the best single one: no design.

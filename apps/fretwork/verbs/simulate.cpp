@@ -4,6 +4,7 @@
 #include "options/checks.hpp"
 #include "options/file_options.hpp"
 #include "output.hpp"
+#include "program.hpp"
 #include "verbs.hpp"
 #include "verbs/simulate_output.hpp"
 
@@ -24,6 +25,9 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace fretwork::app {
 namespace {
@@ -67,30 +71,36 @@ LoadCase chosen_load_case(const Project& project, const SimulateOptions& options
     return of_project(options, [&] { return simulation::find_load_case(project, name_or_file); });
 }
 
+/// A file that is still to be written.
+struct ResultText {
+    std::filesystem::path path;
+    std::string text;
+};
+
 /// Adds the result as a drawing or for ParaView, as `export` would write it.
 void add_drawings(const SimulateOptions& options, const Surface& surface,
-                  const simulation::SurfaceResult& result, base::FileBatch& files) {
+                  const simulation::SurfaceResult& result, std::vector<ResultText>& files) {
     if (options.drawings.empty()) return;
     exports::Scene scene{surface};
     scene.results.push_back({options.simulation.model, result});
     for (const std::string& path : options.drawings)
-        files.add(path, exports::find_writer(path).write(scene).text);
+        files.push_back({path, exports::find_writer(path).write(scene).text});
 }
 
 /// Adds the load steps or stages for ParaView, each as a file beside the named one. Throws InputError if such
 /// a file exists and fretwork has not made it.
 void add_series(const SimulateOptions& options, const Surface& surface,
-                const simulation::SurfaceResult& result, base::FileBatch& files) {
+                const simulation::SurfaceResult& result, std::vector<ResultText>& files) {
     if (options.series.empty()) return;
     const std::filesystem::path path(options.series);
-    for (const exports::NamedFile& file :
+    for (exports::NamedFile& file :
          exports::series_files(surface, result, path.stem().string(), surface.setting.strength)) {
         const std::filesystem::path place = path.parent_path() / file.name;
         if (std::filesystem::exists(place) && !says_who_made_it(base::read_text_file(place)))
             throw base::InputError(place.string(), "",
                                    "is there, and not made by fretwork: it is not replaced by a step of " +
                                        path.filename().string());
-        files.add(place, file.text);
+        files.push_back({place, std::move(file.text)});
     }
 }
 
@@ -98,6 +108,33 @@ void add_series(const SimulateOptions& options, const Surface& surface,
 mechanics::Frame full_frame(Surface surface, const LoadCase& load_case) {
     surface.tile_models.clear();
     return simulation::surface_frame(surface, {}, simulation::resolve(load_case, surface));
+}
+
+/// The frame file and the deck, where asked for.
+std::vector<ResultText> frame_files(const SimulateOptions& options, const Surface& surface,
+                                    const LoadCase& load_case) {
+    std::vector<ResultText> files;
+    if (options.frame_out.empty() && options.deck.empty()) return files;
+    const mechanics::Frame frame = full_frame(surface, load_case);
+    if (!options.frame_out.empty()) files.push_back({options.frame_out, mechanics::frame_text(frame)});
+    if (!options.deck.empty())
+        files.push_back({options.deck, of_project(options, [&] {
+                             return mechanics::calculix_text(frame, mechanics::DeckProgram::Calculix);
+                         })});
+    return files;
+}
+
+/// Writes all files or none. Scratch files exist only here, so here alone Ctrl-C is a request: it is answered
+/// before the first file is replaced.
+void write_results(const std::vector<ResultText>& files) {
+    LongWork work;
+    base::FileBatch batch;
+    for (const ResultText& file : files) {
+        work.control().check();
+        batch.add(file.path, file.text);
+    }
+    work.control().check();
+    batch.commit();
 }
 
 /// Numerical errors name the project, errors of load stages their file.
@@ -115,8 +152,30 @@ simulation::SurfaceResult simulate(const SimulateOptions& options, const Surface
     });
 }
 
-ExitCode run(SimulateOptions options) {
+/// Refuses a file of the command line that is a step of the series, too.
+void refuse_named_steps(const CLI::App& verb, const SimulateOptions& options) {
+    if (options.series.empty()) return;
+    const std::filesystem::path path(options.series);
+    const std::size_t count = options.stages.empty() ? static_cast<std::size_t>(options.simulation.load_steps)
+                                                     : simulation::read_stages(options.stages).size();
+    std::vector<std::filesystem::path> steps;
+    for (std::size_t step = 1; step <= count; ++step)
+        steps.push_back(path.parent_path() / exports::series_step_name(path.stem().string(), step));
+    check_files_beside(verb, steps);
+}
+
+/// Simulates as long as nobody asks to stop.
+simulation::SurfaceResult simulate_or_stop(const SimulateOptions& options, const Surface& surface,
+                                           const LoadCase& load_case, const std::vector<LoadCase>& cases) {
     LongWork work;
+    simulation::SurfaceResult result = simulate(options, surface, load_case, cases, work.control());
+    work.control().check();
+    return result;
+}
+
+// While texts are read and made, which takes seconds for a huge surface, no file is half-written: Ctrl-C ends
+// the program at once.
+ExitCode run(const CLI::App& verb, SimulateOptions options) {
     if (options.linear) options.simulation.analysis = simulation::Analysis::Linear;
     options.simulation.branch = mechanics::find_branch(options.branch);
     options.simulation.estimate_linear_range = true;
@@ -128,25 +187,18 @@ ExitCode run(SimulateOptions options) {
         library = simulation::open_project_library(options.project, project, options.library);
     const Surface surface = simulation::make_surface(project, library ? &*library : nullptr);
     options.simulation.validate(surface);
+    refuse_named_steps(verb, options);
     simulation::check_calibrations(options.project, project, surface, choice);
     if (const std::string foreign = simulation::foreign_size_text(surface, choice); !foreign.empty())
         warn(foreign);
     const LoadCase load_case = chosen_load_case(project, options);
-    base::FileBatch files;
-    if (!options.frame_out.empty() || !options.deck.empty()) {
-        const mechanics::Frame frame = full_frame(surface, load_case);
-        if (!options.frame_out.empty()) files.add(options.frame_out, mechanics::frame_text(frame));
-        if (!options.deck.empty())
-            files.add(options.deck, of_project(options, [&] {
-                          return mechanics::calculix_text(frame, mechanics::DeckProgram::Calculix);
-                      }));
-    }
+    std::vector<ResultText> files = frame_files(options, surface, load_case);
     const simulation::SurfaceResult result =
-        simulate(options, surface, load_case, project.load_cases, work.control());
-    files.add(options.out, simulation::surface_result_text(result));
+        simulate_or_stop(options, surface, load_case, project.load_cases);
+    files.push_back({options.out, simulation::surface_result_text(result)});
     add_drawings(options, surface, result, files);
     add_series(options, surface, result, files);
-    files.commit();
+    write_results(files);
     options.json ? print_result_json(result)
                  : print_result(result, {options.simulation.vibration_modes,
                                          options.simulation.buckling_modes, options.simulation.branch});
@@ -255,7 +307,7 @@ void add_simulate(CLI::App& app, ExitCode& exit_code) {
         "Example: fretwork simulate project.json --case cantilever --model condensed --out reduced.json");
     verb->callback([options, verb, &exit_code] {
         refuse_beside_stages(*verb, *options);
-        exit_code = run(*options);
+        exit_code = run(*verb, *options);
     });
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/geometry/rotation.hpp>
 #include <fretwork/mechanics/corotational_element.hpp>
 #include <fretwork/mechanics/elements/corotational_element.hpp>
@@ -44,8 +45,13 @@ CorotationalBody::CorotationalBody(Parts parts)
     Eigen::MatrixXd motions = geometry::rigid_motions(arms_);
     motions.rightCols<3>() /= std::sqrt(square);
     const double largest = (stiffness_ * motions).cwiseAbs().maxCoeff();
-    if (!(largest <= kRigidForce * stiffness_.cwiseAbs().maxCoeff()))
-        throw base::InputError("the stiffness of a corotational element resists a rigid motion");
+    const double entry = stiffness_.cwiseAbs().maxCoeff();
+    if (!(largest <= kRigidForce * entry))
+        throw base::InputError(
+            "the stiffness of a corotational element resists a rigid motion: its force is " +
+            base::format_number(largest / entry) + " of the largest entry, where rounding leaves " +
+            base::format_number(kRigidForce) +
+            " at most; the stiffness must be given in the axes of the nodes");
 }
 
 Eigen::MatrixXd CorotationalBody::mass() const {

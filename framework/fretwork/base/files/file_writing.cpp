@@ -47,6 +47,18 @@ int open_device(const std::filesystem::path& path) {
     return descriptor;
 }
 
+/// Gives a new file the owner and the group of the file that it replaces, or the group alone, as far as the
+/// process may: root replaces files of others, too.
+/// @param change  sets the owner and the group of the new file; returns 0 if it did
+template <class Change>
+void take_owner(const std::filesystem::path& replaced, const Change& change) {
+    constexpr auto kKept = static_cast<uid_t>(-1);
+    struct stat existing {};
+    if (::stat(replaced.c_str(), &existing) != 0) return;
+    [[maybe_unused]] const bool is_taken =
+        change(existing.st_uid, existing.st_gid) == 0 || change(kKept, existing.st_gid) == 0;
+}
+
 }  // namespace
 
 /// Writes the content of one file to a scratch file, until the content is whole. Devices and pipes
@@ -79,6 +91,8 @@ struct AtomicFile::Impl {
 
     void move_into_place() {
         if (!scratch) return close_device();
+        take_owner(target,
+                   [&](uid_t user, gid_t group) { return ::fchown(scratch->descriptor(), user, group); });
         if (::fchmod(scratch->descriptor(), wanted_mode()) != 0 ||
             ::rename(scratch->path().c_str(), target.c_str()) != 0)
             fail_to_write(named, errno);
@@ -131,6 +145,8 @@ struct FolderBatch::Impl {
         if (fault) throw IoError(target.string(), "", "cannot be made: " + fault.message());
         for (const auto& entry : std::filesystem::directory_iterator(scratch->path())) {
             const std::filesystem::path file = target / entry.path().filename();
+            take_owner(file,
+                       [&](uid_t user, gid_t group) { return ::lchown(entry.path().c_str(), user, group); });
             if (::rename(entry.path().c_str(), file.c_str()) != 0) fail_to_write(file, errno);
         }
     }

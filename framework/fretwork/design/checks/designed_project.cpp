@@ -4,18 +4,30 @@
 #include <fretwork/tiling/tessellation.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fretwork::design::detail {
 namespace {
 
-/// If width or thickness of the bars is free, the project has its own setting and no library, because the
-/// library has the old section.
+/// Whether two settings have bars of the same width and thickness, up to rounding.
+bool has_same_bars(const reduction::Setting& left, const reduction::Setting& right) {
+    constexpr double kRounding = 1e-12;
+    const auto is_same = [&](double (*size)(const mechanics::Section&)) {
+        const double other = size(right.section);
+        return std::abs(size(left.section) - other) <= kRounding * other;
+    };
+    return is_same(mechanics::rectangle_width) && is_same(mechanics::rectangle_height);
+}
+
+/// If the width or thickness of the bars has changed, the project has its own setting and no library, because
+/// the library has the old section.
 void write_section(const Trials& trials, const Point& point, DesignReport& report) {
     const auto& free = trials.parts().free;
     if (!free.width && !free.thickness) return;
     const reduction::Setting setting = trials.setting_at(point);
     report.width = mechanics::rectangle_width(setting.section);
     report.thickness = mechanics::rectangle_height(setting.section);
+    if (has_same_bars(setting, trials.parts().surface.setting)) return;
     report.project.setting = setting;
     if (report.project.library_path.empty()) return;
     report.project.library_path.clear();

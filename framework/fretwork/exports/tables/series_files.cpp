@@ -28,6 +28,10 @@ void check_stem(const std::string& stem) {
 
 }  // namespace
 
+std::string series_step_name(const std::string& stem, std::size_t step) {
+    return stem + "-" + std::to_string(step) + ".vtu";
+}
+
 std::vector<NamedFile> series_files(const simulation::Surface& surface,
                                     const simulation::SurfaceResult& result, const std::string& stem,
                                     std::optional<double> strength,
@@ -46,8 +50,8 @@ std::vector<NamedFile> series_files(const simulation::Surface& surface,
     there.load_steps.clear();
     for (std::size_t i = 0; i < steps.size(); ++i) {
         there.solution = steps[i];
-        files.push_back({stem + "-" + std::to_string(i + 1) + ".vtu",
-                         vtu_text(beam_lines(surface, &there, strength, models))});
+        files.push_back(
+            {series_step_name(stem, i + 1), vtu_text(beam_lines(surface, &there, strength, models))});
         collection += "<DataSet timestep=\"" + base::format_number(times[i]) + "\" part=\"0\" file=\"" +
                       files.back().name + "\"/>\n";
     }

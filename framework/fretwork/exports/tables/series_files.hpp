@@ -4,6 +4,7 @@
 #include <fretwork/simulation/results/surface_result.hpp>
 #include <fretwork/simulation/surface.hpp>
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,6 +17,9 @@ struct NamedFile {
     std::string name;  ///< name of the file in the folder
     std::string text;  ///< content of the file
 };
+
+/// The name of the file of a step in a series, with `step` from 1: `stem`-1.vtu.
+std::string series_step_name(const std::string& stem, std::size_t step);
 
 /// A result's load steps as a series in time for ParaView: `stem`.pvd lists the steps, and `stem`-1.vtu,
 /// `stem`-2.vtu, .. have the fields of each step (as beam_lines, without modes). The time of a step is its

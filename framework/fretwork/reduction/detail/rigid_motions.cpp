@@ -5,7 +5,13 @@
 #include <fretwork/pattern/fan.hpp>
 #include <fretwork/reduction/detail/rigid_motions.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace fretwork::reduction::detail {
@@ -23,9 +29,14 @@ constexpr std::array<const char*, 6> kMotions = {"translation along x", "transla
                                                  "translation along z", "rotation about x",
                                                  "rotation about y",    "rotation about z"};
 
-void require_free(const Eigen::MatrixXd& stiffness, const Eigen::Matrix3Xd& nodes, const std::string& model) {
-    const std::string what = "tile model " + model + ": the stiffness of a tile ";
-    if (!stiffness.allFinite()) throw base::InputError(what + "is not finite");
+/// The rigid motion that a stiffness resists most, and its force as a share of the stiffness's largest entry.
+struct Resistance {
+    const char* motion;
+    double share;
+};
+
+/// None if the force may be due to rounding.
+std::optional<Resistance> resistance_of(const Eigen::MatrixXd& stiffness, const Eigen::Matrix3Xd& nodes) {
     const Eigen::Matrix3Xd arms = nodes.colwise() - nodes.rowwise().mean().eval();
     const double radius = arms.colwise().norm().maxCoeff();
     // Rotations times the radius are lengths, so that all entries are in N/m.
@@ -39,17 +50,57 @@ void require_free(const Eigen::MatrixXd& stiffness, const Eigen::Matrix3Xd& node
         (lengths.asDiagonal() * stiffness * motions).cwiseAbs().colwise().maxCoeff();
     const double largest = (lengths.asDiagonal() * stiffness * lengths.asDiagonal()).cwiseAbs().maxCoeff();
     const double force = forces.maxCoeff();
-    if (force <= kFree * largest) return;
+    if (force <= kFree * largest) return std::nullopt;
     // Often several motions are resisted equally, up to rounding. In this case, the simplest motion is named.
     Eigen::Index worst = 0;
     while (forces[worst] < (1.0 - kFree) * force) ++worst;
-    throw base::InputError(what + "resists a rigid motion, the " + kMotions[worst] + ": its force is " +
-                           base::format_number(force / largest) +
+    return Resistance{kMotions[worst], force / largest};
+}
+
+void require_free(const Eigen::MatrixXd& stiffness, const Eigen::Matrix3Xd& nodes, const std::string& model) {
+    const std::string what = "tile model " + model + ": the stiffness of a tile ";
+    if (!stiffness.allFinite()) throw base::InputError(what + "is not finite");
+    const auto resistance = resistance_of(stiffness, nodes);
+    if (!resistance) return;
+    throw base::InputError(what + "resists a rigid motion, the " + resistance->motion + ": its force is " +
+                           base::format_number(resistance->share) +
                            " of the largest entry, where rounding leaves " + base::format_number(kFree) +
                            " at most; the stiffness must be given in the axes of the tile");
 }
 
+/// The smallest ratio of thickness to length, where a bar counts as a rectangle.
+double smallest_thickness(const mechanics::Frame& tile) {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const mechanics::Beam& bar : tile.beams) {
+        const double length = (tile.nodes[bar.nodes[1]] - tile.nodes[bar.nodes[0]]).norm();
+        const double thickness =
+            std::sqrt(12.0 * std::min(bar.section.I2, bar.section.I3) / bar.section.area);
+        smallest = std::min(smallest, thickness / length);
+    }
+    return smallest;
+}
+
 }  // namespace
+
+void require_small_rounding(const Eigen::MatrixXd& stiffness, const mechanics::Frame& tile,
+                            int interface_nodes) {
+    Eigen::Matrix3Xd nodes(3, interface_nodes);
+    for (int i = 0; i < interface_nodes; ++i) nodes.col(i) = tile.nodes[i];
+    const auto resistance = resistance_of(stiffness, nodes);
+    if (!resistance) return;
+    const auto rounded = [](double number) {
+        char text[40];
+        std::snprintf(text, sizeof text, "%.2g", number);
+        return std::string(text);
+    };
+    throw base::NumericalError(
+        "the bars are too thin to be condensed: by rounding, the stiffness of the tile resists a rigid "
+        "motion, the " +
+        std::string(resistance->motion) + ", with " + rounded(resistance->share) +
+        " of its largest entry, where " + rounded(kFree) + " is the most; the thinnest bar is " +
+        rounded(smallest_thickness(tile)) +
+        " of its length thick: make the bars thicker or shorter, and check the unit of the section");
+}
 
 void require_free_motion(const TileStructure& tile, const TileModel& model, const TileInput& input) {
     const auto places = pattern::place_fan(input.layout, input.fan, input.polygon);

@@ -9,4 +9,9 @@ namespace fretwork::reduction::detail {
 /// Throws InputError that names the model and the motion.
 void require_free_motion(const TileStructure& tile, const TileModel& model, const TileInput& input);
 
+/// Check that the condensed stiffness of a tile's bars resists no rigid motion. The stiffness of very thin
+/// bars does, by rounding. Throws NumericalError that names the motion and the thinnest bar.
+void require_small_rounding(const Eigen::MatrixXd& stiffness, const mechanics::Frame& tile,
+                            int interface_nodes);
+
 }  // namespace fretwork::reduction::detail

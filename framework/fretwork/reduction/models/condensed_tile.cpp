@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/condensation.hpp>
+#include <fretwork/reduction/detail/rigid_motions.hpp>
 #include <fretwork/reduction/models/condensed_tile.hpp>
 
 #include <memory>
@@ -37,6 +38,7 @@ TileModel condensed_tile_model() {
                 const int interface_nodes = input.fan->interface_node_count;
                 mechanics::Frame beams = fan_frame(input.layout, input.fan, input.polygon, input.setting);
                 Eigen::MatrixXd stiffness = condensed_frame(beams, interface_nodes);
+                detail::require_small_rounding(stiffness, beams, interface_nodes);
                 return stiffness_tile(std::move(stiffness),
                                       std::make_shared<InnerNodes>(std::move(beams), interface_nodes));
             }};

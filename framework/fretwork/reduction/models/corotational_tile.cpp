@@ -3,6 +3,7 @@
 #include <fretwork/mechanics/condensation.hpp>
 #include <fretwork/mechanics/corotational_element.hpp>
 #include <fretwork/mechanics/node_states.hpp>
+#include <fretwork/reduction/detail/rigid_motions.hpp>
 #include <fretwork/reduction/models/condensed_tile.hpp>
 #include <fretwork/reduction/models/corotational_tile.hpp>
 #include <fretwork/reduction/response.hpp>
@@ -127,6 +128,7 @@ std::shared_ptr<const TileStructure> corotational_tile(mechanics::Frame tile, in
     const auto& nodes = inner->tile().nodes;
     mechanics::CorotationalBody::Parts parts{{nodes.begin(), nodes.begin() + interface_nodes},
                                              condensed_frame(inner->tile(), interface_nodes)};
+    detail::require_small_rounding(parts.stiffness, inner->tile(), interface_nodes);
     parts.mass = [inner] {
         return mechanics::condense_mass(mechanics::assemble(inner->tile()),
                                         mechanics::first_nodes(inner->interface_nodes()));

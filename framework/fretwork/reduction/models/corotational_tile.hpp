@@ -8,7 +8,8 @@ namespace fretwork::reduction {
 
 /// A tile that may move and turn by any amount, with axes that follow it. Its condensed stiffness resists
 /// motions of the interface nodes relative to these axes (mechanics/corotational_element.hpp). The mass of
-/// the tile is the mass of its beams, condensed statically. Throws as condensed_frame() and CorotationalBody.
+/// the tile is the mass of its beams, condensed statically. Throws as condensed_frame() and CorotationalBody,
+/// and NumericalError if the bars are too thin for their length to be condensed.
 ///
 /// @param tile  the tile's beams; the first `interface_nodes` nodes are the interface nodes
 std::shared_ptr<const TileStructure> corotational_tile(mechanics::Frame tile, int interface_nodes);

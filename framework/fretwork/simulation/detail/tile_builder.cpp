@@ -26,6 +26,7 @@ struct TileBuilder::Request {
     std::vector<double> parameters;
     geometry::Polygon polygon;  ///< in the axes in which the tile is built
     std::string key;            ///< key of a shared tile; empty: not shared
+    std::string place;          ///< the tile and its pattern, for messages
     BuiltTile tile;
 
     [[nodiscard]] std::shared_ptr<const TileStructure> build(const Surface& surface) const {
@@ -45,17 +46,19 @@ TileBuilder::Request TileBuilder::request(const TilesToBuild& wanted, tiling::Ti
     const Surface& surface = wanted.surface;
     const tiling::Tile& tile = surface.tessellation.tiles[index];
     const reduction::TileModel& model = tile_model(surface, wanted.choice, index);
+    const std::string& pattern = tiling::pattern_of(surface.tessellation, index)->id;
     std::vector<double> parameters = tile_parameters(surface, index, model);
     Request request{&model,
                     &fan_of(surface, tile),
                     std::move(parameters),
                     tiling::tile_polygon(surface.tessellation, index),
                     {},
+                    "tile " + std::to_string(index.value) + ", pattern " + pattern,
                     {}};
     if (model.sharing == reduction::Sharing::None) return request;
     std::optional<OwnAxes> axes = shared_axes(request.polygon, grid);
     if (!axes) return request;
-    request.key = key_of(model, tiling::pattern_of(surface.tessellation, index)->id, *axes);
+    request.key = key_of(model, pattern, *axes);
     request.polygon = std::move(axes->polygon);
     request.tile.turn = axes->turn;
     request.tile.origin = axes->origin;
@@ -83,7 +86,8 @@ std::vector<BuiltTile> TileBuilder::build(const TilesToBuild& wanted, const Buil
     }
     base::parallel_for(missing.size(), options.threads, [&](std::size_t i) {
         options.control.check();
-        missing[i]->tile.structure = missing[i]->build(wanted.surface);
+        missing[i]->tile.structure = base::located<base::NumericalError>(
+            missing[i]->place, "", [&] { return missing[i]->build(wanted.surface); });
     });
     for (const Request* request : missing) {
         if (!request->key.empty()) shared_[request->key] = request->tile.structure;
