@@ -155,6 +155,25 @@ TEST_F(MakingOptions, WhatDoesNotFitIsTold) {
     EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 2) << "each once: " << outcome.err;
 }
 
+TEST_F(MakingOptions, OpeningsThatTheKerfClosesBesideConnectorsAreCounted) {
+    succeed(
+        "fretwork tile experiments/outlines/specimen.svg --edge-length 30mm --patterns 1-2+1-4+4-6 --out "
+        "q.json");
+    const auto remarks = [&](const std::string& options) {
+        const json report =
+            json::parse(succeed("fretwork export q.json --json --to a.dxf --to facts.txt " + options));
+        return report.at("files")[0].at("remarks");
+    };
+    EXPECT_THAT(remarks("--kerf 0.3mm"), testing::IsEmpty()) << "in one piece";
+    const std::string told = "closes 3 of 50 openings: they are not cut";
+    for (const std::string kerf : {"0.3", "1"}) {
+        const json parts = remarks("--bed 200x150 --kerf " + kerf + "mm");
+        ASSERT_EQ(parts.size(), 1U);
+        EXPECT_EQ(parts[0], "the kerf of " + kerf + " mm " + told);
+        EXPECT_THAT(base::read_text_file(folder_.path() / "facts.txt"), HasSubstr(told));
+    }
+}
+
 TEST_F(MakingOptions, ASolidBesideACutHasNoKerf) {
     const std::string plain = exported("plain.stl");
     succeed("fretwork export p.json --to a.dxf --to a.stl --kerf 0.3mm");

@@ -189,6 +189,18 @@ TEST(Shape, OpeningsAreThoseOfTheGraphWhereBarsAreThin) {
     }
 }
 
+TEST(Shape, BarsTooNarrowForTheGridAreRefused) {
+    simulation::Surface surface = honeycomb(4, 3, {"0-5+5-6", "1-2+1-4+4-6"});
+    surface.setting.section = mechanics::rectangle_section(1e-6, 1e-3);
+    EXPECT_THAT(complaint_of([&] { (void)make_shape(surface); }),
+                AllOf(HasSubstr("bars are 0.001 mm wide"), HasSubstr("at least 0.003203 mm")));
+    surface.setting.section = mechanics::rectangle_section(3.3e-6, 1e-3);
+    const double bars = area_of_bars(bar_plan(surface));
+    const double made = area(make_shape(surface));
+    EXPECT_LT(made, bars);
+    EXPECT_GT(made, 0.998 * bars) << "joints are small";
+}
+
 TEST(Shape, DoesNotDependOnWhereTheSurfaceLies) {
     simulation::Surface surface = honeycomb(3, 3, sample_patterns(9));
     const Shape here = make_shape(surface);

@@ -134,6 +134,12 @@ TEST(PlaceFan, InterfaceNodesLieOnTheSidesAsTheLayoutSays) {
     EXPECT_EQ(places[4], center);
 }
 
+TEST(PlaceFan, AStraightCornerMayBendInwardsByRounding) {
+    const Fan fan = paper7_fan("0-6", 5);
+    EXPECT_EQ(place_fan(paper7(), fan, {{0, 0}, {1, 1e-17}, {2, 0}, {2, 2}, {0, 2}}).size(),
+              fan.nodes.size());
+}
+
 TEST(PlaceFan, RefusesPolygonsThatDoNotFit) {
     const Fan fan = paper7_fan("0-6", 4);
     EXPECT_THROW(place_fan(paper7(), fan, geometry::regular_polygon(5, 1.0)), base::InputError);

@@ -224,6 +224,13 @@ TEST(RingTile, RingKeepsItsBarycentricCoordinatesInOtherPolygons) {
               10U);
 }
 
+TEST(RingTile, AStraightCornerMayBendInwardsByRounding) {
+    const geometry::Polygon square = {{0, 0}, {0.01, 1e-19}, {0.02, 0}, {0.02, 0.02}, {0, 0.02}};
+    const mechanics::Frame frame = ring_tile(Paper6Parameters{1e-6, 1e-12, 1e-12, 1e-12, 0, 0.01},
+                                             paper_layout(), paper_setting(), square);
+    EXPECT_EQ(frame.beams.size(), 10U);
+}
+
 TEST(RingTile, RefusesAPolygonThatIsNotConvex) {
     const geometry::Polygon dart = {{0, 0}, {2, -1}, {1, 0}, {2, 1}};
     EXPECT_THROW((void)ring_tile(Paper6Parameters{1e-6, 1e-12, 1e-12, 1e-12, 0, 0.01}, paper_layout(),

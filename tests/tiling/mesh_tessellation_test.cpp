@@ -46,6 +46,17 @@ TEST(MeshTessellation, TheFaceThatIsNoTileIsNamed) {
     EXPECT_THAT(complaint_about("f 1 2 5 4\nf 5 8 7\n"), HasSubstr("connected"));
 }
 
+TEST(MeshTessellation, AStraightCornerMayBendInwardsByRounding) {
+    const auto squares = [](const std::string& bend) {
+        return "v 0 0 0\nv 1 " + bend + " 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nv 0 2 0\nv 2 2 0\n" +
+               "f 1 2 3 4 5\nf 5 4 7 6\n";
+    };
+    for (const char* bend : {"1e-17", "1e-9", "1e-6"})
+        EXPECT_EQ(read(squares(bend)).tessellation.tiles.size(), 2U) << bend;
+    EXPECT_THAT(complaint_of([&] { read(squares("0.01")); }),
+                AllOf(HasSubstr("face 0"), HasSubstr("it bends inwards at (1, 0.01) by 0.01 m")));
+}
+
 TEST(MeshTessellation, AVertexOnTheMiddleOfASideIsNoWholeSide) {
     EXPECT_THAT(complaint_about("f 1 3 5 4\nf 3 6 5\nf 4 6 8 7\n"), HasSubstr("connected"));
     EXPECT_THAT(complaint_about("f 1 2 5 4\nf 2 3 6 5\nf 4 5 7\nf 5 8 7\nf 4 6 7\n"), HasSubstr("face 4"));

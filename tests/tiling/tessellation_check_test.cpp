@@ -75,6 +75,26 @@ TEST(TessellationCheck, EachFlawNamesItsTile) {
         HasSubstr("vertex 3 is not finite"));
 }
 
+TEST(TessellationCheck, AStraightCornerMayBendInwardsByRounding) {
+    const auto bent = [](double by) {
+        return [by](Tessellation& t) {  // the first square gets a vertex on its lower side
+            t.vertices.push_back({0.5, by});
+            t.tiles[0].vertices.insert(t.tiles[0].vertices.begin() + 1, VertexIndex(6));
+            t.interface_nodes[0] = {0.25, 0.5 * by};
+            t.interface_nodes.push_back({0.75, 0.5 * by});
+            t.tiles[0].interface_nodes.insert(t.tiles[0].interface_nodes.begin() + 1, InterfaceIndex(7));
+        };
+    };
+    for (const double by : {0.0, 1e-17, 1e-6}) {
+        Tessellation tessellation = two_squares();
+        bent(by)(tessellation);
+        EXPECT_NO_THROW(validate(tessellation, pattern::find_node_layout("paper7"))) << by;
+    }
+    EXPECT_THAT(
+        complaint_after(bent(0.01)),
+        HasSubstr("tile 0 is not convex and counterclockwise: it bends inwards at (0.5, 0.01) by 0.01 m"));
+}
+
 TEST(TessellationCheck, NothingIsThereTwiceOrForNothing) {
     EXPECT_THAT(complaint_after([](Tessellation& t) {
                     t.vertices.push_back({5, 5});

@@ -94,10 +94,8 @@ fabrication::ShapeOptions making(const Scene& scene) {
 Written cut_sheets(const Scene& scene, std::string (*text)(const fabrication::CutSheet&)) {
     const fabrication::ShapeOptions options = making(scene);
     const fabrication::Bed& bed = *scene.making.bed;
-    Written written{text(side_by_side(cut_into_sheets(scene.surface, options, bed), bed))};
-    if (options.kerf > 0.0 || options.fillet > 0.0)
-        written.remarks = fabrication::make_remarked_shape(scene.surface, options).remarks;
-    return written;
+    fabrication::SheetSet set = cut_into_sheets(scene.surface, options, bed);
+    return {text(side_by_side(set, bed)), std::move(set.remarks)};
 }
 
 Written cut(const Scene& scene, std::string (*text)(const fabrication::CutSheet&)) {
@@ -110,6 +108,7 @@ fabrication::Facts scene_facts(const Scene& scene) {
     fabrication::FactsOptions options = scene.making.facts;
     options.models = scene.models;
     options.control = scene.control;
+    options.bed = scene.making.bed;
     const fabrication::FactsLoads loads{scene.load_case ? &*scene.load_case : nullptr,
                                         scene.results.empty() ? nullptr : &scene.results.front().result};
     return facts(scene.surface, making(scene), loads, options);

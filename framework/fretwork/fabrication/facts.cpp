@@ -69,9 +69,7 @@ class FactFinder {
     FactFinder(const Surface& surface, const ShapeOptions& shape, const FactsOptions& options)
         : surface_(surface), options_(options), plan_(bar_plan(surface, shape.frame_width)) {
         shape_ = make_shape(plan_, shape.without_kerf());
-        const auto remarks = shape.kerf > 0.0 ? shape_remarks(shape_, make_shape(plan_, shape), shape)
-                                              : shape_remarks(shape_, shape_, shape);
-        for (const std::string& remark : remarks) warn(remark);
+        for (const std::string& remark : remarks(shape)) warn(remark);
         warn_of_section();
     }
 
@@ -88,6 +86,11 @@ class FactFinder {
     }
 
   private:
+    [[nodiscard]] std::vector<std::string> remarks(const ShapeOptions& shape) const {
+        if (shape.kerf > 0.0 && options_.bed) return cut_into_sheets(surface_, shape, *options_.bed).remarks;
+        return shape_remarks(shape_, shape.kerf > 0.0 ? make_shape(plan_, shape) : shape_, shape);
+    }
+
     void measure() {
         facts_.tiles = surface_.tessellation.tiles.size();
         facts_.bars = plan_.bars.size();

@@ -4,6 +4,7 @@
 #include <fretwork/base/control.hpp>
 #include <fretwork/fabrication/narrow_places.hpp>
 #include <fretwork/fabrication/shape.hpp>
+#include <fretwork/fabrication/sheets.hpp>
 #include <fretwork/simulation/load_cases/load_case.hpp>
 #include <fretwork/simulation/results/surface_result.hpp>
 
@@ -23,6 +24,9 @@ struct FactsOptions {
     double sharp_angle = 0.35;
     /// Stresses higher than this, Pa, give a warning; none: the strength in the setting.
     std::optional<double> strength{};
+    /// Bed for which the surface is cut into parts: the warning on openings that the kerf closes then counts
+    /// the openings of the parts. None: those of the outline in one piece.
+    std::optional<Bed> bed{};
     /// Catalogue with the tile models of the surface and of the result.
     std::span<const reduction::TileModel> models = reduction::tile_models();
     base::Control control{};  ///< progress and stop

@@ -53,6 +53,15 @@ void require_below_surface(const BarPlan& plan, const ShapeOptions& options) {
     require(options.eye_diameter, "the diameter of eyes");
 }
 
+/// Refuse bars so narrow that the outline's grid would spoil them.
+void require_wide_bars(const BarPlan& plan) {
+    if (plan.bars.empty()) return;
+    const double width = std::ranges::min(plan.bars, {}, &Bar::width).width;
+    if (width >= least_width()) return;
+    throw base::InputError("bars are " + millimetres(width) + " wide, where the outline needs at least " +
+                           millimetres(least_width()) + ": its corners lie on a grid of nanometres");
+}
+
 /// Makes the contours around the material, region by region; the lines of the bars bound the regions. The
 /// empty part of each region is computed separately, so that most Boolean operations have few edges, even in
 /// large surfaces.
@@ -199,6 +208,7 @@ Shape make_shape(const simulation::Surface& surface, const ShapeOptions& options
 Shape make_shape(const BarPlan& plan, const ShapeOptions& options) {
     options.validate();
     require_below_surface(plan, options);
+    require_wide_bars(plan);
     if (options.bolt_diameter > 0.0) require_bars_at_bolts(plan, options.bolts);
     return ShapeMaker(plan, options).run();
 }

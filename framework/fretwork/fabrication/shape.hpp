@@ -48,7 +48,8 @@ struct ShapeOptions {
 
 /// Make the outline of a surface's bars: all points within half a bar's width of its centreline, so joints
 /// and free ends are round. Boolean operations are exact on a grid of a nanometre, and arcs stay arcs. Throws
-/// as bar_plan(), InputError for invalid options, holes that meet and holes where no bar ends, and Stopped.
+/// as bar_plan(), InputError for invalid options, bars narrower than some micrometres, holes that meet and
+/// holes where no bar ends, and Stopped.
 Shape make_shape(const simulation::Surface& surface, const ShapeOptions& options = {});
 /// Make the outline of a plan. The plan contains its border, so `options.frame_width` is only validated.
 /// Throws as the other make_shape(), but not as bar_plan().

@@ -6,12 +6,14 @@
 #include <fretwork/fabrication/detail/connectors.hpp>
 #include <fretwork/fabrication/detail/fillets.hpp>
 #include <fretwork/fabrication/detail/length_text.hpp>
+#include <fretwork/fabrication/detail/motion.hpp>
 #include <fretwork/fabrication/detail/parts.hpp>
 #include <fretwork/fabrication/detail/patches.hpp>
 #include <fretwork/fabrication/sheets.hpp>
 #include <fretwork/geometry/plane.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <ranges>
 #include <utility>
@@ -36,30 +38,12 @@ std::string part_name(std::size_t part) {
     return "P" + std::to_string(part + 1);
 }
 
-/// A motion: a quarter turn or none, then a shift.
-struct Motion {
-    bool is_turned = false;
-    Point2 shift;
-    [[nodiscard]] Point2 operator()(const Point2& point) const {
-        return (is_turned ? left_of(point) : point) + shift;
-    }
-};
-
-Contour moved(Contour contour, const Motion& motion) {
-    for (ContourPoint& point : contour) point.place = motion(point.place);
-    return contour;
-}
-Piece moved(const Piece& piece, const Motion& motion) {
-    Piece other{moved(piece.outer, motion), {}};
-    for (const Contour& opening : piece.openings) other.openings.push_back(moved(opening, motion));
-    return other;
-}
-void append_moved(CutSheet& sheet, const CutSheet& other, const Motion& motion) {
-    for (const Piece& piece : other.pieces) sheet.pieces.push_back(moved(piece, motion));
-    for (const Contour& guide : other.guides) sheet.guides.push_back(moved(guide, motion));
-    for (const auto& [from, to] :
-         {std::pair{&other.engraved, &sheet.engraved}, {&other.labels, &sheet.labels}})
-        for (const Label& label : *from) to->push_back({motion(label.place), label.text, label.height});
+/// All parts at their places in the surface.
+Shape shape_of(const std::vector<Part>& parts) {
+    Shape shape;
+    for (const Part& part : parts)
+        shape.pieces.insert(shape.pieces.end(), part.pieces.begin(), part.pieces.end());
+    return shape;
 }
 
 class SheetCutter {
@@ -76,17 +60,39 @@ class SheetCutter {
 
     SheetSet run() {
         find_connectors();
+        const std::vector<Part> parts = make_parts();
+        return {nest(parts), assembly(parts), parts.size(), connectors_.size(), remarks(parts)};
+    }
+
+  private:
+    [[nodiscard]] std::vector<Part> make_parts() const {
         const std::size_t count = 1 + *std::ranges::max_element(part_of_tile_);
         std::vector<Part> parts;
         for (std::size_t p = 0; p < count; ++p) {
             options_.control.check();
             parts.push_back(make_part(p));
         }
-        SheetSet set{nest(parts), assembly(parts), parts.size(), connectors_.size()};
-        return set;
+        return parts;
     }
 
-  private:
+    /// Remarks on the kerf in the parts, and on the fillets in the whole outline: connectors have none.
+    [[nodiscard]] std::vector<std::string> remarks(const std::vector<Part>& parts) const {
+        const ShapeOptions finished = options_.without_kerf();
+        std::vector<std::string> all;
+        if (options_.kerf > 0.0) {
+            SheetCutter same = *this;  // the same seams
+            same.options_ = finished;
+            ShapeOptions kerf = options_;
+            kerf.fillet = 0.0;
+            all = shape_remarks(shape_of(same.make_parts()), shape_of(parts), kerf);
+        }
+        if (options_.fillet > 0.0) {
+            const Shape whole = make_shape(plan_, finished);
+            std::ranges::move(shape_remarks(whole, whole, finished), std::back_inserter(all));
+        }
+        return all;
+    }
+
     static BarPlan checked_plan(const simulation::Surface& surface, const ShapeOptions& options) {
         BarPlan plan = bar_plan(surface, options.frame_width);
         if (options.bolt_diameter > 0.0) require_bars_at_bolts(plan, options.bolts);
@@ -271,25 +277,6 @@ class SheetCutter {
         }
     }
 
-    static std::vector<Disc> near_discs(const Polygon& polygon, const std::vector<Disc>& discs) {
-        std::vector<Disc> near;
-        const Box box = geometry::box_of(std::span<const Point2>(polygon));
-        for (const Disc& disc : discs) {
-            const Point2& c = disc.center;
-            if (geometry::grown({c.x, c.y, c.x, c.y}, disc.radius).meets(box)) near.push_back(disc);
-        }
-        return near;
-    }
-
-    static std::vector<Polygon> with_connectors(const std::vector<Polygon>& touched,
-                                                const ConnectorCut& cut) {
-        if (cut.added.empty()) return touched;
-        std::vector<Polygon> all = without(touched, united(cut.beyond));
-        const std::vector<Polygon> added = united(cut.added);
-        all = merged(all, added);
-        return cut.sockets.empty() ? all : without(all, united(cut.sockets));
-    }
-
     /// Contours with a connector get no fillets, because the corners of knobs and sockets must fit.
     [[nodiscard]] Contour fillets_away_from_connectors(const Contour& contour) const {
         for (const ContourPoint& point : contour) {
@@ -340,7 +327,7 @@ class SheetCutter {
     static constexpr double kFrameReach = 1.5;   // enough for frames that meet at 84 degrees or more
     static constexpr double kChordShare = 5e-4;  // share of a bar's width; chords become as short as in discs
     const simulation::Surface& surface_;
-    const ShapeOptions& options_;
+    ShapeOptions options_;
     const Bed& bed_;
     BarPlan plan_;
     ConnectorSize size_;

@@ -31,11 +31,14 @@ struct SheetSet {
     CutSheet assembly;
     std::size_t parts = 0;       ///< number of parts
     std::size_t connectors = 0;  ///< number of connectors
+    /// Remarks as shape_remarks(): on openings of the parts that the kerf closes, and on fillets of the whole
+    /// outline that do not fit.
+    std::vector<std::string> remarks{};
 };
 
-/// Cut a surface into parts on sheets. Throws as make_shape(). Throws InputError if `bed` is invalid, if a
-/// tile does not fit the bed, or if a connector's plate meets another plate, an end of its tile side or a
-/// hole for a bolt.
+/// Cut a surface into parts on sheets. With a kerf, this takes the time of two sets. Throws as make_shape().
+/// Throws InputError if `bed` is invalid, if a tile does not fit the bed, or if a connector's plate meets
+/// another plate, an end of its tile side or a hole for a bolt.
 SheetSet cut_into_sheets(const simulation::Surface& surface, const ShapeOptions& options, const Bed& bed);
 
 /// All sheets of a set side by side, with the plan of assembly above them, as one drawing.

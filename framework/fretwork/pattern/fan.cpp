@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/geometry/nearly_convex.hpp>
 #include <fretwork/pattern/fan.hpp>
 
 #include <algorithm>
@@ -107,8 +108,9 @@ base::IndexVector<FanNodeIndex, geometry::Point2> place_fan(const NodeLayout& la
                                " sectors does not fit into a polygon of " + std::to_string(polygon.size()) +
                                " sides");
     }
-    if (!is_convex(polygon))
-        throw base::GeometryError("the polygon of a fan is not convex and counterclockwise");
+    if (!geometry::is_nearly_convex(polygon))
+        throw base::GeometryError("the polygon of a fan is not convex and counterclockwise" +
+                                  geometry::inward_bend_text(polygon));
     const geometry::Point2 center = centroid(polygon);
     std::vector<geometry::Point2> places;
     places.reserve(fan.nodes.size());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/geometry/internal/message_text.hpp>
+#include <fretwork/geometry/nearly_convex.hpp>
 #include <fretwork/geometry/plane.hpp>
 #include <fretwork/outlines/flat_mesh.hpp>
 #include <fretwork/outlines/outline_check.hpp>
@@ -34,8 +35,10 @@ class MeshTiles {
 
     Dual run() {
         for (std::size_t face = 0; face < dual_.cells.size(); ++face) {
-            if (!geometry::is_convex(detail::polygon_of(dual_, face)))
-                fail(face, "is not convex, or runs the other way around than most faces");
+            const Polygon polygon = detail::polygon_of(dual_, face);
+            if (!geometry::is_nearly_convex(polygon))
+                fail(face, "is not convex, or runs the other way around than most faces" +
+                               geometry::inward_bend_text(polygon));
         }
         check_sides();
         check_rim();

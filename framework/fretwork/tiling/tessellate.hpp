@@ -120,10 +120,10 @@ TessellationResult tessellate_parts(const std::vector<outlines::Outline>& parts,
 /// can be painted. Paper, Section 6. Tiles, vertices and interface nodes get new numbers. The faces may also
 /// all run clockwise (a mesh seen from below).
 ///
-/// Throws as outlines::read_flat_mesh(). Throws GeometryError that names a face if the face is not convex, or
-/// does not share whole sides with its neighbours (a vertex in the middle of a side, an overlap, two faces on
-/// the same side of an edge). Throws GeometryError also if the faces are not connected by sides, or if the
-/// rim of the mesh touches itself in a vertex.
+/// Throws as outlines::read_flat_mesh(). Throws GeometryError that names a face if the face is not convex up
+/// to rounding (geometry::is_nearly_convex()), or does not share whole sides with its neighbours (a vertex in
+/// the middle of a side, an overlap, two faces on the same side of an edge). Throws GeometryError also if the
+/// faces are not connected by sides, or if the rim of the mesh touches itself in a vertex.
 TessellationResult read_mesh_tessellation(const std::filesystem::path& path,
                                           const pattern::NodeLayout& layout);
 

@@ -88,7 +88,7 @@ std::vector<std::vector<InterfaceIndex>> rim_loops(const Tessellation& tessellat
 
 /// Check that a tessellation, for example one from a file, is valid:
 /// - it names the layout `layout`, indices are in range, and positions are finite;
-/// - tiles are convex and counterclockwise, by an exact test;
+/// - tiles are counterclockwise and convex, up to rounding (geometry::is_nearly_convex());
 /// - at most two tiles share a side, in opposite directions and with the same interface nodes;
 /// - each interface node lies on its side at a place of the layout, and on no other side;
 /// - each pattern of a tile exists, is listed once, and is a pattern of the layout;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/geometry/nearly_convex.hpp>
 #include <fretwork/geometry/plane.hpp>
 #include <fretwork/pattern/pattern.hpp>
 #include <fretwork/tiling/tessellation.hpp>
@@ -95,8 +96,10 @@ class Checker {
     }
 
     void check_shape(std::size_t t) const {
-        if (!geometry::is_convex(tile_polygon(tessellation_, TileIndex(t))))
-            throw base::GeometryError("tile " + std::to_string(t) + " is not convex and counterclockwise");
+        const geometry::Polygon polygon = tile_polygon(tessellation_, TileIndex(t));
+        if (!geometry::is_nearly_convex(polygon))
+            throw base::GeometryError("tile " + std::to_string(t) + " is not convex and counterclockwise" +
+                                      geometry::inward_bend_text(polygon));
     }
 
     void check_sides(std::size_t t) {

@@ -136,7 +136,8 @@ void bind_sheets(py::module_& m) {
         .def_property_readonly("sheets", [](const SheetSet& self) { return self.sheets; })
         .def_property_readonly("assembly", [](const SheetSet& self) { return self.assembly; })
         .def_property_readonly("parts", [](const SheetSet& self) { return self.parts; })
-        .def_property_readonly("connectors", [](const SheetSet& self) { return self.connectors; });
+        .def_property_readonly("connectors", [](const SheetSet& self) { return self.connectors; })
+        .def_property_readonly("remarks", [](const SheetSet& self) { return self.remarks; });
     m.def(
         "cut_into_sheets",
         [](const simulation::Surface& surface, const Bed& bed, const py::kwargs& named) {
@@ -157,6 +158,7 @@ void bind_facts(py::module_& m) {
                "angle between bars, rad, below which there is a warning")
         .field("strength", &FactsOptions::strength,
                "stress, Pa, above which there is a warning; None: the material's strength")
+        .field("bed", &FactsOptions::bed, "bed for whose parts openings are counted; None: one piece")
         .done();
     Record<Warning>(m, "FactsWarning", "A warning for the maker.")
         .constant("message", &Warning::message, "one line")

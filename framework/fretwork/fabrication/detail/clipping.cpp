@@ -264,6 +264,11 @@ std::vector<Polygon> without(std::span<const Polygon> whole, std::span<const Pol
     return combined(whole, parts, ClipperLib::ctDifference);
 }
 
+double least_width() {
+    const double corner = 1.0 - std::cos(kChordAngle);  // its distance from that line, in radii
+    return 2.0 * (2.0 * kLeastDeviation / corner);
+}
+
 Contour with_arcs(const Polygon& polygon, std::span<const Disc> discs) {
     return ArcFinder(polygon, discs).run();
 }

@@ -29,6 +29,11 @@ std::vector<geometry::Polygon> merged(std::span<const geometry::Polygon> left,
 std::vector<geometry::Polygon> without(std::span<const geometry::Polygon> whole,
                                        std::span<const geometry::Polygon> parts);
 
+/// The least width of bars, m. The corners of their round ends then lie off the line between their neighbours
+/// by twice the distance at which corners are removed. Outlines of narrower bars come out wrong, with
+/// openings larger than their regions.
+double least_width();
+
 /// Put arcs in the place of chords of the given circles.
 Contour with_arcs(const geometry::Polygon& polygon, std::span<const Disc> discs);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/fabrication/detail/clipping.hpp>
 #include <fretwork/fabrication/detail/connectors.hpp>
 #include <fretwork/geometry/plane.hpp>
 
@@ -61,6 +62,15 @@ void cut_frame(ConnectorCut& cut, const SeamPlace& end, ConnectorSide side, doub
     cut.beyond.push_back(side == ConnectorSide::Knob
                              ? disc_beyond(disc, end.normal, making.growth)
                              : disc_beyond(disc, -1.0 * end.normal, making.growth - making.fit));
+}
+
+std::vector<geometry::Polygon> with_connectors(const std::vector<geometry::Polygon>& touched,
+                                               const ConnectorCut& cut) {
+    if (cut.added.empty()) return touched;
+    std::vector<geometry::Polygon> all = without(touched, united(cut.beyond));
+    const std::vector<geometry::Polygon> added = united(cut.added);
+    all = merged(all, added);
+    return cut.sockets.empty() ? all : without(all, united(cut.sockets));
 }
 
 Point2 name_place(const Connector& connector, ConnectorSide side, const ConnectorSize& size) {

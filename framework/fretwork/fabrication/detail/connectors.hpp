@@ -57,6 +57,10 @@ void add_side(ConnectorCut& cut, const Connector& connector, ConnectorSide side,
 void cut_frame(ConnectorCut& cut, const SeamPlace& end, ConnectorSide side, double radius,
                const ConnectorMaking& making);
 
+/// Polygons with openings, after the cuts.
+std::vector<geometry::Polygon> with_connectors(const std::vector<geometry::Polygon>& touched,
+                                               const ConnectorCut& cut);
+
 /// The place at which a connector's number is engraved on a side.
 geometry::Point2 name_place(const Connector& connector, ConnectorSide side, const ConnectorSize& size);
 

@@ -86,6 +86,16 @@ Patch disc_patch(const Disc& disc) {
     return round_end(disc, 0.0, std::numbers::pi);
 }
 
+std::vector<Disc> near_discs(const geometry::Polygon& polygon, const std::vector<Disc>& discs) {
+    std::vector<Disc> near;
+    const Box box = geometry::box_of(std::span<const Point2>(polygon));
+    for (const Disc& disc : discs) {
+        const Point2& c = disc.center;
+        if (geometry::grown({c.x, c.y, c.x, c.y}, disc.radius).meets(box)) near.push_back(disc);
+    }
+    return near;
+}
+
 std::set<TessellationNodeIndex> nodes_with_bars(const BarPlan& plan) {
     std::set<TessellationNodeIndex> nodes;
     for (const Bar& bar : plan.bars) nodes.insert(bar.nodes.begin(), bar.nodes.end());

@@ -34,6 +34,9 @@ std::vector<Patch> bar_patches(const BarPlan& plan, double growth);
 
 Patch disc_patch(const Disc& disc);
 
+/// The discs that meet the box around a polygon.
+std::vector<Disc> near_discs(const geometry::Polygon& polygon, const std::vector<Disc>& discs);
+
 /// The nodes where bars end, and the other nodes at the same places.
 std::set<TessellationNodeIndex> nodes_with_bars(const BarPlan& plan);
 /// Check that a bar ends at each node with a hole for a bolt. Throws InputError.

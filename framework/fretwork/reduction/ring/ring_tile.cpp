@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/geometry/nearly_convex.hpp>
 #include <fretwork/reduction/ring/ring_problem.hpp>
 #include <fretwork/reduction/ring/ring_tile.hpp>
 
@@ -71,7 +72,8 @@ std::vector<TileParameter> tile_parameters(const RingParameters& parameters) {
 
 mechanics::Frame ring_tile(const RingParts& parts, const pattern::NodeLayout& layout, const Setting& setting,
                            const geometry::Polygon& polygon) {
-    if (!geometry::is_convex(polygon)) throw base::GeometryError("the polygon of a tile must be convex");
+    if (!geometry::is_nearly_convex(polygon))
+        throw base::GeometryError("the polygon of a tile must be convex");
     const std::vector<Place> of_side = interface_places(layout);
     const Point2 center = geometry::centroid(polygon);
     const std::size_t count = polygon.size() * of_side.size();
