@@ -164,7 +164,7 @@ class PaintingReader {
             entries.emplace_back(colour, entry.left + "=" + entry.right);
             choice.palette.emplace_back(colour, entry.right);
         }
-        simulation::check_colours(entries, name("palette"));
+        simulation::refuse_repeated_colours(entries, name("palette"));
         return choice;
     }
 

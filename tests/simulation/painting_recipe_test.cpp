@@ -141,7 +141,7 @@ TEST(PaintingRecipe, AColourHasOnePattern) {
     };
     EXPECT_NO_THROW(painted("#0000ff"));
     EXPECT_THAT(complaint_of([&] { painted("#ff0000"); }),
-                HasSubstr("palette: '#ff0000=0-1+1-6' and '#ff0000=0-5+5-6' are for one colour, #ff0000"));
+                HasSubstr("palette: '0-1+1-6' and '0-5+5-6' are for one colour, #ff0000"));
 }
 
 TEST(PaintingRecipe, TilesThatArePaintedOtherwiseLeaveIt) {

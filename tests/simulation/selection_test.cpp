@@ -114,12 +114,16 @@ std::vector<int> at_side(Side side, const tiling::Tessellation& tessellation) {
 }
 
 // Both long sides of a row of tiles lie within one tile side of each other.
-TEST(NodesAtSide, BelongToTheNearerOfTwoSidesAndInTheMiddleToBoth) {
+TEST(NodesAtSide, OfANarrowRowLieOnTheLineThatFacesTheSideAndOnTheEnds) {
     const tiling::Tessellation flat = row_of_three(1.0, no_lift);
     EXPECT_THAT(at_side(Side::Bottom, flat), ElementsAre(0, 1, 2, 6, 9));
     EXPECT_THAT(at_side(Side::Top, flat), ElementsAre(3, 4, 5, 6, 9));
     EXPECT_THAT(at_side(Side::Left, flat), ElementsAre(0, 3, 6));
     EXPECT_THAT(at_side(Side::Right, flat), ElementsAre(2, 5, 9));
+    // Also where the row rises so much that parts of its lower line lie above parts of the upper one.
+    const tiling::Tessellation rising = row_of_three(0.5, [](double x) { return 0.19 * x; });
+    EXPECT_THAT(at_side(Side::Bottom, rising), ElementsAre(0, 1, 2, 6, 9));
+    EXPECT_THAT(at_side(Side::Top, rising), ElementsAre(3, 4, 5, 6, 9));
     tiling::Tessellation upright = flat;  // turned by a quarter
     for (auto& place : upright.vertices) place = {-place.y, place.x};
     for (auto& place : upright.interface_nodes) place = {-place.y, place.x};

@@ -5,6 +5,7 @@
 #include <fretwork/reduction/internal/setting_json.hpp>
 #include <fretwork/reduction/models/tile_model.hpp>
 #include <fretwork/reduction/scenarios/setting_file.hpp>
+#include <fretwork/simulation/internal/origins.hpp>
 #include <fretwork/simulation/load_cases/combination.hpp>
 #include <fretwork/simulation/load_cases/conditions.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
@@ -117,6 +118,7 @@ Edited set_load_case(const State& state, const JsonReader& request) {
         if (i != index && cases[i].name == load_case.name)
             json.at("name").fail("'" + load_case.name + "' is the name of another load case");
     }
+    load_case = simulation::without_origins(std::move(load_case));
     Edited edit{state, (index == cases.size() ? "new load case " : "load case ") + load_case.name};
     if (index == cases.size())
         cases.push_back(std::move(load_case));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/reduction/models/tile_model.hpp>
+#include <fretwork/simulation/internal/origins.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
 #include <fretwork/simulation/project/project_library.hpp>
 #include <studio/document/state.hpp>
@@ -92,10 +93,14 @@ State make_state(const Project& project, const std::filesystem::path& folder) {
         library.path = std::filesystem::absolute(folder / project.library_path).lexically_normal();
         library.hash = project.library_hash;
     }
+    // The page numbers entries as load_case_json() lists them.
+    std::vector<simulation::LoadCase> load_cases = project.load_cases;
+    for (simulation::LoadCase& load_case : load_cases)
+        load_case = simulation::without_origins(std::move(load_case));
     return {.ground = part(project),
             .painting = part(std::move(painting)),
             .tile_models = part(tile_models_of(project)),
-            .load_cases = part(project.load_cases),
+            .load_cases = part(std::move(load_cases)),
             .setting = part(project.setting.value_or(reduction::paper_setting())),
             .library = part(std::move(library)),
             .model = part(first_model())};

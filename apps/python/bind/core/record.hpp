@@ -111,7 +111,18 @@ class Record {
         if constexpr (std::is_same_v<Member, std::string_view>)
             return py::cpp_function([member](T& self, Member value) { self.*member = kept_text(value); });
         else
-            return py::cpp_function([member](T& self, Member value) { self.*member = std::move(value); });
+            return py::cpp_function([member](T& self, Member value) {
+                forget_origins(value);
+                self.*member = std::move(value);
+            });
+    }
+    /// A list that Python sets is in no file, also if its entries were read from some.
+    template <class Value>
+    static void forget_origins(Value& value) {
+        if constexpr (ListLike<Value>) {
+            if constexpr (requires { value.front().origin = {}; })
+                for (auto& entry : value) entry.origin = {};
+        }
     }
 
     py::class_<T> type_;

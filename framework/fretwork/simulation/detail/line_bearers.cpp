@@ -40,12 +40,6 @@ void add(const RimSide& side, double length, std::vector<LineBearer>& bearers) {
         bearers.push_back({node, length / static_cast<double>(side.nodes.size())});
 }
 
-/// The length of a rim side along a side of the bounding box; negative or zero if the surface does not end in
-/// that direction there, as at a corner's other side. The surface lies to the left of a rim side.
-double length_along(const RimSide& rim, Side side) {
-    return geometry::cross(outward(side), rim.ends[1] - rim.ends[0]);
-}
-
 /// The bearers on rim sides that face one side of the bounding box, with all of their nodes along it.
 std::vector<LineBearer> along_side(Side side, const Tessellation& tessellation) {
     constexpr double kLeastShare = 1e-9;  // of a rim side's length: less is rounding
@@ -56,7 +50,7 @@ std::vector<LineBearer> along_side(Side side, const Tessellation& tessellation) 
             const bool is_near = std::ranges::all_of(own.nodes, [&](InterfaceIndex node) {
                 return strip.contains(tessellation.interface_nodes[node]);
             });
-            const double length = length_along(own, side);
+            const double length = length_along(side, own.ends[0], own.ends[1]);
             if (is_near && length > kLeastShare * own.length()) add(own, length, bearers);
         }
     }

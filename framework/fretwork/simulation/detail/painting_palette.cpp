@@ -103,10 +103,10 @@ std::vector<std::pair<std::string, NamedPattern>> coloured_palette(const PaintBy
     std::vector<std::pair<std::string, std::string>> entries;
     std::vector<std::pair<std::string, NamedPattern>> palette;
     for (const auto& [colour, id] : choice.palette) {
-        entries.emplace_back(colour, colour + "=" + id);
+        entries.emplace_back(colour, id);
         palette.emplace_back(colour, checked_palette(kPaletteEntry, ground.layout, {id}).front());
     }
-    check_colours(entries, kPaletteEntry);
+    refuse_repeated_colours(entries, kPaletteEntry);
     return palette;
 }
 

@@ -11,9 +11,9 @@
 namespace fretwork::simulation {
 
 /// Refuse a palette with two entries for one colour. `entries` are colours as "#rrggbb", each with its entry
-/// as its writer knows it; the message quotes both entries and names `source`.
-inline void check_colours(std::span<const std::pair<std::string, std::string>> entries,
-                          const std::string& source) {
+/// or its pattern; the message quotes both and names `source`.
+inline void refuse_repeated_colours(std::span<const std::pair<std::string, std::string>> entries,
+                                    const std::string& source) {
     std::map<std::string, std::string> known;
     for (const auto& [colour, entry] : entries) {
         const auto [first, is_new] = known.emplace(colour, entry);

@@ -63,7 +63,7 @@ EntryMarks entry_marks(const LoadCase& load_case, const tiling::Tessellation& te
 
 /// Check that every entry of a load case has its place on a tessellation, painted or not: interface nodes,
 /// tiles, or a line along the rim. Throws InputError that names the load case and the entry, by its position
-/// in the file from which it was read.
+/// in the file from which it was read, or else in load_case_text().
 void check_selections(const LoadCase& load_case, const tiling::Tessellation& tessellation);
 
 }  // namespace fretwork::simulation

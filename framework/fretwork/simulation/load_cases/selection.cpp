@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace fretwork::simulation {
 namespace {
@@ -24,17 +23,6 @@ std::vector<InterfaceIndex> nodes_where(const Tessellation& tessellation, const 
         if (condition(i)) picked.emplace_back(i);
     }
     return picked;
-}
-
-/// True for each interface node that only one tile has.
-std::vector<bool> rim_nodes(const Tessellation& tessellation) {
-    std::vector<int> uses(tessellation.interface_nodes.size(), 0);
-    for (const tiling::Tile& tile : tessellation.tiles) {
-        for (const InterfaceIndex node : tile.interface_nodes) ++uses[node];
-    }
-    std::vector<bool> on_rim(uses.size());
-    std::transform(uses.begin(), uses.end(), on_rim.begin(), [](int count) { return count == 1; });
-    return on_rim;
 }
 
 class Picker {
@@ -98,24 +86,29 @@ class Picker {
     }
 
     std::vector<InterfaceIndex> operator()(const NodesAtSide& selection) const {
-        constexpr double kRounding = 1e-9;  // of a tile side: a node in the middle belongs to both sides
         const detail::SideStrip strip(selection.side, tessellation_);
-        const std::vector<bool> on_rim = rim_nodes(tessellation_);
-        const auto place = [&](std::size_t i) { return tessellation_.interface_nodes[i]; };
-        double low = std::numeric_limits<double>::infinity();
-        double high = -low;
-        for (std::size_t i = 0; i < on_rim.size(); ++i) {
-            if (!on_rim[i]) continue;
-            low = std::min(low, strip.height(place(i)));
-            high = std::max(high, strip.height(place(i)));
+        std::vector<bool> is_picked(tessellation_.interface_nodes.size(), false);
+        for (const auto& line : tiling::rim_sides(tessellation_)) {
+            for (const tiling::RimSide& side : line) {
+                if (faces_away(side, selection.side)) continue;
+                for (const InterfaceIndex node : side.nodes)
+                    is_picked[static_cast<std::size_t>(node.value)] =
+                        strip.contains(tessellation_.interface_nodes[node]);
+            }
         }
-        const double middle = 0.5 * (low + high) + kRounding * strip.width();
-        return nodes_where(tessellation_, [&](std::size_t i) {
-            return on_rim[i] && strip.contains(place(i)) && strip.height(place(i)) <= middle;
-        });
+        return nodes_where(tessellation_, [&](std::size_t i) { return is_picked[i]; });
     }
 
   private:
+    /// True for the other line of a narrow surface and for the near wall of a hole. The ends of a strip,
+    /// which lean a little, are at both of its long sides.
+    [[nodiscard]] bool faces_away(const tiling::RimSide& rim, Side side) const {
+        constexpr double kMostLean = 0.2;
+        const Point2& from = tessellation_.vertices[rim.from];
+        const Point2& to = tessellation_.vertices[rim.to];
+        return detail::length_along(side, from, to) < -kMostLean * geometry::distance(from, to);
+    }
+
     const Tessellation& tessellation_;
 };
 

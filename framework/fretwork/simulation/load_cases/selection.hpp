@@ -39,8 +39,8 @@ struct NodesNearest {
     friend bool operator==(const NodesNearest&, const NodesNearest&) = default;
 };
 /// The interface nodes on the rim whose distance from a side of the bounding box is at most one mean tile
-/// side. On a surface that is narrower than two tile sides, a node belongs to the nearer one of two opposite
-/// sides, and to both if it lies in the middle between the outermost nodes of the rim.
+/// side. Nodes on sides of tiles that face away from this side are left out, such as those on the other line
+/// of a narrow strip, or on the near wall of a hole.
 struct NodesAtSide {
     Side side = Side::Left;  ///< side of the bounding box of the interface nodes
     friend bool operator==(const NodesAtSide&, const NodesAtSide&) = default;

@@ -15,13 +15,14 @@ std::string component_text(int node, int dof) {
            std::to_string(node);
 }
 
-std::size_t position_of(const LoadCase::Share&, std::size_t index) {
-    return index;
-}
-/// An entry of a file may be several of the list.
+/// An entry of most lists is one of the file's list.
 template <class Entry>
-std::size_t position_of(const Entry& entry, std::size_t index) {
-    return entry.origin.position.value_or(index);
+std::size_t place_in_file(const std::vector<Entry>&, std::size_t entry) {
+    return entry;
+}
+/// An entry of the file may prescribe several components.
+std::size_t place_in_file(const std::vector<LoadCase::PrescribedDisplacement>& list, std::size_t entry) {
+    return list[entry].origin.position.value_or(entry);
 }
 
 /// Calls `take(entry)` for each entry of a list of a load stage; errors name the load stage and the entry.
@@ -30,7 +31,7 @@ void for_entries(const LoadStage& stage, const std::string& list, const std::vec
                  const Take& take) {
     for (std::size_t i = 0; i < entries.size(); ++i)
         base::located("load stage '" + stage.name + "'",
-                      "/" + list + "/" + std::to_string(position_of(entries[i], i)),
+                      "/" + list + "/" + std::to_string(place_in_file(entries, i)),
                       [&] { take(entries[i]); });
 }
 

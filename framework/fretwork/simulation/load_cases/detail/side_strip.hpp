@@ -24,6 +24,12 @@ inline geometry::Point2 outward(Side side) {
     return {0.0, 1.0};
 }
 
+/// The length of a side of a tile along a side of the bounding box. It is negative or zero if the surface, to
+/// the left of the tile's side, does not end there in that direction, as at a corner's other side.
+inline double length_along(Side side, geometry::Point2 from, geometry::Point2 to) {
+    return geometry::cross(outward(side), to - from);
+}
+
 /// The strip along a side of the bounding box of the interface nodes, one mean tile side wide.
 class SideStrip {
   public:
@@ -32,14 +38,13 @@ class SideStrip {
         for (const geometry::Point2& node : tessellation.interface_nodes)
             lowest_ = std::min(lowest_, height(node));
     }
-    /// The width of the strip, m.
-    [[nodiscard]] double width() const { return width_; }
-    /// The height of a place if the side is below, m.
-    [[nodiscard]] double height(geometry::Point2 place) const { return -geometry::dot(outward_, place); }
     /// True if the strip contains a place.
     [[nodiscard]] bool contains(geometry::Point2 place) const { return height(place) <= lowest_ + width_; }
 
   private:
+    /// The height of a place if the side is below, m.
+    [[nodiscard]] double height(geometry::Point2 place) const { return -geometry::dot(outward_, place); }
+
     geometry::Point2 outward_;
     double width_;
     double lowest_ = std::numeric_limits<double>::infinity();
