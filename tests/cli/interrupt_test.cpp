@@ -246,6 +246,19 @@ TEST_F(InterruptOfDesign, EndsShortVerbsWithTheExitCodeToo) {
     EXPECT_EQ(program.messages(), "fretwork: stopped before it was done; nothing is half-written\n");
 }
 
+/// No file is half-written before the work begins, so the program does not wait for its input.
+TEST_F(InterruptOfDesign, EndsASimulationThatStillReads) {
+    const SlowFile project(folder_.path() / "p.json");
+    Running program(folder_.path(), {"simulate", "p.json", "--case", "cantilever", "--out", "r.json"});
+    ASSERT_TRUE(comes_true([&] { return program.has_open(folder_.path() / "p.json"); }));
+    program.signal(SIGINT);
+    const int status = program.wait();
+    ASSERT_TRUE(WIFEXITED(status)) << "killed by signal " << WTERMSIG(status);
+    EXPECT_EQ(WEXITSTATUS(status), 1);
+    EXPECT_EQ(program.messages(), "fretwork: stopped before it was done; nothing is half-written\n");
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "r.json"));
+}
+
 /// Who sends SIGTERM again and again does not lose what is found: a person alone ends it at once.
 TEST_F(InterruptOfDesign, ASecondTermIsNoSecondCtrlC) {
     SlowFile target(folder_.path() / "t.json");

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whatever takes long can be stopped from another thread, and tells how far it is.
 #include "sample.hpp"
+#include "stops.hpp"
 
 #include <fretwork/base/control.hpp>
 #include <fretwork/mechanics/discretization.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/modes.hpp>
 #include <fretwork/mechanics/paths/equilibrium.hpp>
+#include <fretwork/mechanics/paths/linear_range.hpp>
 #include <fretwork/mechanics/paths/path_tracing.hpp>
 #include <fretwork/mechanics/paths/relaxation.hpp>
 
@@ -111,6 +113,22 @@ TEST(Control, StopsTheEstimateOfADiscretizationError) {
     const auto factors = even_load_factors(4);
     const auto path = follow_load_path(assemble(frame), factors);
     expect_stopped([&](const base::Control& control) {
+        (void)estimate_discretization_error(frame, factors, path, {.control = control});
+    });
+}
+
+TEST(Control, StopsModesAndEstimatesAtAnyLook) {
+    const Frame frame = sample::honeycomb(6, 5);
+    const Assembly assembly = assemble(frame);
+    const std::vector<double> factors = even_load_factors(1);
+    const auto path = follow_load_path(assembly, factors);
+    const auto expect_stops = [](const auto& work) { test::expect_stops_at_any_look(work, [] {}); };
+    expect_stops(
+        [&](const base::Control& control) { (void)vibration_modes(assembly, 2, {.control = control}); });
+    expect_stops(
+        [&](const base::Control& control) { (void)buckling_modes(assembly, 2, {.control = control}); });
+    expect_stops([&](const base::Control& control) { (void)linear_range(assembly, {.control = control}); });
+    expect_stops([&](const base::Control& control) {
         (void)estimate_discretization_error(frame, factors, path, {.control = control});
     });
 }

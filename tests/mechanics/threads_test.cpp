@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Results do not depend on the number of threads: not by a bit.
 #include "sample.hpp"
+#include "stops.hpp"
 
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/nonlinear/nonlinear_system.hpp>
@@ -53,6 +54,25 @@ TEST(Threads, PlanHoldsEverySupernodeOnceAndAfterItsChildren) {
             EXPECT_EQ(plan.parent[static_cast<std::size_t>(task_of[s])], above);
             EXPECT_GT(above, task_of[s]);
         }
+    }
+}
+
+TEST(Threads, AllEndWhenAFactorizationIsStopped) {
+    const Assembly assembly = assemble(large_frame());
+    nonlinear::NonlinearSystem system(assembly);
+    system.evaluate(system.unknowns().rest(), 0.0);
+    for (const int threads : {1, 4}) {
+        sparse::Ldlt factors(system.unknowns().layout(), threads);
+        const auto solution = [&] {
+            EXPECT_TRUE(factors.factorize(system.tangent()).positive_definite());
+            Eigen::VectorXd x = Eigen::VectorXd::Ones(factors.equations());
+            factors.solve(x);
+            return x;
+        };
+        const Eigen::VectorXd expected = solution();
+        test::expect_stops_at_any_look(
+            [&](const base::Control& control) { (void)factors.factorize(system.tangent(), control); }, [] {});
+        EXPECT_TRUE(solution() == expected);
     }
 }
 

@@ -2,6 +2,8 @@
 #include "honeycomb.hpp"
 #include "stops.hpp"
 
+#include <fretwork/simulation/results/beam_table.hpp>
+#include <fretwork/simulation/results/result_subject.hpp>
 #include <fretwork/simulation/session.hpp>
 #include <fretwork/simulation/simulate.hpp>
 
@@ -78,6 +80,25 @@ TEST(SessionStops, AdjointSolutionsStopAtAnyLook) {
         },
         // Corrected factors change these displacements by some 1e-12.
         [&] { EXPECT_LT((session.solve_adjoint(ones) - expected).norm(), 1e-10 * expected.norm()); });
+}
+
+TEST(SessionStops, StressesAndDeformationsStopAtEachTile) {
+    Session session(make_surface(honeycomb(4, 3, {"0-1+1-6", "0-6"}), nullptr),
+                    cantilever({0.0, 0.0, -0.001}), {.model = "corotational", .threads = 1});
+    SurfaceResult result = session.solve();
+    result.subject = result_subject(session.surface(), session.load_case(), session.options());
+    const auto expect_stops = [&](const auto& work) {
+        const test::StopAtLook never;
+        work(never.control());
+        EXPECT_GE(never.looks(), session.surface().tessellation.tiles.size());
+        test::expect_stops_at_any_look(work, [] {});
+    };
+    expect_stops(
+        [&](const base::Control& control) { (void)session.tile_deformations(result.solution, control); });
+    expect_stops([&](const base::Control& control) { (void)beam_table(session, result.solution, control); });
+    expect_stops([&](const base::Control& control) {
+        (void)beam_table(session.surface(), result, reduction::tile_models(), control);
+    });
 }
 
 }  // namespace THIS_TEST

@@ -93,7 +93,8 @@ std::vector<DiscretizationError> estimate_discretization_error(const Frame& fram
     const bool from_coarser = can_be_halved(frame);
     if (!from_coarser && !can_be_doubled(frame)) return std::vector<DiscretizationError>(solutions.size());
     const Frame other = from_coarser ? halved(frame) : refined(frame, 2);
-    const auto others = follow_load_path(assemble(other), load_factors, options);
+    const auto others =
+        follow_load_path(assemble(other, {.control = options.control}), load_factors, options);
     std::vector<DiscretizationError> errors;
     for (std::size_t i = 0; i < others.size(); ++i)
         errors.push_back(error_between(solutions[i], others[i],

@@ -32,7 +32,7 @@ sparse::Ldlt factorize_at_rest(const nonlinear::NonlinearSystem& system, const b
     sparse::Ldlt factors(system.unknowns().layout(), 1, control);
     const auto outcome = factors.factorize(system.tangent(), control);
     structure::refuse_mechanisms(system.unknowns().assembly(), system.unknowns().layout(), system.tangent(),
-                                 factors, outcome);
+                                 factors, outcome, control);
     return factors;
 }
 
@@ -79,13 +79,15 @@ VectorXd element_displacements(const Element& element, const NodeValues& displac
 
 /// True if supports move the structure as a rigid body, so that all forces are rounding of terms that cancel.
 /// The displacements come from a factorization, and leave forces of about ten units of rounding.
-bool is_moved_rigidly(const Assembly& assembly, const NodeValues& displacements) {
+bool is_moved_rigidly(const Assembly& assembly, const NodeValues& displacements,
+                      const base::Control& control) {
     constexpr double kRounding = 1e3 * std::numeric_limits<double>::epsilon();
     if (!assembly.loads.isZero(0.0)) return false;
     double forces = 0.0;
     double terms = 0.0;
     MatrixXd stiffness;
     for (const auto& element : assembly.elements) {
+        control.check();
         const VectorXd own = element_displacements(*element, displacements);
         element->rest_stiffness(stiffness);
         forces += (stiffness * own).squaredNorm();
@@ -139,7 +141,7 @@ std::vector<Mode> buckling_modes(const Assembly& assembly, int count, const Mode
     factors.solve(rate, options.control);
     NodeValues displacements = structure::constraints_of(assembly).values;
     system.unknowns().layout().scatter(rate, displacements);
-    if (is_moved_rigidly(assembly, displacements)) return {};
+    if (is_moved_rigidly(assembly, displacements, options.control)) return {};
     const auto pairs =
         structure::SubspaceIteration(system.unknowns().layout(),
                                      {system.tangent(), softening(system, displacements, options.control)},

@@ -193,8 +193,9 @@ void Session::require_since_edit(const mechanics::Solution& solution) const {
     throw base::InputError(
         "this is a solution that the session gave before its last edit; solve() gives another");
 }
-std::vector<TileDeformation> Session::tile_deformations(const mechanics::Solution& solution) const {
-    return answering().tile_deformations(solution);
+std::vector<TileDeformation> Session::tile_deformations(const mechanics::Solution& solution,
+                                                        const base::Control& control) const {
+    return answering().tile_deformations(solution, control);
 }
 Linearization Session::linearize(TileQuantities quantities, const base::Control& control) {
     return answering().linearize(quantities, control);

@@ -160,8 +160,9 @@ class Session {
     [[nodiscard]] mechanics::NodeValues energy_gradient(const mechanics::Solution& solution) const;
 
     /// The deformation of each tile in a solution of this session; zero for tiles made of beams. Throws
-    /// InputError if the solution has other nodes than the session's last one.
-    [[nodiscard]] std::vector<TileDeformation> tile_deformations(const mechanics::Solution& solution) const;
+    /// InputError if the solution has other nodes than the session's last one; Stopped.
+    [[nodiscard]] std::vector<TileDeformation> tile_deformations(const mechanics::Solution& solution,
+                                                                 const base::Control& control = {}) const;
 
     /// The motions of a tile's beams in a solution since the session's last edit; nothing if the tile's model
     /// does not give them. Throws InputError if tiles were edited after the last solve(), or if the solution

@@ -41,7 +41,7 @@ class Simulation {
     }
 
     void add_doubt(Session& session, SurfaceResult& result) {
-        result.model_doubt = model_doubt(session, result);
+        result.model_doubt = model_doubt(session, result, control_);
         if (is_doubtful(result) && begins_with_own_solution(surface_, options_))
             estimate(session, result, *result.model_doubt, result);
     }
@@ -55,7 +55,7 @@ class Simulation {
         SurfaceResult result = begins_with_own_solution(surface_, options_)
                                    ? turned
                                    : Session(surface_, load_case_, plain).solve(control_);
-        estimate(session, turned, model_doubt(session, turned), result);
+        estimate(session, turned, model_doubt(session, turned, control_), result);
         if (result.solution.converged())
             result.buckled_tiles = tile_numbers(buckled_tiles(surface_, result.solution, options_, control_));
         return result;

@@ -77,7 +77,7 @@ class StagedSimulation {
         result.solver = "newton";
         result.seconds = watch.seconds();
         for (const mechanics::Solution& end : result.load_steps)
-            add_deformations(detail::tile_deformations(assembly, joined.starts, end), followed);
+            add_deformations(detail::tile_deformations(assembly, joined.starts, end, control_), followed);
         result.subject = result_subject(surface, plan_.supports, options_);
         result.subject->stages_text = stages_text(plan_.stages);
         result.subject->stage_load_cases = named_cases(plan_);
@@ -132,11 +132,11 @@ class StagedSimulation {
     /// the tiles around the most stressed beam are in full.
     [[nodiscard]] std::optional<double> stress_error(Surface better, FollowedStages reference,
                                                      const SurfaceResult& result) {
-        const std::vector<BeamTable> tables = step_beam_tables(surface_, result, options_.models);
+        const std::vector<BeamTable> tables = step_beam_tables(surface_, result, options_.models, control_);
         while (true) {
             if (!reference.result.solution.converged()) return std::nullopt;
             const std::vector<BeamTable> refined =
-                step_beam_tables(better, reference.result, options_.models);
+                step_beam_tables(better, reference.result, options_.models, control_);
             const std::vector<TileIndex> missing = reduced_around_worst(better, refined);
             if (missing.empty()) return staged_stress_error(tables, refined);
             put_in_full(missing, better);

@@ -78,7 +78,7 @@ Eigen::VectorXd solve_near_identity(const Operator& b_times, const Eigen::Vector
 void Newton::factorize_at_rest() {
     const sparse::Ldlt::Outcome outcome = factorize();
     structure::refuse_mechanisms(unknowns_.assembly(), unknowns_.layout(), system_.tangent(), factors_,
-                                 outcome);
+                                 outcome, options_.control);
 }
 
 sparse::Ldlt::Outcome Newton::factorize() {

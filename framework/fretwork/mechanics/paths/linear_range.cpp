@@ -21,12 +21,13 @@ double largest_translation(const NodeValues& rows) {
 }
 
 /// The internal forces of the elements in a state.
-NodeValues internal_forces(const Assembly& assembly, const NodeValues& state) {
+NodeValues internal_forces(const Assembly& assembly, const NodeValues& state, const base::Control& control) {
     const std::vector<NodeState> states = node_states(state);
     NodeValues forces = NodeValues::Zero(state.rows(), kDofsPerNode);
     std::vector<NodeState> own;
     ElementResponse response;
     for (const auto& element : assembly.elements) {
+        control.check();
         own.clear();
         for (const NodeIndex node : element->nodes()) own.push_back(states[node]);
         element->evaluate(own, Demand::Force, response);
@@ -93,8 +94,7 @@ class PathTerms {
 
     /// The internal forces at the state p u1 + p^2 u2.
     [[nodiscard]] NodeValues forces_at(double p, const NodeValues& second) const {
-        options_.control.check();
-        return internal_forces(assembly_, p * first_ + p * p * second);
+        return internal_forces(assembly_, p * first_ + p * p * second, options_.control);
     }
 
     [[nodiscard]] NodeValues quadratic_forces() const {

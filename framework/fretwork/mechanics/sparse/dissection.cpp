@@ -78,11 +78,11 @@ class Dissection {
     }
 
     void dissect(std::span<int> cliques) {
-        control_.check();
         if (cliques.size() <= kLeaf) return take_all(cliques);
         Cut best;
         const Eigen::Vector3d* direction = &kDirections[0];
         for (const Eigen::Vector3d& next : kDirections) {
+            control_.check();
             if (!sort_along(next, cliques)) continue;
             const Cut cut = best_cut(cliques);
             if (cut.cost < best.cost) {
@@ -90,6 +90,7 @@ class Dissection {
                 direction = &next;
             }
         }
+        control_.check();
         if (best.position == 0) return take_all(cliques);  // all cliques are at one place
         sort_along(*direction, cliques);
         const std::vector<int> separator = shared_nodes(cliques, best.position, *direction);

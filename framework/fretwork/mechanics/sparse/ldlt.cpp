@@ -14,10 +14,12 @@ namespace {
 using base::at;
 
 /// The row of each entry of the matrix in its column of a front.
-std::vector<int> entry_places(const SystemLayout& layout, const SupernodeTree& tree) {
+std::vector<int> entry_places(const SystemLayout& layout, const SupernodeTree& tree,
+                              const base::Control& control) {
     std::vector<int> place(at(layout.equations()));
     std::vector<int> places(layout.row().size());
     for (const Supernode& supernode : tree.supernodes) {
+        control.check();
         for (int i = 0; i < supernode.width; ++i) place[at(supernode.first + i)] = i;
         for (int i = 0; i < supernode.rows; ++i)
             place[at(tree.row[supernode.row_start + at(i)])] = supernode.width + i;
@@ -37,7 +39,7 @@ std::shared_ptr<const Ldlt::Analysis> Ldlt::analyse(const SystemLayout& layout, 
     analysis->threads = base::resolved_thread_count(threads);
     analysis->tree = supernode_tree(layout, control);
     analysis->plan = plan_elimination(analysis->tree, analysis->threads);
-    analysis->entry_place = entry_places(layout, analysis->tree);
+    analysis->entry_place = entry_places(layout, analysis->tree, control);
     return analysis;
 }
 

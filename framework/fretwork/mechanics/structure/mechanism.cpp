@@ -67,7 +67,7 @@ std::string place_text(const Eigen::Vector3d& place) {
 
 void refuse_mechanisms(const Assembly& assembly, const sparse::SystemLayout& layout,
                        std::span<const double> values, const sparse::Ldlt& factors,
-                       const sparse::Ldlt::Outcome& outcome) {
+                       const sparse::Ldlt::Outcome& outcome, const base::Control& control) {
     if (!outcome.positive_definite())
         refuse(assembly, NodeIndex(layout.node_of(std::max(outcome.zero_pivot, 0))));
     if (!outcome.has_weak_pivot) return;
@@ -76,7 +76,7 @@ void refuse_mechanisms(const Assembly& assembly, const sparse::SystemLayout& lay
     for (int i = 0; i < layout.equations(); ++i) scale[i] = std::sqrt(values[layout.column_start()[i]]);
     const Eigen::VectorXd load = scale.cwiseProduct(sparse::arbitrary_numbers(layout.equations()).col(0));
     Eigen::VectorXd displacements = load;
-    factors.solve(displacements);
+    factors.solve(displacements, control);
     Eigen::VectorXd internal = Eigen::VectorXd::Zero(load.size());
     sparse::add_product(layout, values, displacements, internal);
     const double unbalanced = (load - internal).cwiseQuotient(scale).norm();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/control.hpp>
 #include <fretwork/mechanics/assembly.hpp>
 #include <fretwork/mechanics/sparse/ldlt.hpp>
 #include <fretwork/mechanics/sparse/system_layout.hpp>
@@ -10,7 +11,7 @@
 namespace fretwork::mechanics::structure {
 
 /// Refuse a structure at rest that can move without strain in spite of its supports. Throws NumericalError
-/// that names a node, or states that nothing holds the structure.
+/// that names a node, or states that nothing holds the structure; Stopped.
 ///
 /// A mechanism has a pivot that is zero or, if beams are oblique, as small as rounding. A merely soft
 /// structure may have a small pivot, too. Therefore, if all pivots are positive and one of them is small, a
@@ -21,6 +22,6 @@ namespace fretwork::mechanics::structure {
 /// @param outcome  the outcome of the factorization
 void refuse_mechanisms(const Assembly& assembly, const sparse::SystemLayout& layout,
                        std::span<const double> values, const sparse::Ldlt& factors,
-                       const sparse::Ldlt::Outcome& outcome);
+                       const sparse::Ldlt::Outcome& outcome, const base::Control& control = {});
 
 }  // namespace fretwork::mechanics::structure

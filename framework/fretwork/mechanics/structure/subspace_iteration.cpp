@@ -186,6 +186,7 @@ void SubspaceIteration::factorize_shifted(double shift) {
 MatrixXd SubspaceIteration::times(std::span<const double> matrix, const MatrixXd& vectors) const {
     MatrixXd result(vectors.rows(), vectors.cols());
     for (Eigen::Index i = 0; i < vectors.cols(); ++i) {
+        control_.check();
         VectorXd product = VectorXd::Zero(vectors.rows());
         sparse::add_product(layout_, matrix, vectors.col(i), product);
         result.col(i) = product;
@@ -214,10 +215,12 @@ SubspaceIteration::Pairs SubspaceIteration::project(MatrixXd vectors, double shi
     const VectorXd scale = energies.cwiseMax(kNothing).cwiseSqrt().cwiseInverse();
     vectors *= scale.asDiagonal();
     images *= scale.asDiagonal();
+    control_.check();
     const geometry::SymmetricEigen span = geometry::symmetric_eigen(vectors.transpose() * images);
     const Eigen::Index rank = (span.values.array() > kDependent).count();
     // Eigen does not accept matrices without rows.
     if (rank == 0) return {VectorXd(0), MatrixXd(vectors.rows(), 0)};
+    control_.check();
     const MatrixXd basis = vectors * span.vectors.rightCols(rank) *
                            span.values.tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
     const geometry::SymmetricEigen solver =

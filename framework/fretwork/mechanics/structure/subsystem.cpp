@@ -33,7 +33,7 @@ void Subsystem::add(std::size_t element, const Eigen::MatrixXd& stiffness) {
 
 void Subsystem::factorize(const Assembly& assembly, const base::Control& control) {
     const sparse::Ldlt::Outcome outcome = numbers_->factors.factorize(numbers_->values, control);
-    refuse_mechanisms(assembly, *layout_, numbers_->values, numbers_->factors, outcome);
+    refuse_mechanisms(assembly, *layout_, numbers_->values, numbers_->factors, outcome, control);
 }
 
 std::vector<int> Subsystem::equations_of(std::span<const int> nodes) const {

@@ -48,7 +48,8 @@ class Session::Impl {
 
     SurfaceResult solve(const base::Control& control, mechanics::StabilityCheck check,
                         const mechanics::FirstIterate& first_iterate = {});
-    [[nodiscard]] std::vector<TileDeformation> tile_deformations(const mechanics::Solution& solution) const;
+    [[nodiscard]] std::vector<TileDeformation> tile_deformations(const mechanics::Solution& solution,
+                                                                 const base::Control& control) const;
     Linearization linearize(TileQuantities quantities, const base::Control& control);
     Eigen::MatrixXd solve_adjoint(const Eigen::MatrixXd& rows, const base::Control& control);
     [[nodiscard]] std::optional<reduction::BeamMotion> beam_motion(tiling::TileIndex tile,

@@ -21,8 +21,9 @@ Session::Mixture::Mixture(const Impl& plain, const SimulationOptions& options)
       }) {}
 
 /// Tiles with their own model keep it.
-void Session::Mixture::choose(const Impl& plain) {
-    const std::vector<TileDeformation> deformations = plain.tile_deformations(corotational_.solution);
+void Session::Mixture::choose(const Impl& plain, const base::Control& control) {
+    const std::vector<TileDeformation> deformations =
+        plain.tile_deformations(corotational_.solution, control);
     full_tiles_ = worst_tiles(plain.surface(), deformations, share_);
     std::vector<std::string> wanted = plain.surface().tile_models;
     wanted.resize(deformations.size());
@@ -42,7 +43,7 @@ SurfaceResult Session::Mixture::solve(Impl& plain, const base::Control& control,
     corotational_ = plain.solve(control, check);
     report_ = plain.last_report();
     if (!corotational_.solution.converged()) return corotational_;
-    choose(plain);
+    choose(plain, control);
     if (full_tiles_.empty()) return corotational_;
     SurfaceResult mixed = impl_.solve(control, check);
     mixed.seconds += corotational_.seconds;

@@ -26,7 +26,7 @@ class Session::Mixture {
     SurfaceResult solve(Impl& plain, const base::Control& control, mechanics::StabilityCheck check);
 
   private:
-    void choose(const Impl& plain);
+    void choose(const Impl& plain, const base::Control& control);
 
     SimulationOptions options_;
     double share_;

@@ -161,9 +161,10 @@ SurfaceResult Session::Impl::solve(const base::Control& control, mechanics::Stab
     return result;
 }
 
-std::vector<TileDeformation> Session::Impl::tile_deformations(const mechanics::Solution& solution) const {
+std::vector<TileDeformation> Session::Impl::tile_deformations(const mechanics::Solution& solution,
+                                                              const base::Control& control) const {
     require_nodes(solution);
-    return detail::tile_deformations(assembly_, starts_, solution);
+    return detail::tile_deformations(assembly_, starts_, solution, control);
 }
 
 void Session::Impl::require_nodes(const mechanics::Solution& solution) const {

@@ -70,27 +70,30 @@ std::optional<double> BeamTable::utilization(const BeamRow& row) const {
 }
 
 BeamTable beam_table(const Surface& surface, const SurfaceResult& result,
-                     std::span<const reduction::TileModel> models) {
+                     std::span<const reduction::TileModel> models, const base::Control& control) {
     const SurfaceBeams beams = surface_beams(surface);
-    return table_of(surface, beams,
-                    beam_state(surface, result, beams, beam_sections(beams, surface.setting), models));
+    return table_of(
+        surface, beams,
+        beam_state(surface, result, beams, beam_sections(beams, surface.setting), models, control));
 }
 
 std::vector<BeamTable> step_beam_tables(const Surface& surface, const SurfaceResult& result,
-                                        std::span<const reduction::TileModel> models) {
+                                        std::span<const reduction::TileModel> models,
+                                        const base::Control& control) {
     const SurfaceBeams beams = surface_beams(surface);
     std::vector<BeamTable> tables;
     for (const BeamState& state :
-         step_beam_states(surface, result, beams, beam_sections(beams, surface.setting), models))
+         step_beam_states(surface, result, beams, beam_sections(beams, surface.setting), models, control))
         tables.push_back(table_of(surface, beams, state));
     return tables;
 }
 
-BeamTable beam_table(const Session& session, const mechanics::Solution& solution) {
+BeamTable beam_table(const Session& session, const mechanics::Solution& solution,
+                     const base::Control& control) {
     const Surface& surface = session.surface();
     const SurfaceBeams beams = surface_beams(surface);
     return table_of(surface, beams,
-                    beam_state(session, solution, beams, beam_sections(beams, surface.setting)));
+                    beam_state(session, solution, beams, beam_sections(beams, surface.setting), control));
 }
 
 std::vector<BeamRow> most_stressed(const BeamTable& table, std::size_t count) {

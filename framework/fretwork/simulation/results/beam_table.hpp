@@ -47,19 +47,22 @@ struct BeamTable {
 };
 
 /// The table of a result, with the strength of the setting's material, if the setting has one. Throws
-/// InputError as beam_state() of a result.
+/// InputError as beam_state() of a result; Stopped.
 BeamTable beam_table(const Surface& surface, const SurfaceResult& result,
-                     std::span<const reduction::TileModel> models = reduction::tile_models());
+                     std::span<const reduction::TileModel> models = reduction::tile_models(),
+                     const base::Control& control = {});
 
 /// The tables of a result at the end of each of its load steps or stages, one for each of Result::load_steps.
 /// Throws as beam_table().
 std::vector<BeamTable> step_beam_tables(
     const Surface& surface, const SurfaceResult& result,
-    std::span<const reduction::TileModel> models = reduction::tile_models());
+    std::span<const reduction::TileModel> models = reduction::tile_models(),
+    const base::Control& control = {});
 
 /// The table of a solution since the session's last edit. Throws InputError as
-/// Session::require_since_edit().
-BeamTable beam_table(const Session& session, const mechanics::Solution& solution);
+/// Session::require_since_edit(); Stopped.
+BeamTable beam_table(const Session& session, const mechanics::Solution& solution,
+                     const base::Control& control = {});
 
 /// The `count` rows with the largest von Mises stresses, largest first; fewer if the table has fewer rows.
 std::vector<BeamRow> most_stressed(const BeamTable& table, std::size_t count);

@@ -24,8 +24,8 @@ ModelDoubt model_doubt(std::span<const TileDeformation> tiles) {
     return doubt;
 }
 
-ModelDoubt model_doubt(const Session& session, const SurfaceResult& result) {
-    ModelDoubt doubt = model_doubt(session.tile_deformations(result.solution));
+ModelDoubt model_doubt(const Session& session, const SurfaceResult& result, const base::Control& control) {
+    ModelDoubt doubt = model_doubt(session.tile_deformations(result.solution, control));
     const SurfaceResult* corotational = session.corotational_result();
     const bool is_changed = corotational != nullptr && !session.full_tiles().empty();
     if (!is_changed || !result.solution.converged()) return doubt;

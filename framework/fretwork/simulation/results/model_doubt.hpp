@@ -27,8 +27,9 @@ inline constexpr double kWarnedError = 0.05;
 inline constexpr double kWarnedEstimate = 0.03;
 
 /// The indicators of the last solution of a session, which must be nonlinear. ModelDoubt::change is 0 if the
-/// solution has not converged. Throws InputError as Session::tile_deformations(), or as compare().
-ModelDoubt model_doubt(const Session& session, const SurfaceResult& result);
+/// solution has not converged. Throws InputError as Session::tile_deformations(), or as compare(); Stopped.
+ModelDoubt model_doubt(const Session& session, const SurfaceResult& result,
+                       const base::Control& control = {});
 /// The indicators of a solution with these deformations of its tiles.
 ModelDoubt model_doubt(std::span<const TileDeformation> tiles);
 

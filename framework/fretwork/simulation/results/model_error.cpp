@@ -51,7 +51,7 @@ BetterSolution better_solution(Session& session, const SurfaceResult& own, const
     if (plain != nullptr) session.set_model(kMixedTiles);
     BetterSolution better;
     better.full_tiles =
-        worst_tiles(session.surface(), session.tile_deformations(corotational.solution), share);
+        worst_tiles(session.surface(), session.tile_deformations(corotational.solution, control), share);
     if (!better.full_tiles.empty())
         session.set_tile_model(better.full_tiles, reference_choice(session.options()).name);
     better.result = session.solve(control);
@@ -80,7 +80,7 @@ std::optional<ModelError> estimate_model_error(Session& session, const SurfaceRe
     auto error = model_error(result, better.result);
     if (!error) return std::nullopt;
     error->full_share = share_of(better.full_tiles, surface);
-    const BeamTable table = beam_table(surface, result, session.options().models);
+    const BeamTable table = beam_table(surface, result, session.options().models, control);
     if (table.unknown > 0) return error;
     error->largest_stress = stress_error(
         table, refine_stress(session, std::move(better.result), std::move(better.full_tiles), control));

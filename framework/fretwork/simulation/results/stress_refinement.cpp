@@ -40,7 +40,7 @@ RefinedStress refine_stress(Session& session, SurfaceResult first, std::vector<T
     RefinedStress refined{.result = std::move(first), .full_tiles = std::move(full_tiles), .solutions = 1};
     while (true) {
         if (!refined.result.solution.converged()) return refined;
-        refined.table = beam_table(session, refined.result.solution);
+        refined.table = beam_table(session, refined.result.solution, control);
         if (refined.table.rows.empty()) return refined;
         const std::vector<TileIndex> around =
             tiles_around(session.surface(), most_stressed(refined.table, 1).front());

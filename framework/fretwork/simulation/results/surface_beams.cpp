@@ -125,6 +125,7 @@ struct StateRequest {
     const SurfaceBeams& beams;
     std::span<const mechanics::BeamSection> sections;
     int threads = 0;
+    base::Control control{};
 };
 
 template <class MotionOf>
@@ -138,8 +139,10 @@ BeamState state_of(const StateRequest& request, const mechanics::Solution& solut
     state.forces.setConstant(static_cast<Eigen::Index>(2 * request.sections.size()), std::ssize(kBeamFields),
                              kUnknown);
     const StateWriter writer(request.surface, beams, request.sections, state);
-    base::parallel_for(beams.starts.size() - 1, request.threads,
-                       [&](std::size_t t) { writer.write(TileIndex(t), motion_of(TileIndex(t))); });
+    base::parallel_for(beams.starts.size() - 1, request.threads, [&](std::size_t t) {
+        request.control.check();
+        writer.write(TileIndex(t), motion_of(TileIndex(t)));
+    });
     return state;
 }
 
@@ -149,9 +152,10 @@ class ReadTiles {
     struct Origin {
         const Surface& surface;
         std::span<const reduction::TileModel> models;
+        const base::Control& control;
     };
     ReadTiles(const Origin& origin, const SurfaceResult& result, const SurfaceBeams& beams)
-        : surface_(origin.surface), models_(origin.models), result_(result) {
+        : surface_(origin.surface), models_(origin.models), control_(origin.control), result_(result) {
         const std::size_t rows = result.solution.displacements.rows();
         if (rows < beams.interface_nodes)
             throw base::InputError("the result is not one of this project: it has too few nodes");
@@ -167,7 +171,7 @@ class ReadTiles {
 
     [[nodiscard]] BeamState state(const mechanics::Solution& solution, const SurfaceBeams& beams,
                                   std::span<const mechanics::BeamSection> sections) const {
-        return state_of({surface_, beams, sections, 0}, solution,
+        return state_of({surface_, beams, sections, 0, control_}, solution,
                         [&](TileIndex tile) { return beam_motion(tile, solution.displacements); });
     }
 
@@ -193,8 +197,8 @@ class ReadTiles {
                                        std::to_string(tile) + " in full");
             chosen.tile_models[tile] = reference_choice({.models = models_}).name;
         }
-        tiles_ =
-            detail::TileBuilder().build_all(chosen, model_choice({.model = model, .models = models_}), {});
+        tiles_ = detail::TileBuilder().build_all(chosen, model_choice({.model = model, .models = models_}),
+                                                 {.control = control_});
         starts_.push_back(surface_.tessellation.interface_nodes.size());
         for (const detail::BuiltTile& tile : tiles_)
             starts_.push_back(starts_.back() + tile.structure->inner_nodes().size());
@@ -202,6 +206,7 @@ class ReadTiles {
 
     const Surface& surface_;
     std::span<const reduction::TileModel> models_;
+    const base::Control& control_;
     const SurfaceResult& result_;
     std::vector<detail::BuiltTile> tiles_;
     std::vector<std::size_t> starts_;  ///< first inner node of each tile; last, the number of all nodes
@@ -248,23 +253,24 @@ std::vector<mechanics::BeamSection> beam_sections(const SurfaceBeams& beams,
 }
 
 BeamState beam_state(const Session& session, const mechanics::Solution& solution, const SurfaceBeams& beams,
-                     std::span<const mechanics::BeamSection> sections) {
+                     std::span<const mechanics::BeamSection> sections, const base::Control& control) {
     session.require_since_edit(solution);
-    return state_of({session.surface(), beams, sections, session.options().threads}, solution,
+    return state_of({session.surface(), beams, sections, session.options().threads, control}, solution,
                     [&](TileIndex tile) { return session.beam_motion(tile, solution); });
 }
 
 BeamState beam_state(const Surface& surface, const SurfaceResult& result, const SurfaceBeams& beams,
                      std::span<const mechanics::BeamSection> sections,
-                     std::span<const reduction::TileModel> models) {
-    return ReadTiles({surface, models}, result, beams).state(result.solution, beams, sections);
+                     std::span<const reduction::TileModel> models, const base::Control& control) {
+    return ReadTiles({surface, models, control}, result, beams).state(result.solution, beams, sections);
 }
 
 std::vector<BeamState> step_beam_states(const Surface& surface, const SurfaceResult& result,
                                         const SurfaceBeams& beams,
                                         std::span<const mechanics::BeamSection> sections,
-                                        std::span<const reduction::TileModel> models) {
-    const ReadTiles tiles({surface, models}, result, beams);
+                                        std::span<const reduction::TileModel> models,
+                                        const base::Control& control) {
+    const ReadTiles tiles({surface, models, control}, result, beams);
     std::vector<BeamState> states;
     for (const mechanics::Solution& end : result.load_steps)
         states.push_back(tiles.state(end, beams, sections));

@@ -60,25 +60,27 @@ inline constexpr Eigen::Index kStressField = 6;
 inline constexpr Eigen::Index kVonMisesField = 7;
 
 /// The state of the beams in a solution since the session's last edit. Throws InputError as
-/// Session::require_since_edit().
+/// Session::require_since_edit(); Stopped.
 ///
 /// @param sections  the result of beam_sections(); empty: forces are not computed
 BeamState beam_state(const Session& session, const mechanics::Solution& solution, const SurfaceBeams& beams,
-                     std::span<const mechanics::BeamSection> sections);
+                     std::span<const mechanics::BeamSection> sections, const base::Control& control = {});
 /// The state of the beams in a result from a file. The tiles are built with the main model and the full tiles
 /// of the result's subject, and with the surface's own tile models; all must be rows of `models`. A result
 /// without a subject counts as one of the full model if it has a row for each node of the beams; otherwise,
 /// all values but the displacements of interface nodes are NaN. Throws InputError if a tile model is unknown,
 /// if a tile is not painted or lacks a calibration, or if the numbers of nodes show that the result does not
-/// belong to the surface with these tile models.
+/// belong to the surface with these tile models; Stopped.
 BeamState beam_state(const Surface& surface, const SurfaceResult& result, const SurfaceBeams& beams,
                      std::span<const mechanics::BeamSection> sections,
-                     std::span<const reduction::TileModel> models = reduction::tile_models());
+                     std::span<const reduction::TileModel> models = reduction::tile_models(),
+                     const base::Control& control = {});
 /// The states of the beams at the end of each load step or stage of a result from a file, one for each of
 /// Result::load_steps. The tiles are built once. Throws as beam_state().
 std::vector<BeamState> step_beam_states(const Surface& surface, const SurfaceResult& result,
                                         const SurfaceBeams& beams,
                                         std::span<const mechanics::BeamSection> sections,
-                                        std::span<const reduction::TileModel> models);
+                                        std::span<const reduction::TileModel> models,
+                                        const base::Control& control = {});
 
 }  // namespace fretwork::simulation
