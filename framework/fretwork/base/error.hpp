@@ -112,7 +112,7 @@ auto located(const std::string& source, const std::string& place, const Work& wo
 
 /// An exception as text for a person.
 struct Failure {
-    std::string text;
+    std::string text;        ///< one line, without the program's name
     bool is_defect = false;  ///< true: a defect of the program, of which the text asks for a report
 };
 /// The exception that is being handled: for `catch (...)`. Errors of the library, the system and the memory
