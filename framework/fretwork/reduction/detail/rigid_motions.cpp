@@ -94,12 +94,10 @@ void require_small_rounding(const Eigen::MatrixXd& stiffness, const mechanics::F
         return std::string(text);
     };
     throw base::NumericalError(
-        "the bars are too thin to be condensed: by rounding, the stiffness of the tile resists a rigid "
-        "motion, the " +
-        std::string(resistance->motion) + ", with " + rounded(resistance->share) +
-        " of its largest entry, where " + rounded(kFree) + " is the most; the thinnest bar is " +
-        rounded(smallest_thickness(tile)) +
-        " of its length thick: make the bars thicker or shorter, and check the unit of the section");
+        "the bars are too thin to be condensed: the thinnest is " + rounded(smallest_thickness(tile)) +
+        " of its length thick. By rounding, the tile resists the " + std::string(resistance->motion) + " (" +
+        rounded(resistance->share) + "; " + rounded(kFree) +
+        " at most): make bars thicker or shorter, or check the section's unit");
 }
 
 void require_free_motion(const TileStructure& tile, const TileModel& model, const TileInput& input) {
