@@ -19,10 +19,11 @@ std::string share_text(std::size_t part, std::size_t all) {
 }
 
 std::vector<geometry::Polygon> openings(const Shape& shape) {
-    constexpr double kChordTolerance = 1e-6;  // m
+    constexpr double kOpeningTolerance = 1e-6;  // m
     std::vector<geometry::Polygon> polygons;
     for (const Piece& piece : shape.pieces)
-        for (const Contour& opening : piece.openings) polygons.push_back(flattened(opening, kChordTolerance));
+        for (const Contour& opening : piece.openings)
+            polygons.push_back(flattened(opening, kOpeningTolerance));
     return polygons;
 }
 
