@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <optional>
 #include <string>
@@ -88,15 +87,11 @@ void require_small_rounding(const Eigen::MatrixXd& stiffness, const mechanics::F
     for (int i = 0; i < interface_nodes; ++i) nodes.col(i) = tile.nodes[i];
     const auto resistance = resistance_of(stiffness, nodes);
     if (!resistance) return;
-    const auto rounded = [](double number) {
-        char text[40];
-        std::snprintf(text, sizeof text, "%.2g", number);
-        return std::string(text);
-    };
     throw base::NumericalError(
-        "the bars are too thin to be condensed: the thinnest is " + rounded(smallest_thickness(tile)) +
+        "the bars are too thin to be condensed: the thinnest is " +
+        base::format_number(smallest_thickness(tile), 2) +
         " of its length thick. By rounding, the tile resists the " + std::string(resistance->motion) + " (" +
-        rounded(resistance->share) + "; " + rounded(kFree) +
+        base::format_number(resistance->share, 2) + "; " + base::format_number(kFree, 2) +
         " at most): make bars thicker or shorter, or check the section's unit");
 }
 
