@@ -139,13 +139,10 @@ void write_results(const std::vector<ResultText>& files) {
 
 /// Numerical errors name the project, errors of load stages their file.
 simulation::SurfaceResult simulate(const SimulateOptions& options, const Surface& surface,
-                                   const LoadCase& load_case, const std::vector<LoadCase>& cases,
-                                   const base::Control& control) {
+                                   const simulation::StagePlan& plan, const base::Control& control) {
     return base::located<base::NumericalError>(options.project, "", [&] {
         if (options.stages.empty())
-            return simulation::simulate(surface, load_case, options.simulation, control);
-        const std::vector<simulation::LoadStage> stages = simulation::read_stages(options.stages);
-        const simulation::StagePlan plan{load_case, cases, stages};
+            return simulation::simulate(surface, *plan.supports, options.simulation, control);
         return base::located(options.stages, "", [&] {
             return simulation::simulate_stages(surface, plan, options.simulation, control);
         });
@@ -153,11 +150,11 @@ simulation::SurfaceResult simulate(const SimulateOptions& options, const Surface
 }
 
 /// Refuses a file of the command line that is a step of the series, too.
-void refuse_named_steps(const CLI::App& verb, const SimulateOptions& options) {
+void refuse_named_steps(const CLI::App& verb, const SimulateOptions& options, std::size_t stages) {
     if (options.series.empty()) return;
     const std::filesystem::path path(options.series);
-    const std::size_t count = options.stages.empty() ? static_cast<std::size_t>(options.simulation.load_steps)
-                                                     : simulation::read_stages(options.stages).size();
+    const std::size_t count =
+        options.stages.empty() ? static_cast<std::size_t>(options.simulation.load_steps) : stages;
     std::vector<std::filesystem::path> steps;
     for (std::size_t step = 1; step <= count; ++step)
         steps.push_back(path.parent_path() / exports::series_step_name(path.stem().string(), step));
@@ -166,9 +163,9 @@ void refuse_named_steps(const CLI::App& verb, const SimulateOptions& options) {
 
 /// Simulates as long as nobody asks to stop.
 simulation::SurfaceResult simulate_or_stop(const SimulateOptions& options, const Surface& surface,
-                                           const LoadCase& load_case, const std::vector<LoadCase>& cases) {
+                                           const simulation::StagePlan& plan) {
     LongWork work;
-    simulation::SurfaceResult result = simulate(options, surface, load_case, cases, work.control());
+    simulation::SurfaceResult result = simulate(options, surface, plan, work.control());
     work.control().check();
     return result;
 }
@@ -187,14 +184,16 @@ ExitCode run(const CLI::App& verb, SimulateOptions options) {
         library = simulation::open_project_library(options.project, project, options.library);
     const Surface surface = simulation::make_surface(project, library ? &*library : nullptr);
     options.simulation.validate(surface);
-    refuse_named_steps(verb, options);
+    std::vector<simulation::LoadStage> stages;
+    if (!options.stages.empty()) stages = simulation::read_stages(options.stages);
+    refuse_named_steps(verb, options, stages.size());
     simulation::check_calibrations(options.project, project, surface, choice);
     if (const std::string foreign = simulation::foreign_size_text(surface, choice); !foreign.empty())
         warn(foreign);
     const LoadCase load_case = chosen_load_case(project, options);
     std::vector<ResultText> files = frame_files(options, surface, load_case);
     const simulation::SurfaceResult result =
-        simulate_or_stop(options, surface, load_case, project.load_cases);
+        simulate_or_stop(options, surface, {load_case, project.load_cases, stages});
     files.push_back({options.out, simulation::surface_result_text(result)});
     add_drawings(options, surface, result, files);
     add_series(options, surface, result, files);
