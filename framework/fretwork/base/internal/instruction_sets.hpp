@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstring>
 
 /// FRETWORK_CLONES compiles a function in several versions, because the program is built for any machine of
 /// its architecture. The program picks a version when it starts; the sanitizers are not ready then, so builds
@@ -21,9 +22,9 @@
 namespace fretwork::base {
 
 /// Neighbouring numbers that vector instructions add or multiply all at once.
-using Strip8 = double __attribute__((vector_size(64), aligned(8), may_alias));
-using Strip4 = double __attribute__((vector_size(32), aligned(8), may_alias));
-using Strip2 = double __attribute__((vector_size(16), aligned(8), may_alias));
+using Strip8 = double __attribute__((vector_size(64)));
+using Strip4 = double __attribute__((vector_size(32)));
+using Strip2 = double __attribute__((vector_size(16)));
 
 template <class Strip>  // NOLINTNEXTLINE(bugprone-sizeof-expression): a vector of the compiler, no pointer
 constexpr std::ptrdiff_t kRowsOf = sizeof(Strip) / sizeof(double);
@@ -38,6 +39,18 @@ inline bool has_many_registers() {
 #else
     return false;
 #endif
+}
+
+/// Read a strip from any address: a matrix aligns no more than its first column. Strips are not passed by
+/// value, because that depends on the instruction set.
+template <class Strip>
+FRETWORK_INLINE void read_strip(const double* from, Strip& strip) {
+    std::memcpy(&strip, from, sizeof(Strip));
+}
+
+template <class Strip>
+FRETWORK_INLINE void write_strip(const Strip& strip, double* to) {
+    std::memcpy(to, &strip, sizeof(Strip));
 }
 
 template <int Count>
@@ -55,9 +68,13 @@ FRETWORK_INLINE Dots<Count> dots(const double* columns, std::ptrdiff_t stride, s
     Dots<Count> rest{};
     std::ptrdiff_t i = 0;
     for (; i + 4 <= rows; i += 4) {
-        const Strip4 strip = *reinterpret_cast<const Strip4*>(x + i);
-        for (int c = 0; c < Count; ++c)
-            sum[c] += *reinterpret_cast<const Strip4*>(columns + i + c * stride) * strip;
+        Strip4 strip;
+        read_strip(x + i, strip);
+        for (int c = 0; c < Count; ++c) {
+            Strip4 column;
+            read_strip(columns + i + c * stride, column);
+            sum[c] += column * strip;
+        }
     }
     for (; i < rows; ++i) {
         for (int c = 0; c < Count; ++c) rest.of[c] += columns[i + c * stride] * x[i];

@@ -19,11 +19,14 @@ FRETWORK_INLINE void multiply_rows(const DenseMatrix& a, Index i, const double* 
     const double* column = a.values + i;
     for (Index j = 0; j < a.columns; ++j, column += a.rows) {
 #pragma GCC unroll 4
-        for (int s = 0; s < Strips; ++s)
-            sum[s] += *reinterpret_cast<const Strip*>(column + s * kRowsOf<Strip>) * x[j];
+        for (int s = 0; s < Strips; ++s) {
+            Strip entries;
+            base::read_strip(column + s * kRowsOf<Strip>, entries);
+            sum[s] += entries * x[j];
+        }
     }
 #pragma GCC unroll 4
-    for (int s = 0; s < Strips; ++s) *reinterpret_cast<Strip*>(y + i + s * kRowsOf<Strip>) = sum[s];
+    for (int s = 0; s < Strips; ++s) base::write_strip(sum[s], y + i + s * kRowsOf<Strip>);
 }
 
 /// Add the products of `Count` neighbouring columns with x to y.

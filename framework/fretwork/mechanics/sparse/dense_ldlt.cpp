@@ -13,9 +13,11 @@ namespace fretwork::mechanics::sparse {
 namespace {
 
 using base::kRowsOf;
+using base::read_strip;
 using base::Strip2;
 using base::Strip4;
 using base::Strip8;
+using base::write_strip;
 using Index = std::ptrdiff_t;
 
 /// The number of columns that are handled together; their products with one strip of rows stay in registers.
@@ -66,7 +68,9 @@ FRETWORK_INLINE void finish_strip(double* target, const Columns& columns, const 
         if (product.replaces) {
             sum[c] = -sum[c];
         } else if (c < columns.count) {
-            sum[c] = *reinterpret_cast<const Strip*>(target + c * columns.stride) - sum[c];
+            Strip present;
+            read_strip(target + c * columns.stride, present);
+            sum[c] = present - sum[c];
         }
     }
     if (solve != nullptr) {
@@ -79,7 +83,7 @@ FRETWORK_INLINE void finish_strip(double* target, const Columns& columns, const 
     }
 #pragma GCC unroll 6
     for (int c = 0; c < kBlock; ++c) {
-        if (c < columns.count) *reinterpret_cast<Strip*>(target + c * columns.stride) = sum[c];
+        if (c < columns.count) write_strip(sum[c], target + c * columns.stride);
     }
 }
 
@@ -94,7 +98,7 @@ FRETWORK_INLINE void subtract_tile(const Columns& columns, Index i, const Produc
     for (Index p = 0; p < product.depth; ++p, left += product.stride, packed += kBlock) {
         Strip a[Strips];
 #pragma GCC unroll 2
-        for (int s = 0; s < Strips; ++s) a[s] = *reinterpret_cast<const Strip*>(left + s * kRowsOf<Strip>);
+        for (int s = 0; s < Strips; ++s) read_strip(left + s * kRowsOf<Strip>, a[s]);
 #pragma GCC unroll 6
         for (int c = 0; c < kBlock; ++c) {
 #pragma GCC unroll 2
