@@ -51,6 +51,15 @@ TEST(PointGrid, GivesNearPointsTheSmallestNumberAmongThem) {
     EXPECT_EQ(grid.points().size(), 3U);
 }
 
+TEST(PointGrid, TakesPlacesThatAreFarAway) {
+    PointGrid grid(1e-5);
+    for (const double away : {1.1e10, 1e30, -1e300}) {
+        EXPECT_FALSE(grid.has_near({away, -away}, 1e-5)) << away;
+        grid.add({away, -away});
+        EXPECT_TRUE(grid.has_near({away, -away}, 1e-5)) << away;
+    }
+}
+
 TEST(BoxGrid, FindsWhatALookAtEveryBoxFinds) {
     base::SplitMix64 random(2);
     const auto random_box = [&] {

@@ -3,10 +3,10 @@
 
 #include <fretwork/geometry/plane.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -82,12 +82,15 @@ class PointGrid {
     };
     struct Hash {
         std::size_t operator()(const Cell& cell) const {
-            return std::hash<std::int64_t>()(cell.x * 73'856'093 ^ cell.y * 19'349'663);
+            return static_cast<std::uint64_t>(cell.x) * 73'856'093U ^
+                   static_cast<std::uint64_t>(cell.y) * 19'349'663U;
         }
     };
-    [[nodiscard]] Cell cell(Point2 point) const {
-        return {static_cast<std::int64_t>(std::floor(point.x / width_)),
-                static_cast<std::int64_t>(std::floor(point.y / width_))};
+    [[nodiscard]] Cell cell(Point2 point) const { return {number(point.x), number(point.y)}; }
+    /// Places further away than whole numbers reach share the outermost cells.
+    [[nodiscard]] std::int64_t number(double coordinate) const {
+        constexpr double kMost = 0x1p62;
+        return static_cast<std::int64_t>(std::clamp(std::floor(coordinate / width_), -kMost, kMost));
     }
 
     double width_;

@@ -19,9 +19,11 @@ SizeField::Cell SizeField::cell(std::int32_t column, std::int32_t row) const {
     return (static_cast<Cell>(static_cast<std::uint32_t>(column)) << 32U) | static_cast<std::uint32_t>(row);
 }
 
-/// The index of a coordinate in the grid, whose cells are as wide as the largest side.
+/// The index of a coordinate in the grid, whose cells are as wide as the largest side. Places further away
+/// than whole numbers reach share the outermost cells.
 std::int32_t SizeField::index(double coordinate) const {
-    return static_cast<std::int32_t>(std::floor(coordinate / side_));
+    constexpr double kMost = 0x1p30;
+    return static_cast<std::int32_t>(std::clamp(std::floor(coordinate / side_), -kMost, kMost));
 }
 
 double SizeField::at(Point2 place) const {
