@@ -88,6 +88,7 @@ void check_place(const NamedFile& file) {
     if (::access(folder.c_str(), W_OK) != 0)
         throw base::InputError(file.path.string(), "",
                                "cannot be written: folder " + folder.string() + ": " + std::strerror(errno));
+    base::check_protection(file.path);
 }
 
 bool is_of_kind(const std::string& content, const FileKind& kind) {

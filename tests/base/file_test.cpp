@@ -53,6 +53,23 @@ TEST(File, ReplacingKeepsPermissionsAndLeavesNothingBeside) {
     EXPECT_EQ(entries(folder.path()), 1U);
 }
 
+TEST(File, AFileThatNobodyMayWriteIsNotReplaced) {
+    const TemporaryFolder folder;
+    const auto path = folder.file("b", "old");
+    ASSERT_EQ(::chmod(path.c_str(), 0444), 0);
+    EXPECT_THAT(complaint_of([&] { write_file_atomically(path, "new"); }),
+                HasSubstr("b: is protected: nobody may write it"));
+    FolderBatch files(folder.path());
+    for (const char* name : {"a", "b", "c"}) files.add(name, "new");
+    EXPECT_THROW(files.commit(), IoError);
+    EXPECT_EQ(read_text_file(path), "old");
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "a"));
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "c"));
+    ASSERT_EQ(::chmod(path.c_str(), 0644), 0);
+    write_file_atomically(path, "new");
+    EXPECT_EQ(read_text_file(path), "new");
+}
+
 /// Only root may give files away: without root, the owner is one's own before and after.
 TEST(File, ReplacingKeepsTheOwnerAndTheGroup) {
     const TemporaryFolder folder;

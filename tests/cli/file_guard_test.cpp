@@ -328,6 +328,7 @@ TEST_F(DataLoss, OutputsOfAnotherKindAreNeverReplaced) {
         "--frame-out made.json --deck made.inp && ln -s made.inp link.svg && mkdir study");
     (void)folder_.file("known.csv", "problem,best_value,scale,found_by\nbranin,0.4,1,closed form\n");
     (void)folder_.file("study/results.csv", "problem,optimizer,repetition\nbranin,slsqp,1\n");
+    run("fretwork draw 0-1+1-6 --out kept.svg && chmod 444 kept.svg");
     (void)folder_.file("frame.json", base::read_text_file(folder_.path() / "made.json") + "\n");
     for (const auto& [command, complaint] : std::vector<std::pair<std::string, std::string>>{
              {"fretwork beams p.json r.json --out known.csv", "known.csv: is a table of another kind"},
@@ -336,6 +337,7 @@ TEST_F(DataLoss, OutputsOfAnotherKindAreNeverReplaced) {
              {"fretwork enumerate --edges 2 --census known.csv", "known.csv: is a table of another kind"},
              {"fretwork draw 0-1+1-6 --out link.svg",
               "link.svg: is a link to made.inp, whose name has another ending"},
+             {"fretwork draw 0-1+1-6 --out kept.svg", "kept.svg: is protected: nobody may write it"},
              {"fretwork simulate p.json --case experiments/cases/cantilever.json --model full --out r.json "
               "--frame-out frame.json",
               "frame.json: is not a file that fretwork has made"}}) {

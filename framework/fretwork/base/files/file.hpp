@@ -19,10 +19,14 @@ std::string ending_of(const std::filesystem::path& path);
 /// Follow a chain of symbolic links from `path` to its end. The file at the end need not exist yet.
 std::filesystem::path link_target(std::filesystem::path path);
 
+/// Refuse to replace a file that nobody may write (mode 444): its owner has protected it, also against a
+/// program that may replace every file of its folder. Throws IoError. A file that is missing passes.
+void check_protection(const std::filesystem::path& path);
+
 /// Replace the file at `path` by `content`, whole or not at all. A scratch file beside it is written, flushed
 /// to the disk and renamed. A symbolic link stays, and its target is replaced. A device or a pipe is written
-/// directly. Throws IoError (folder missing, no permission, disk full); a file at `path` then stays as it
-/// was.
+/// directly. Throws IoError (folder missing, no permission, protected file, disk full); a file at `path` then
+/// stays as it was.
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
 /// An atomic write of content in pieces. Content that is not committed leaves no trace. A device or a pipe

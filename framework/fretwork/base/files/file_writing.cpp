@@ -143,6 +143,8 @@ struct FolderBatch::Impl {
         std::error_code fault;
         std::filesystem::create_directories(target, fault);
         if (fault) throw IoError(target.string(), "", "cannot be made: " + fault.message());
+        for (const auto& entry : std::filesystem::directory_iterator(scratch->path()))
+            check_protection(target / entry.path().filename());
         for (const auto& entry : std::filesystem::directory_iterator(scratch->path())) {
             const std::filesystem::path file = target / entry.path().filename();
             take_owner(file,
@@ -155,11 +157,20 @@ struct FolderBatch::Impl {
     std::optional<Scratch> scratch;
 };
 
+void check_protection(const std::filesystem::path& path) {
+    constexpr mode_t kAnybodyWrites = 0222U;
+    struct stat existing {};
+    if (::stat(path.c_str(), &existing) != 0 || (existing.st_mode & kAnybodyWrites) != 0U) return;
+    throw IoError(path.string(), "",
+                  "is protected: nobody may write it; name another file, or allow writing (chmod u+w)");
+}
+
 AtomicFile::AtomicFile(std::filesystem::path path) {
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored)) {
         throw IoError(path.string(), "", "is a folder, where a file is to be written");
     }
+    check_protection(path);
     impl_ = std::make_unique<Impl>(std::move(path));
 }
 AtomicFile::AtomicFile(AtomicFile&&) noexcept = default;
