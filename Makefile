@@ -26,9 +26,9 @@ test:       ## install what is missing, build, and pass the tests
 	@scripts/install-dependencies.sh test
 	@scripts/test.sh release format
 
-check:      ## the slow rest: everything with assertions and under the sanitizers, and clang-tidy
+check:      ## the slow rest: everything with assertions and under the sanitizers, clang-tidy, and a minute of fuzzing for each reader
 	@scripts/install-dependencies.sh check
-	@scripts/test.sh check headers sanitizers threads tidy
+	@scripts/test.sh check headers sanitizers threads tidy fuzz
 
 fuzz:       ## fuzz every reader of strangers' files: FUZZ_SECONDS=600 each
 	@scripts/install-dependencies.sh check

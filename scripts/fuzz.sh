@@ -4,25 +4,27 @@
 # What is found lies in build/fuzz/found, what was learnt in build/fuzz/corpus, where the next run goes on.
 # Usage: scripts/fuzz.sh [READER..]     (fretwork_fuzz --list names them; without: all)
 # FUZZ_SECONDS: wall time of each reader (default 600). FUZZ_SEED: start of the random numbers (default: another one each time).
+# FUZZ_JOBS: how many readers run at once (default: one for each processor).
 set -uo pipefail
 cd "$(dirname "$0")/.."
-seconds=${FUZZ_SECONDS:-600}
-program=build/fuzz/tests/fuzz/fretwork_fuzz
+export seconds=${FUZZ_SECONDS:-600} seed=${FUZZ_SEED:-0} program=build/fuzz/tests/fuzz/fretwork_fuzz
+
+# fuzz_reader READER: exit code 1 if something was found
+fuzz_reader() {
+  local reader=$1 log=build/logs/fuzz-$1.log verdict="nothing found" found=0
+  mkdir -p "build/fuzz/corpus/$reader"
+  if ! "$program" --reader="$reader" -max_total_time="$seconds" -seed="$seed" -timeout=20 -rss_limit_mb=2048 -print_final_stats=1 \
+    -artifact_prefix="build/fuzz/found/$reader-" "build/fuzz/corpus/$reader" "tests/fuzz/corpora/$reader" >"$log" 2>&1; then
+    verdict=$(grep -hE '^SUMMARY|^broken promise' "$log" | head -n 1)
+    verdict="FOUND: ${verdict:-see $log}"
+    found=1
+  fi
+  printf '%-15s %12s runs in %s s: %s\n' "$reader" "$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")" "$seconds" "$verdict"
+  return $found
+}
+export -f fuzz_reader
+
 scripts/show_build.sh fuzz build/logs/fuzz-build.log fretwork_fuzz || exit 1
 [[ $# -gt 0 ]] || mapfile -t all < <("$program" --list)
 mkdir -p build/fuzz/found build/logs
-found=0
-for reader in "${@:-${all[@]}}"; do
-  mkdir -p "build/fuzz/corpus/$reader"
-  log=build/logs/fuzz-$reader.log
-  if "$program" --reader="$reader" -max_total_time="$seconds" -seed="${FUZZ_SEED:-0}" -timeout=20 -rss_limit_mb=2048 -print_final_stats=1 \
-    -artifact_prefix="build/fuzz/found/$reader-" "build/fuzz/corpus/$reader" "tests/fuzz/corpora/$reader" >"$log" 2>&1; then
-    verdict="nothing found"
-  else
-    verdict=$(grep -hE '^SUMMARY|^broken promise' "$log" | head -n 1)
-    verdict="FOUND: ${verdict:-see $log}"
-    found=$((found + 1))
-  fi
-  printf '%-15s %12s runs in %s s: %s\n' "$reader" "$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")" "$seconds" "$verdict"
-done
-[[ $found -eq 0 ]]
+printf '%s\n' "${@:-${all[@]}}" | xargs -P "${FUZZ_JOBS:-$(nproc)}" -I '{}' bash -c 'fuzz_reader "$1"' fuzz '{}'

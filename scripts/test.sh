@@ -81,7 +81,7 @@ run_part() {
     release | check | threads) build_and_ctest "$1" ;;
     sanitizers) build_and_ctest sanitize ;;
     format) count_once format check_format ;;
-    fuzz) count_once fuzz env FUZZ_SECONDS="${FUZZ_SECONDS:-10}" scripts/fuzz.sh ;;
+    fuzz) count_once fuzz env FUZZ_SECONDS="${FUZZ_SECONDS:-60}" scripts/fuzz.sh ;;
     headers) count_once headers check_headers ;;
     tidy) count_once tidy check_tidy ;;
     *) echo "test.sh: unknown part '$1'; there is: release, format, check, headers, sanitizers, threads, tidy, fuzz" >&2; exit 2 ;;
