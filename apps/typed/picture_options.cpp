@@ -42,6 +42,18 @@ exports::ViewOptions parse_view(const std::string& text) {
     return {*angle(0) * kDegree, *angle(1) * kDegree};
 }
 
+double checked_scale(double scale) {
+    return parse_scale(base::format_number(scale));
+}
+
+double parse_scale(const std::string& text) {
+    constexpr double kLargest = 1e6;
+    const auto number = base::read_number<double>(text);
+    if (!number || !(std::abs(*number) <= kLargest))
+        throw base::InputError("'" + text + "' is not a number from -1e6 to 1e6");
+    return *number;
+}
+
 exports::PixelSize parse_size(const std::string& text) {
     constexpr int kMost = 8000;
     const auto parts = base::split(text, 'x');

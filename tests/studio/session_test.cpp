@@ -729,7 +729,8 @@ TEST(StudioFiles, ExportsAreThoseOfTheCommandWithItsOptions) {
     EXPECT_THAT(get("cut.dxf&kerf=wide"), HasSubstr("kerf"));
     for (const char* wrong :
          {"picture.png&size=huge", "cut.dxf&bed=600", "solid.stl&fillet=-1mm", "picture.png&view=up",
-          "picture.png&colour=red", "picture.png&colour=utilization", "view.html&scale=x", "x.step"})
+          "picture.png&colour=red", "picture.png&colour=utilization", "view.html&scale=x",
+          "picture.png&scale=1e200", "x.step"})
         EXPECT_EQ(test::status_of(get(wrong)), 422) << wrong;
 }
 

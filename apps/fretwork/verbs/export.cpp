@@ -20,7 +20,6 @@
 #include <fretwork/simulation/results/result_subject.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <set>
@@ -46,16 +45,6 @@ struct ExportOptions {
     typed::MakingChoice making;
     bool json = false;
 };
-
-/// Beyond this a drawing of any surface shows nothing.
-constexpr double kLargestScale = 1e6;
-
-double read_scale(const std::string& text) {
-    const auto number = base::read_number<double>(text);
-    if (!number || !(std::abs(*number) <= kLargestScale))
-        throw base::InputError("--scale", "", "'" + text + "' is not a number from -1e6 to 1e6");
-    return *number;
-}
 
 /// Parses an option's text by `parse`; errors name the option.
 template <class Value>
@@ -196,7 +185,7 @@ exports::Scene make_scene(const ExportOptions& options, const base::Control& con
         scene.conditions = simulation::resolve(load_case, scene.surface);
         scene.load_case = load_case;
     }
-    scene.displacement_scale = read_scale(options.scale);
+    scene.displacement_scale = read_option("--scale", options.scale, typed::parse_scale);
     if (!options.view.empty()) scene.view = read_option("--view", options.view, typed::parse_view);
     if (!options.size.empty()) scene.picture.size = read_option("--size", options.size, typed::parse_size);
     if (!options.colour.empty()) scene.picture.colour = options.colour;
@@ -231,7 +220,7 @@ void print_written(const base::Json& report) {
 
 void run(const ExportOptions& options) {
     for (const std::string& path : options.to) (void)writer_of(options, path);
-    (void)read_scale(options.scale);
+    (void)read_option("--scale", options.scale, typed::parse_scale);
     LongWork work;
     const base::Control control = work.control();
     const exports::Scene scene = make_scene(options, control);

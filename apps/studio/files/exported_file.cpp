@@ -22,7 +22,7 @@ namespace {
 /// The part of an address that says how a scene is drawn: as the options of `fretwork export`.
 void read_drawing(const Target& target, exports::Scene& scene) {
     if (const std::string scale = target.value("scale"); !scale.empty())
-        scene.displacement_scale = base::parse_number(scale);
+        scene.displacement_scale = typed::parse_scale(scale);
     if (const std::string view = target.value("view"); !view.empty()) scene.view = typed::parse_view(view);
     if (const std::string size = target.value("size"); !size.empty())
         scene.picture.size = typed::parse_size(size);

@@ -88,7 +88,7 @@ void check_results(const Scene& scene) {
 /// Takes the picture's options out of keywords.
 void take_picture(py::dict& named, Scene& scene) {
     const py::object scale = taken(named, "scale");
-    if (!scale.is_none()) scene.displacement_scale = scale.cast<double>();
+    if (!scale.is_none()) scene.displacement_scale = typed::checked_scale(scale.cast<double>());
     const std::string view = text_of(taken(named, "view"));
     if (!view.empty()) scene.view = typed::parse_view(view);
     const std::string size = text_of(taken(named, "size"));

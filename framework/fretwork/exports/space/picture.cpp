@@ -145,7 +145,15 @@ class Lighting {
 
 // ---- the picture ----
 
-constexpr int kSamplesPerSide = 3;
+/// The samples along each side of a pixel: fewer in a picture of more than nine million pixels, whose samples
+/// would need many gigabytes of memory.
+int samples_per_side(PixelSize size) {
+    constexpr std::size_t kMostSamples = 81'000'000;
+    for (const std::size_t side : {3, 2})
+        if (size.count() * side * side <= kMostSamples) return static_cast<int>(side);
+    return 1;
+}
+
 constexpr float kShadowOnGround = 0.62F;
 /// The shape at rest: a grey that is seen on white and on black.
 constexpr float kGhostOpacity = 0.3F;
@@ -158,6 +166,7 @@ class Picture {
           field_(shown_field(bars, scene.picture.colour)),
           note_(note_of(bars, scene)),
           size_{whole_.width, whole_.height - (field_ == nullptr ? 0 : detail::legend_height(whole_))},
+          samples_per_side_(samples_per_side(size_)),
           mesh_(make_mesh(bars, scene)),
           ghost_(make_ghost(bars, scene)),
           places_(places_of(mesh_, ghost_)),
@@ -210,7 +219,7 @@ class Picture {
     }
 
     void draw_bars() {
-        const auto samples = detail::visible_samples(mesh_, camera_, size_, kSamplesPerSide);
+        const auto samples = detail::visible_samples(mesh_, camera_, size_, samples_per_side_);
         std::vector<Receiver> receivers;
         receivers.reserve(samples.size());
         for (const Sample& sample : samples) receivers.push_back({sample.place, sample.normal});
@@ -227,7 +236,7 @@ class Picture {
 
     /// The shape at rest casts no shadow, and lies behind the bars.
     void draw_ghost() {
-        for (const Sample& sample : detail::visible_samples(ghost_, camera_, size_, kSamplesPerSide))
+        for (const Sample& sample : detail::visible_samples(ghost_, camera_, size_, samples_per_side_))
             pixels_[sample.pixel].ghost += 1.0F;
     }
 
@@ -300,12 +309,12 @@ class Picture {
 
     /// The bars over the ghost, and both over the shadow on the ground.
     [[nodiscard]] std::vector<std::uint8_t> bytes() const {
-        constexpr float kSamples = kSamplesPerSide * kSamplesPerSide;
+        const auto samples = static_cast<float>(samples_per_side_ * samples_per_side_);
         std::vector<std::uint8_t> bytes;
         bytes.reserve(4 * pixels_.size());
         for (const Pixel& pixel : pixels_) {
-            const float bars = pixel.samples / kSamples;
-            const float ghost = (1.0F - bars) * kGhostOpacity * pixel.ghost / kSamples;
+            const float bars = pixel.samples / samples;
+            const float ghost = (1.0F - bars) * kGhostOpacity * pixel.ghost / samples;
             const float opacity = bars + ghost + (1.0F - bars - ghost) * pixel.ground;
             Vector3f colour = Vector3f::Zero();
             if (opacity > 0.0F)
@@ -321,6 +330,7 @@ class Picture {
     const BarScene::Field* field_;  ///< the shown field; null: none
     std::string note_;              ///< below the legend
     PixelSize size_;                ///< size of the surface's picture, above the legend
+    int samples_per_side_;          ///< samples along each side of a pixel
     Mesh mesh_;
     Mesh ghost_;
     std::vector<Vector3d> places_;  ///< places of all vertices

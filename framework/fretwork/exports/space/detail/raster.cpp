@@ -36,16 +36,18 @@ void for_each_point(const std::array<Vector2f, 3>& corners, PixelSize size, cons
     const auto& [a, b, c] = corners;
     const float area = (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
     if (!(std::abs(area) > 1e-12F)) return;
-    const auto first = [](float p, float q, float r) {
-        return std::max(0, static_cast<int>(std::ceil(std::min({p, q, r}))));
+    // A corner may lie further away than whole numbers reach.
+    const auto first = [](float p, float q, float r, int count) {
+        return static_cast<int>(std::clamp(std::ceil(std::min({p, q, r})), 0.0F, static_cast<float>(count)));
     };
     const auto last = [](float p, float q, float r, int count) {
-        return static_cast<int>(std::floor(std::min(std::max({p, q, r}), static_cast<float>(count - 1))));
+        return static_cast<int>(
+            std::clamp(std::floor(std::max({p, q, r})), -1.0F, static_cast<float>(count - 1)));
     };
-    const int x0 = first(a.x(), b.x(), c.x());
+    const int x0 = first(a.x(), b.x(), c.x(), size.width);
     const int x1 = last(a.x(), b.x(), c.x(), size.width);
     const int y1 = last(a.y(), b.y(), c.y(), size.height);
-    for (int y = first(a.y(), b.y(), c.y()); y <= y1; ++y) {
+    for (int y = first(a.y(), b.y(), c.y(), size.height); y <= y1; ++y) {
         const auto [from, to] = crossing(corners, static_cast<float>(y));
         // A column more on each side, for rounding: what is inside is decided below.
         const auto start = static_cast<int>(
