@@ -403,7 +403,10 @@ TEST_F(CalculixFile, RefusesBadDecksWithLineNumber) {
                 HasSubstr("no direction"));
     EXPECT_THAT(complaint("20, 0.5, 0, 0", "20, half, 0, 0"), HasSubstr("line 6 has 'HALF'"));
     EXPECT_THAT(complaint("2, 30, 40", "2, 30, 41"), HasSubstr("node 41, which does not exist"));
-    EXPECT_THAT(complaint("10, 30, 20", "10, 2000000000"), HasSubstr("line 17 generates 1999999991 labels"));
+    EXPECT_THAT(complaint("10, 30, 20", "10, 2000000000"),
+                HasSubstr("line 17 names sets (NSET) of 1999999991 labels"));
+    EXPECT_THAT(complaint("10, 30, 20", "1, 1000\n1, 19999500"),
+                HasSubstr("line 18 names sets (NSET) of 20000500 labels, counted in all lines so far"));
     EXPECT_THAT(complaint("10, 30, 20", "10, 30, 0"), HasSubstr("line 17 steps by 0"));
     EXPECT_THAT(complaint("10, 30, 20", "30, 10, 20"), HasSubstr("line 17 generates labels up to 10, which"));
     EXPECT_EQ(complaint("10, 30, 20", "10, 10"), "");

@@ -181,9 +181,10 @@ class Reader {
         material_of(card).density = deck_.numbers(deck_.only_line(card, kOneTemperature), {1, 2})[0];
     }
 
-    [[nodiscard]] const std::set<int>& element_set(std::size_t line, const std::string& name) const {
+    [[nodiscard]] const std::set<int>& element_set(std::size_t line, const std::string& name) {
         const std::set<int>* set = element_sets_.find(name);
         if (set == nullptr) deck_.fail(line, "names the element set " + name + ", which does not exist");
+        element_sets_.count(deck_, line, set->size());
         return *set;
     }
 
@@ -211,7 +212,7 @@ class Reader {
         }
     }
 
-    [[nodiscard]] std::vector<NodeIndex> nodes_named(std::size_t line, const std::string& word) const {
+    [[nodiscard]] std::vector<NodeIndex> nodes_named(std::size_t line, const std::string& word) {
         if (word.empty()) deck_.fail(line, "names no node or node set before its first comma");
         const std::set<int>* set = node_sets_.find(word);
         if (const std::optional<int> label = label_of(word)) {
@@ -221,6 +222,7 @@ class Reader {
         }
         if (set == nullptr) deck_.fail(line, "names the node set " + word + ", which does not exist");
         if (set->empty()) deck_.fail(line, "names the node set " + word + ", which has no nodes");
+        node_sets_.count(deck_, line, set->size());
         std::vector<NodeIndex> nodes;
         for (const int label : *set) nodes.push_back(node(line, std::to_string(label)));
         return nodes;
@@ -298,7 +300,7 @@ class Reader {
     }
 
     /// The labels that a word means where an element or a set may stand.
-    [[nodiscard]] std::set<int> elements_named(std::size_t line, const std::string& word) const {
+    [[nodiscard]] std::set<int> elements_named(std::size_t line, const std::string& word) {
         const std::optional<int> label = label_of(word);
         if (!label) return element_set(line, word);
         if (!elements_.contains(*label))
@@ -309,7 +311,7 @@ class Reader {
     }
 
     /// Check that gravity acts on all elements, also on those that come after it in the deck.
-    void check_pulled(std::size_t line, const std::string& word) const {
+    void check_pulled(std::size_t line, const std::string& word) {
         const std::set<int> pulled = elements_named(line, word);
         const auto is_pulled = [&pulled](const auto& element) { return pulled.contains(element.first); };
         if (!std::ranges::all_of(elements_, is_pulled))

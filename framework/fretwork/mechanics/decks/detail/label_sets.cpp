@@ -7,10 +7,11 @@
 namespace fretwork::mechanics::decks {
 namespace {
 
-/// The largest number of labels that one line generates; more would be a slip, and take hours.
-constexpr long kMostGenerated = 10'000'000;
+/// The largest number of labels that the lines of a deck look at together. A deck of a million nodes in a
+/// dozen sets stays below it.
+constexpr std::size_t kMostLabels = 20'000'000;
 
-void generate(const InputDeck& deck, const Card::Line& line, std::set<int>& members) {
+void generate(const InputDeck& deck, const Card::Line& line, LabelSets& sets, std::set<int>& members) {
     const auto& [number, words, ends_with_comma] = line;
     if (words.size() < 2) deck.fail(number, "needs a first and a last label");
     const long step = words.size() > 2 && !words[2].empty() ? deck.integer(number, words[2]) : 1;
@@ -20,9 +21,7 @@ void generate(const InputDeck& deck, const Card::Line& line, std::set<int>& memb
     if (last < first)
         deck.fail(number, "generates labels up to " + words[1] +
                               ", which must not be below the first label, " + words[0]);
-    if ((last - first) / step >= kMostGenerated)
-        deck.fail(number, "generates " + std::to_string((last - first) / step + 1) + " labels, where " +
-                              std::to_string(kMostGenerated) + " at most are understood");
+    sets.count(deck, number, static_cast<std::size_t>((last - first) / step + 1));
     for (long label = first; label <= last; label += step) members.insert(static_cast<int>(label));
 }
 
@@ -38,7 +37,7 @@ void LabelSets::read(const InputDeck& deck, const Card& card) {
     std::set<int>& members = sets_[name];
     for (const Card::Line& line : card.lines) {
         if (card.has("GENERATE")) {
-            generate(deck, line, members);
+            generate(deck, line, *this, members);
             continue;
         }
         for (const std::string& word : line.words) {
@@ -52,9 +51,18 @@ void LabelSets::read(const InputDeck& deck, const Card& card) {
             if (inner == nullptr)
                 deck.fail(line.number, "puts " + word + " into the set " + name +
                                            ", where labels and sets that are defined before are possible");
+            count(deck, line.number, inner->size());
             members.insert(inner->begin(), inner->end());
         }
     }
+}
+
+void LabelSets::count(const InputDeck& deck, std::size_t line, std::size_t labels) {
+    counted_ += labels;
+    if (counted_ > kMostLabels)
+        deck.fail(line, "names sets (" + kind_ + ") of " + std::to_string(counted_) +
+                            " labels, counted in all lines so far, where " + std::to_string(kMostLabels) +
+                            " at most are understood");
 }
 
 const std::set<int>* LabelSets::find(const std::string& name) const {

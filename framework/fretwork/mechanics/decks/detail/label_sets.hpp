@@ -27,9 +27,13 @@ class LabelSets {
     void add(const std::string& set, int label) { sets_[set].insert(label); }
     /// The labels of a set; null if the set does not exist.
     [[nodiscard]] const std::set<int>* find(const std::string& name) const;
+    /// Count labels that a line is about to look at. Large sets in many lines, which would take hours and all
+    /// memory, are refused.
+    void count(const InputDeck& deck, std::size_t line, std::size_t labels);
 
   private:
     std::string kind_;
+    std::size_t counted_ = 0;  ///< labels that all lines have looked at
     std::map<std::string, std::set<int>> sets_;
 };
 
