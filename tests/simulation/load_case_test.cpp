@@ -438,6 +438,9 @@ TEST(Combination, NamesTheCaseThatThereIsNot) {
     both.combines = {{"snow", 1.0}, {"wnd", 1.0}};
     EXPECT_THAT(complaint_of([&] { (void)combined(both, wind_and_snow()); }),
                 AllOf(HasSubstr("/combines/1/load_case"), HasSubstr("wind")));
+    both.combines = {{"snow", 1.0}, {"wind", 1.0}, {"snow", 0.5}};
+    EXPECT_THAT(complaint_of([&] { (void)combined(both, wind_and_snow()); }),
+                AllOf(HasSubstr("/combines/2/load_case"), HasSubstr("is named before: give the sum")));
     both.combines = {{"both", 1.0}};
     EXPECT_THAT(complaint_of([&] { (void)combined(both, wind_and_snow()); }), HasSubstr("itself"));
     std::vector<LoadCase> cases = wind_and_snow();

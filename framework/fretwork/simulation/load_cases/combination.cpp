@@ -3,6 +3,9 @@
 #include <fretwork/base/named.hpp>
 #include <fretwork/simulation/load_cases/combination.hpp>
 
+#include <algorithm>
+#include <cstddef>
+
 namespace fretwork::simulation {
 namespace {
 
@@ -21,6 +24,11 @@ LoadCase with_origins(LoadCase load_case, const std::string& name) {
     note(load_case.area_loads, load_case.loads.size());
     note(load_case.prescribed, 0);
     return load_case;
+}
+
+/// True for a share of the load case with this name.
+auto names(const std::string& name) {
+    return [&name](const LoadCase::Share& share) { return share.load_case == name; };
 }
 
 void add(const LoadCase& part, double factor, LoadCase& sum) {
@@ -56,6 +64,9 @@ LoadCase combined(const LoadCase& load_case, std::span<const LoadCase> cases) {
         const std::string place = "/combines/" + std::to_string(i) + "/load_case";
         base::located("load case '" + load_case.name + "'", place, [&] {
             if (share.load_case == load_case.name) throw base::InputError("is itself");
+            const auto end = load_case.combines.begin() + static_cast<std::ptrdiff_t>(i);
+            if (std::find_if(load_case.combines.begin(), end, names(share.load_case)) != end)
+                throw base::InputError("is named before: give the sum of both factors");
             const LoadCase& part = load_case_of(share.load_case, cases);
             if (!part.combines.empty())
                 throw base::InputError("'" + part.name + "' is a combination, too: name what it combines");
