@@ -226,8 +226,8 @@ TEST(Facts, SharpAnglesAreToldWithTileAndNode) {
 }
 
 TEST(Facts, OptionsThatMakeNoSenseAreRefused) {
-    for (const FactsOptions& wrong :
-         {FactsOptions{.clearance = 0.0}, FactsOptions{.layer_height = -1.0}, FactsOptions{.strength = 0.0}})
+    for (const FactsOptions& wrong : {FactsOptions{.clearance = 0.0}, FactsOptions{.layer_height = -1.0},
+                                      FactsOptions{.layer_height = 1e-9}, FactsOptions{.strength = 0.0}})
         EXPECT_THROW((void)facts(sample(), {}, {}, wrong), base::InputError);
 }
 

@@ -72,7 +72,11 @@ TEST(TessellationCheck, EachFlawNamesItsTile) {
                 HasSubstr("interface node 7 is on no tile"));
     EXPECT_THAT(
         complaint_after([](Tessellation& t) { t.vertices[3].x = std::numeric_limits<double>::infinity(); }),
-        HasSubstr("vertex 3 is not finite"));
+        HasSubstr("vertex 3 is (inf, "));
+    EXPECT_THAT(complaint_after([](Tessellation& t) { t.interface_nodes[2].y = -1e13; }),
+                HasSubstr(", -1e+13), where each coordinate must be"));
+    EXPECT_THAT(complaint_after([](Tessellation& t) { t.tiles = {}; }),
+                HasSubstr("the tessellation has no tiles"));
 }
 
 TEST(TessellationCheck, AStraightCornerMayBendInwardsByRounding) {

@@ -278,7 +278,10 @@ class FactFinder {
 
 void FactsOptions::validate() const {
     require_positive(clearance, "the clearance, m,");
-    require_positive(layer_height, "the height of layers, m,");
+    constexpr double kThinnestLayer = 1e-6;  // m; printers make layers of 1e-5 m and more
+    if (!(std::isfinite(layer_height) && layer_height >= kThinnestLayer))
+        throw base::InputError("the height of layers is " + base::format_number(layer_height) +
+                               " m, where at least 1e-06 m is needed");
     require_positive(sharp_angle, "the angle below which to warn of beams, rad,");
     if (strength) require_positive(*strength, "the strength, Pa,");
 }

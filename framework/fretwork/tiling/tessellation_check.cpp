@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/geometry/internal/place_limits.hpp>
 #include <fretwork/geometry/nearly_convex.hpp>
 #include <fretwork/geometry/plane.hpp>
 #include <fretwork/pattern/pattern.hpp>
@@ -32,6 +33,7 @@ class Checker {
         if (tessellation_.layout != layout_.name())
             throw base::InputError("the tessellation is for the node layout '" + tessellation_.layout +
                                    "', and not for '" + layout_.name() + "'");
+        if (tessellation_.tiles.empty()) throw base::InputError("the tessellation has no tiles");
         check_places(tessellation_.vertices, "vertex");
         check_places(tessellation_.interface_nodes, "interface node");
         check_patterns();
@@ -57,8 +59,9 @@ class Checker {
 
     static void check_places(const std::vector<Point2>& places, const std::string& what) {
         for (std::size_t i = 0; i < places.size(); ++i) {
-            if (!std::isfinite(places[i].x) || !std::isfinite(places[i].y))
-                throw base::InputError(what + " " + std::to_string(i) + " is not finite");
+            if (!geometry::is_within_limits(places[i]))
+                throw base::InputError(
+                    geometry::beyond_limits_text(what + " " + std::to_string(i), places[i]));
         }
     }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/fabrication/detail/clipping.hpp>
 #include <fretwork/geometry/plane.hpp>
 
+#include <algorithm>
 #include <polyclipping/clipper.hpp>
 
 namespace fretwork::fabrication::detail {
@@ -27,8 +30,15 @@ constexpr double kLeastDeviation = 4e-9;  // m
 /// Clipper is faster with numbers below 2^30.
 class Grid {
   public:
+    /// Throws GeometryError if the box is larger than Clipper's whole numbers reach.
     explicit Grid(const Box& box)
-        : x_(std::round(box.middle().x * kPerMetre)), y_(std::round(box.middle().y * kPerMetre)) {}
+        : x_(std::round(box.middle().x * kPerMetre)), y_(std::round(box.middle().y * kPerMetre)) {
+        constexpr double kLargest = 8e9;  // m; from the middle, 4e18 of 4.6e18 grid points
+        const double size = std::max(box.width(), box.height());
+        if (!(size <= kLargest))
+            throw base::GeometryError("outlines are " + base::format_number(size, 3) +
+                                      " m wide, where at most 8e+09 m can be cut or printed");
+    }
     [[nodiscard]] Path path(const Polygon& polygon) const {
         Path path;
         path.reserve(polygon.size());

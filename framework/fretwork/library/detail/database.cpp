@@ -7,6 +7,9 @@ namespace fretwork::library::detail {
 namespace {
 
 constexpr int kBusyTimeoutMilliseconds = 10000;
+/// The length of the longest value that is read, bytes. A generated column of a stranger's file could make
+/// one of gigabytes.
+constexpr int kLongestValue = 1 << 27;
 
 /// Forbid views and triggers in the file's own schema: a view in the place of a table, or a trigger, could
 /// run an endless query. The program's own views are temporary and stay allowed.
@@ -15,6 +18,7 @@ void distrust_schema(sqlite3* handle) {
     sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
     sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
     sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+    sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, kLongestValue);
 }
 
 int open_flags(Database::Mode mode) {
