@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace fretwork::geometry {
@@ -60,22 +61,54 @@ TEST(PointGrid, TakesPlacesThatAreFarAway) {
     }
 }
 
-TEST(BoxGrid, FindsWhatALookAtEveryBoxFinds) {
+Box random_box(base::SplitMix64& random, double most) {
+    const Point2 corner = random_point(random);
+    return Box{corner.x, corner.y, corner.x + most * random.share(), corner.y + most * random.share()};
+}
+
+/// For boxes of at most a given size, and others.
+void expect_meeting_boxes(const std::vector<Box>& others, double most) {
     base::SplitMix64 random(2);
-    const auto random_box = [&] {
-        const Point2 corner = random_point(random);
-        return Box{corner.x, corner.y, corner.x + 0.3 * random.share(), corner.y + 0.3 * random.share()};
-    };
-    std::vector<Box> boxes(300);
-    std::ranges::generate(boxes, random_box);
+    std::vector<Box> boxes = others;
+    for (int i = 0; i < 300; ++i) boxes.push_back(random_box(random, most));
     const BoxGrid grid(boxes);
     for (int round = 0; round < 200; ++round) {
-        const Box box = random_box();
+        const Box box = random_box(random, most);
         std::vector<std::size_t> expected;
         for (std::size_t i = 0; i < boxes.size(); ++i)
             if (boxes[i].meets(box)) expected.push_back(i);
         ASSERT_EQ(grid.meeting(box), expected) << "round " << round;
     }
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const std::vector<std::size_t> found = grid.meeting(boxes[i]);
+        ASSERT_EQ(std::ranges::binary_search(found, i), boxes[i].meets(boxes[i])) << "box " << i;
+    }
+}
+
+TEST(BoxGrid, FindsWhatALookAtEveryBoxFinds) {
+    expect_meeting_boxes({}, 0.3);
+    expect_meeting_boxes({}, 4.0);  // many cells each
+}
+
+TEST(BoxGrid, TakesBoxesOfAnySize) {
+    constexpr double kMost = std::numeric_limits<double>::max();
+    constexpr double kInfinite = std::numeric_limits<double>::infinity();
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    const auto square = [](double half) { return Box{-half, -half, half, half}; };
+    expect_meeting_boxes({square(kMost), square(0.9 * kMost)}, 0.3);
+    expect_meeting_boxes({square(1e200), Box{-1e200, 1, 1e200, 1}}, 0.3);
+    expect_meeting_boxes({Box{-1, -1, kInfinite, 1}, square(kInfinite)}, 0.3);
+    expect_meeting_boxes({Box{kInfinite, 0, kInfinite, 1}}, 0.3);
+    expect_meeting_boxes({Box{kNone, -1, kNone, 1}}, 0.3);
+    expect_meeting_boxes({square(1), Box{-1, kNone, 1, kNone}}, 0.3);
+}
+
+// In cells alone, these would take 30 GB.
+TEST(BoxGrid, BoxesInOneAnotherTakeLittleMemory) {
+    std::vector<Box> boxes;
+    for (int i = 1; i <= 100'000; ++i) boxes.push_back(grown({0, 0, 0, 0}, i));
+    const BoxGrid grid(boxes);
+    EXPECT_THAT(grid.meeting({99'998.5, 0, 99'998.5, 0}), testing::ElementsAre(99'998U, 99'999U));
 }
 
 }  // namespace THIS_TEST

@@ -121,7 +121,7 @@ TEST(Outline, PointsAreEnoughFiniteAndApart) {
     EXPECT_THAT(complaint_of([] {
                     make_outline({{0, 0}, {1, 0}, {std::numeric_limits<double>::quiet_NaN(), 1}}, {});
                 }),
-                HasSubstr("point 2 of the boundary is not finite"));
+                HasSubstr("point 2 of the boundary is (nan, 1)"));
 }
 
 TEST(Outline, PointsBeyondTheLimitsOfLengthsAreRefused) {
@@ -130,6 +130,8 @@ TEST(Outline, PointsBeyondTheLimitsOfLengthsAreRefused) {
                 }),
                 AllOf(HasSubstr("point 1 of the boundary is (1e+308, 0)"),
                       HasSubstr("a number from -1e+12 to 1e+12 (m)")));
+    EXPECT_THAT(complaint_of([] { make_outline(kSquare, {square_at(-1.6e308, -1.6e308, 1.7e308)}); }),
+                HasSubstr("point 0 of hole 0 is (-1.6e+308, -1.6e+308)"));
     EXPECT_DOUBLE_EQ(area_of(make_outline({{-1e12, 0}, {1e12, 0}, {0, 1e12}}, {})), 1e24);
 }
 

@@ -13,7 +13,8 @@ namespace fretwork::geometry {
 /// thread-safe.
 class BoxGrid {
   public:
-    /// Build a grid with about as many cells as boxes.
+    /// Build a grid with about as many cells as boxes. Boxes may have any size, and places that are not
+    /// finite.
     explicit BoxGrid(std::span<const Box> boxes);
 
     /// The numbers of the boxes that meet a box, ascending.
@@ -31,6 +32,7 @@ class BoxGrid {
     std::size_t columns_ = 1;
     std::size_t rows_ = 1;
     std::vector<std::vector<std::size_t>> buckets_;
+    std::vector<std::size_t> large_;  ///< the boxes that are in no bucket
 };
 
 }  // namespace fretwork::geometry

@@ -52,8 +52,8 @@ double area_of(const Outline& outline) {
 Outline make_outline(Polygon boundary, std::vector<Polygon> holes) {
     std::vector<Polygon> loops{std::move(boundary)};
     for (Polygon& hole : holes) loops.push_back(std::move(hole));
-    if (const auto flaw = outline_flaw(loops, {})) throw base::GeometryError(*flaw);
     check_sizes(loops);
+    if (const auto flaw = outline_flaw(loops, {})) throw base::GeometryError(*flaw);
     Outline outline;
     for (std::size_t loop = 0; loop < loops.size(); ++loop) {
         orient(loops[loop], loop == 0 ? Orientation::Counterclockwise : Orientation::Clockwise);
