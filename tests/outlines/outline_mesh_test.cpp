@@ -103,6 +103,8 @@ TEST(OutlineMesh, PlyHeadersAndRowsAreChecked) {
     EXPECT_THAT(refuse("o.ply", begin + "3" + end + "3 0 1 0.5\n"), HasSubstr("0.5"));
     EXPECT_THAT(refuse("o.ply", "ply\nformat utf8 1.0\n"), HasSubstr("'utf8'"));
     EXPECT_THAT(refuse("o.ply", begin + "1\nproperty long x\n"), HasSubstr("'long'"));
+    EXPECT_THAT(refuse("o.ply", begin + "3\nend_header\n"),
+                AllOf(HasSubstr("element vertex"), HasSubstr("3 rows and no property")));
 }
 
 /// The same triangle in both byte orders; the bytes are written out by hand.
@@ -125,6 +127,18 @@ TEST(OutlineMesh, BinaryPlyIsReadInBothByteOrders) {
     EXPECT_DOUBLE_EQ(area_of(read_outline(folder.file("little.ply", little))), 0.5);
     EXPECT_THAT(refuse("o.ply", little.substr(0, little.size() - 1)),
                 AllOf(HasSubstr("face 0"), HasSubstr("ends here")));
+}
+
+TEST(OutlineMesh, AListOfAPlyHasANumberOfNumbers) {
+    const std::string begin =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty float x\n"
+        "property float y\nproperty float z\nproperty list float uchar n\nend_header\n" +
+        std::string(12, '\0');
+    const auto count = [](const char* bytes) { return std::string(bytes, 4); };
+    EXPECT_THAT(refuse("o.ply", begin + count("\0\0\xc0\x7f")),
+                AllOf(HasSubstr("vertex 0"), HasSubstr("n promises nan numbers")));
+    EXPECT_THAT(refuse("o.ply", begin + count("\0\0\x80\xbf")), HasSubstr("n promises -1 numbers"));
+    EXPECT_THAT(refuse("o.ply", begin + count("\0\0\x80\x7f")), HasSubstr("n promises inf numbers"));
 }
 
 TEST(OutlineMesh, OneOfFarTooManyFacesIsRefusedBeforeItIsReadWhole) {

@@ -35,7 +35,7 @@ Bezier straight(geometry::Point2 from, geometry::Point2 to);
 
 /// An elliptic arc: the points center + axes[0] cos t + axes[1] sin t, for t from `start` to `start` +
 /// `sweep`. beziers_of() cuts the arc into pieces of at most 30 degrees, with errors of less than a millionth
-/// of the radius.
+/// of the radius; it throws GeometryError if the sweep is not finite.
 struct Arc {
     geometry::Point2 center;
     std::array<geometry::Point2, 2> axes;
@@ -49,7 +49,8 @@ struct Flattening {
     Affine to_metres{};
     double tolerance;  ///< metres
 };
-/// The polygon of a subpath.
+/// The polygon of a subpath. Throws GeometryError, with the place, if it would have far more points than an
+/// outline can use.
 geometry::Polygon flatten(const Subpath& subpath, const Flattening& how);
 
 }  // namespace fretwork::outlines::detail

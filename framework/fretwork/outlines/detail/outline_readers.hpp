@@ -3,6 +3,7 @@
 
 #include <fretwork/outlines/outline.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -16,11 +17,14 @@ inline constexpr double kFlatteningTolerance = 2e-5;
 inline constexpr double kClosingShare = 0.05;
 /// The extent of a drawing, as a multiple of the flattening tolerance, below which the drawing is small.
 inline constexpr double kDetail = 25'000;
+/// The least flattening tolerance, m, that of a drawing smaller than an atom: grids need cells with a width.
+inline constexpr double kLeastTolerance = 1e-15;
 
-/// The flattening tolerance of a drawing with this extent, m. It is kFlatteningTolerance for drawings that
-/// are not small, and for extent 0.
+/// The flattening tolerance of a drawing with this extent, m, above zero. It is kFlatteningTolerance for
+/// drawings that are not small, and for extent 0.
 inline double flattening_tolerance(double extent) {
-    return extent > 0 && extent < kDetail * kFlatteningTolerance ? extent / kDetail : kFlatteningTolerance;
+    const bool is_small = extent > 0 && extent < kDetail * kFlatteningTolerance;
+    return is_small ? std::max(extent / kDetail, kLeastTolerance) : kFlatteningTolerance;
 }
 
 /// The readers throw InputError or GeometryError with file and place.

@@ -119,8 +119,20 @@ void add_side(const Vertex& from, Point2 to, std::vector<Bezier>& pieces) {
     pieces.insert(pieces.end(), arc.begin(), arc.end());
 }
 
+/// The polygon of a chain of pieces, flattened one by one, because each may have very many points. One more
+/// point than `most` may be the first point again.
+Polygon flatten_chain(const std::vector<Bezier>& pieces, const DxfFlattening& how) {
+    Polygon points;
+    for (const Bezier& piece : pieces) {
+        if (points.size() > how.most + 1) break;
+        const Polygon next = flatten({{piece}, false}, how);
+        points.insert(points.end(), next.begin() + (points.empty() ? 0 : 1), next.end());
+    }
+    return points;
+}
+
 DxfDrawn draw_polyline(const DxfFile& file, const DxfEntity& entity, const std::vector<Vertex>& vertices,
-                       const Flattening& how) {
+                       const DxfFlattening& how) {
     if (vertices.size() < 2) return {std::nullopt, std::string(entity.name) + " of less than two points"};
     const bool is_closed = (file.whole_or(entity, 70, 0) & 1L) != 0;
     std::vector<Bezier> pieces;
@@ -128,12 +140,12 @@ DxfDrawn draw_polyline(const DxfFile& file, const DxfEntity& entity, const std::
         add_side(vertices[i], vertices[i + 1].place, pieces);
     if (is_closed) add_side(vertices.back(), vertices.front().place, pieces);
     if (pieces.empty()) return {std::nullopt, std::string(entity.name) + " of less than two points"};
-    Polygon points = flatten({std::move(pieces), false}, how);
+    Polygon points = flatten_chain(pieces, how);
     if (is_closed) return closed(std::move(points));
     return {DxfCurve{std::move(points), DxfCurve::Ends::Open}, ""};
 }
 
-DxfDrawn draw_heavy_polyline(const DxfFile& file, std::span<const DxfEntity> from, const Flattening& how) {
+DxfDrawn draw_heavy_polyline(const DxfFile& file, std::span<const DxfEntity> from, const DxfFlattening& how) {
     constexpr long kMesh = 16 | 64;
     if ((file.whole_or(from.front(), 70, 0) & kMesh) != 0) return {std::nullopt, "POLYLINE that is a mesh"};
     return draw_polyline(file, from.front(), heavy_vertices(file, from), how);
@@ -191,12 +203,12 @@ std::optional<Affine> dxf_orientation(const DxfFile& file, const DxfEntity& enti
     return file.value_or(entity, 230, 1) < 0 ? Affine{-1, 0, 0, 1, 0, 0} : Affine{};
 }
 
-DxfDrawn draw_dxf_entity(const DxfFile& file, std::span<const DxfEntity> from, const Flattening& given) {
+DxfDrawn draw_dxf_entity(const DxfFile& file, std::span<const DxfEntity> from, const DxfFlattening& given) {
     const DxfEntity& entity = from.front();
     const std::string_view name = entity.name;
     if (name == "VERTEX" || name == "SEQEND" || name == "POINT") return {};
     if (is_tilted(file, from, given)) return not_flat(name);
-    Flattening how = given;
+    DxfFlattening how = given;
     if (name == "LINE") {
         Polygon points = flatten({{straight(point(file, entity, 10), point(file, entity, 11))}, false}, how);
         return {DxfCurve{std::move(points), DxfCurve::Ends::Open}, ""};

@@ -30,13 +30,23 @@ std::string quoted(std::string_view value) {
     return "'" + base::shortened(base::printable(value), kMostShown) + "'";
 }
 
+std::size_t size_of(std::span<const DxfGroup> groups) {
+    constexpr std::size_t kCodeAndLineEnds = 3;
+    std::size_t size = 0;
+    for (const DxfGroup& group : groups) size += kCodeAndLineEnds + group.value.size();
+    return size;
+}
+
 /// The entities in a sequence of groups. Each entity begins with code 0.
 std::vector<DxfEntity> entities_in(std::span<const DxfGroup> groups) {
     std::vector<DxfEntity> entities;
     std::size_t begin = 0;
     for (std::size_t i = 0; i <= groups.size(); ++i) {
         if (i < groups.size() && groups[i].code != 0) continue;
-        if (!entities.empty()) entities.back().groups = groups.subspan(begin, i - begin);
+        if (!entities.empty()) {
+            entities.back().groups = groups.subspan(begin, i - begin);
+            entities.back().size = entities.back().name.size() + size_of(entities.back().groups);
+        }
         if (i < groups.size()) entities.push_back({groups[i].value, groups[i].line, {}});
         begin = i + 1;
     }

@@ -83,7 +83,7 @@ struct Stretch {
 
 class SplinePen {
   public:
-    SplinePen(const Spline& spline, const Flattening& how) : spline_(spline), how_(how) {}
+    SplinePen(const Spline& spline, const DxfFlattening& how) : spline_(spline), how_(how) {}
 
     void draw(const Stretch& stretch) {
         if (points_.empty()) points_.push_back(place(stretch.from, stretch.span));
@@ -97,6 +97,7 @@ class SplinePen {
     }
 
     void halve(const Stretch& stretch, int left) {
+        if (points_.size() > how_.most) return;
         const Point2 from = points_.back();
         const Point2 to = place(stretch.to, stretch.span);
         const double middle = 0.5 * (stretch.from + stretch.to);
@@ -113,13 +114,13 @@ class SplinePen {
     }
 
     const Spline& spline_;
-    const Flattening& how_;
+    const DxfFlattening& how_;
     Polygon points_;
 };
 
 }  // namespace
 
-Polygon draw_dxf_spline(const DxfFile& file, const DxfEntity& entity, const Flattening& how) {
+Polygon draw_dxf_spline(const DxfFile& file, const DxfEntity& entity, const DxfFlattening& how) {
     const Spline spline = read_spline(file, entity);
     SplinePen pen(spline, how);
     for (std::size_t span = spline.degree; span < spline.points.size(); ++span) {

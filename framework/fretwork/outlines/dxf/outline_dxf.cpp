@@ -22,6 +22,9 @@ using geometry::Polygon;
 constexpr int kDeepestBlock = 32;             // depth of blocks in blocks
 constexpr int kMostEntities = 200'000;        // blocks of blocks grow fast
 constexpr std::size_t kMostPoints = 200'000;  // points whose lines are tested for crossings
+// Characters of all entities, each as often as it is drawn: a thousand copies of a solid of 1 MB. Those take
+// seconds.
+constexpr std::size_t kMostRead = 1'000'000'000;
 
 struct UnitName {
     long number;
@@ -129,6 +132,10 @@ class DxfReader {
         if (++entities_ > kMostEntities)
             file_.fail(entity.line, "with all blocks, the drawing has more than " +
                                         std::to_string(kMostEntities) + " entities");
+        read_ += entity.size;
+        if (read_ > kMostRead)
+            file_.fail(entity.line, "with all blocks, the entities have more than " +
+                                        std::to_string(kMostRead) + " characters");
         if (entity.name == "VERTEX" || entity.name == "SEQEND") return;
         if (file_.whole_or(entity, 67, 0) == 1) return remarks_.leave_out("in paper space");
         if (file_.whole_or(entity, 60, 0) == 1) return remarks_.leave_out("invisible");
@@ -141,7 +148,7 @@ class DxfReader {
         if (state == DxfFile::Layer::Frozen || (state == DxfFile::Layer::Off && !is_insert))
             return remarks_.leave_out("on layers that are off");
         if (is_insert) return read_insert(entity, {place.to_metres, layer, place.depth + 1});
-        add(draw_dxf_entity(file_, from, {place.to_metres, how_.tolerance}), entity);
+        add(draw_dxf_entity(file_, from, {{place.to_metres, how_.tolerance}, kMostPoints - points_}), entity);
     }
 
     void add(DxfDrawn drawn, const DxfEntity& entity) {
@@ -184,14 +191,14 @@ class DxfReader {
         const long rows = std::max(1L, file_.whole_or(insert, 71, 1));
         if (columns > kMostEntities || rows > kMostEntities || columns * rows > kMostEntities)
             file_.fail(insert.line, "INSERT has more than " + std::to_string(kMostEntities) + " copies");
+        const Point2 step{file_.value_or(insert, 44, 0), file_.value_or(insert, 45, 0)};
         for (long copy = 0; copy < columns * rows; ++copy) {
-            const long row = copy / columns;
-            const Affine moved{1,
-                               0,
-                               0,
-                               1,
-                               static_cast<double>(copy % columns) * file_.value_or(insert, 44, 0),
-                               static_cast<double>(row) * file_.value_or(insert, 45, 0)};
+            if (++copies_ > kMostEntities)
+                file_.fail(insert.line, "with all blocks, the drawing has more than " +
+                                            std::to_string(kMostEntities) + " copies of blocks");
+            const auto column = static_cast<double>(copy % columns);
+            const auto row = static_cast<double>(copy / columns);
+            const Affine moved{1, 0, 0, 1, column * step.x, row * step.y};
             read(block->entities,
                  {turned.after(moved).after(scaled).after({1, 0, 0, 1, -block->base_x, -block->base_y}),
                   place.layer, place.depth});
@@ -227,6 +234,8 @@ class DxfReader {
     std::vector<const DxfFile::Block*> inserting_;
     Remarks remarks_;
     int entities_ = 0;
+    int copies_ = 0;  // of blocks; those of empty blocks are not among the entities
+    std::size_t read_ = 0;
     std::size_t points_ = 0;
 };
 

@@ -94,7 +94,16 @@ class PlyReader {
         for (TextLine line = need_header_line(); line.words.front() != "end_header";
              line = need_header_line())
             read_header_line(line);
-        if (vertex_count() == 0) text_.fail("", "has no vertex");
+        for (const Element& element : elements_) check(element);
+        const auto vertices = std::ranges::find(elements_, "vertex", &Element::name);
+        vertex_count_ = vertices == elements_.end() ? 0 : vertices->count;
+        if (vertex_count_ == 0) text_.fail("", "has no vertex");
+    }
+    /// Refuse rows without numbers: the size of the file does not limit how many there are.
+    void check(const Element& element) const {
+        if (element.count > 0 && element.properties.empty())
+            text_.fail("element " + element.name, "has " + std::to_string(element.count) +
+                                                      " rows and no property, where at least one is needed");
     }
     TextLine need_header_line() { return text_.need_line("end_header"); }
 
@@ -134,12 +143,6 @@ class PlyReader {
         text_.fail(line, "'" + std::string(name) + "' is not a type of a property");
     }
 
-    [[nodiscard]] std::size_t vertex_count() const {
-        const auto found = std::find_if(elements_.begin(), elements_.end(),
-                                        [](const Element& element) { return element.name == "vertex"; });
-        return found == elements_.end() ? 0 : found->count;
-    }
-
     void read_row(const Element& element, std::size_t row) {
         place_ = element.name + " " + std::to_string(row);
         if (format_ == Format::Ascii) {
@@ -165,8 +168,11 @@ class PlyReader {
         std::size_t count = 1;
         if (property.count_type) {
             const double promised = scalar(*property.count_type);
-            if (promised < 0 || promised > static_cast<double>(text_.size()))
-                text_.fail(place_, property.name + " promises " + base::format_number(promised) + " numbers");
+            // A count may be NaN, which compares as false.
+            if (!(promised >= 0 && promised <= static_cast<double>(text_.size())))
+                text_.fail(place_, property.name + " promises " + base::format_number(promised) +
+                                       " numbers, and the file has " + std::to_string(text_.size()) +
+                                       " bytes");
             count = static_cast<std::size_t>(promised);
         }
         std::vector<double> values;
@@ -210,12 +216,13 @@ class PlyReader {
     }
     void add_face(const std::optional<std::vector<long long>>& vertices) {
         if (!vertices) text_.fail(place_, "the face has no list vertex_indices");
-        text_.add_face(place_, *vertices, vertex_count(), mesh_);
+        text_.add_face(place_, *vertices, vertex_count_, mesh_);
     }
 
     MeshText text_;
     Format format_ = Format::Ascii;
     std::vector<Element> elements_;
+    std::size_t vertex_count_ = 0;
     MeshFile mesh_;
     std::string place_;       // place of the row in messages
     TextLine line_;           // line of the row, in an ASCII file

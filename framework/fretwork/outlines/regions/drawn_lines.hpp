@@ -21,7 +21,8 @@ struct Enclosed {
 double widest_gap(double tolerance);
 
 /// Join the open lines into closed curves, and add the closed lines. Remarks report closed gaps and lines
-/// drawn twice. `tolerance` is the tolerance of flattening, m. Throws GeometryError as contours_of().
+/// drawn twice. `tolerance` is the tolerance of flattening, m. Throws GeometryError as contours_of() and
+/// join_lines().
 Enclosed enclosed_by(DrawnLines lines, double tolerance, Remarks& remarks);
 
 /// The index of the longest of the lines `which`, by the diagonals of their boxes. Pre: `which` is not empty.

@@ -116,15 +116,20 @@ class Nesting {
                                       " closed curves lie in one another");
     }
     void look() {
-        for (const int curve : open_) {
+        const std::vector<int> open(open_.begin(), open_.end());
+        const std::vector<int> before = faces_.empty() ? std::vector<int>{} : faces_.back();
+        std::vector<int> left;
+        std::ranges::set_difference(before, open, std::back_inserter(left));
+        for (const int curve : open) {
             auto& around = around_[curve];
-            if (!around) {
-                around = open_;
-            } else {
-                std::erase_if(*around, [&](int other) { return !open_.contains(other); });
-            }
+            if (!around)
+                around = open;
+            else if (contains(before, curve))  // all that is around it is around the face before
+                for (const int other : left) remove(*around, other);
+            else
+                std::erase_if(*around, [&](int other) { return !contains(open, other); });
         }
-        faces_.emplace_back(open_.begin(), open_.end());
+        faces_.push_back(open);
     }
     /// True if the innermost curve around a face lies in an even number of other curves.
     [[nodiscard]] bool is_filled(std::size_t face) const {
@@ -134,20 +139,29 @@ class Nesting {
     }
 
   private:
+    // Numbers of curves, ascending.
+    static bool contains(const std::vector<int>& curves, int curve) {
+        return std::ranges::binary_search(curves, curve);
+    }
+    static void remove(std::vector<int>& curves, int curve) {
+        const auto at = std::ranges::lower_bound(curves, curve);
+        if (at != curves.end() && *at == curve) curves.erase(at);
+    }
     /// The number of curves around a curve. Two curves that contain each other are one curve, drawn twice.
     [[nodiscard]] int depth(int curve) const {
         int& known = depth_[curve];
         if (known >= 0) return known;
         known = 0;
         for (const int other : *around_[curve])
-            if (other != curve && !around_[other]->contains(curve)) known = std::max(known, depth(other) + 1);
+            if (other != curve && !contains(*around_[other], curve))
+                known = std::max(known, depth(other) + 1);
         return known;
     }
 
     std::vector<int> winding_;
     std::set<int> open_;
-    std::vector<std::optional<std::set<int>>> around_;
-    std::vector<std::vector<int>> faces_;
+    std::vector<std::optional<std::vector<int>>> around_;  // for each curve, those open at each of its faces
+    std::vector<std::vector<int>> faces_;                  // for each face, the open curves
     mutable std::vector<int> depth_;
 };
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
 #include <fretwork/geometry/box.hpp>
 #include <fretwork/geometry/internal/segment_box.hpp>
 #include <fretwork/geometry/plane.hpp>
 #include <fretwork/geometry/point_grid.hpp>
+#include <fretwork/outlines/detail/remarks.hpp>
 #include <fretwork/outlines/regions/line_joining.hpp>
 
 #include <CGAL/box_intersection_d.h>
@@ -127,6 +129,17 @@ struct Gap {
     std::size_t to;
 };
 
+/// The largest number of pairs of loose ends that may be joined, 100 MB: dozens for each end of a drawing of
+/// 100,000 lines that do not meet.
+constexpr std::size_t kMostGaps = 4'000'000;
+
+[[noreturn]] void fail_gaps(Point2 place, double most) {
+    throw base::GeometryError("more than " + std::to_string(kMostGaps) + " pairs of loose ends lie within " +
+                              roughly_in_millimetres(most) + " mm of each other, one near (" +
+                              in_millimetres(place.x) + ", " + in_millimetres(place.y) +
+                              ") mm; join the lines in the drawing, or leave out those that are no outline");
+}
+
 std::vector<Gap> gaps_between(const std::vector<LooseEnd>& loose, const JoinedLines& joined, double most) {
     geometry::PointGrid grid(most);
     for (const LooseEnd& end : loose) grid.add(end.place);
@@ -140,6 +153,7 @@ std::vector<Gap> gaps_between(const std::vector<LooseEnd>& loose, const JoinedLi
             if (width <= most &&
                 (!is_itself || length_of(joined.lines[loose[end].line]) > kMuchLonger * most))
                 gaps.push_back({width, end, other});
+            if (gaps.size() > kMostGaps) fail_gaps(loose[end].place, most);
         });
     }
     std::ranges::sort(gaps, {}, [](const Gap& gap) { return std::tuple(gap.width, gap.from, gap.to); });

@@ -27,7 +27,8 @@ struct JoiningTolerance {
                   ///< joined to itself only if it is more than four times as long
 };
 
-/// Join the ends of open polylines of two points or more.
+/// Join the ends of open polylines of two points or more. Throws GeometryError if millions of pairs of loose
+/// ends could be joined.
 JoinedLines join_lines(const std::vector<geometry::Polygon>& lines, const JoiningTolerance& tolerance);
 
 /// Closed curves without repeated curves. Curves are the same if their boxes agree up to `same` (m), their

@@ -46,7 +46,8 @@ struct Beside {
 
 /// Pairs of corners, and of corners and sides, that are nearer to each other than a width.
 struct NearThings {
-    std::map<Point2, Point2, ByPlace> corners;  // each corner with a corner that comes before it by place
+    /// Each corner with the corner that it becomes, which comes before it by place.
+    std::map<Point2, Point2, ByPlace> corners;
     std::set<Beside> beside;
     [[nodiscard]] bool empty() const { return corners.empty() && beside.empty(); }
 };
@@ -88,6 +89,9 @@ NearThings near_things(const std::vector<Polygon*>& loops, double width) {
         look(a.handle()->from, *b.handle(), width, near);
         look(b.handle()->from, *a.handle(), width, near);
     });
+    // Corners in a row become the first one. In the order of places, an earlier corner is known already.
+    for (auto& [corner, first] : near.corners)
+        if (const auto known = near.corners.find(first); known != near.corners.end()) first = known->second;
     return near;
 }
 
@@ -115,9 +119,20 @@ int blunt(Polygon& points, double width) {
     return count;
 }
 
+/// Merge corners, and leave out ways there and back along one side, which enclose nothing: merged teeth of a
+/// saw are thousands of equal sides, each near to each.
 void merge_corners(Polygon& points, const std::map<Point2, Point2, ByPlace>& corners) {
-    for (Point2& point : points)
-        for (auto to = corners.find(point); to != corners.end(); to = corners.find(point)) point = to->second;
+    Polygon merged;
+    for (const Point2& point : points) {
+        const auto to = corners.find(point);
+        merged.push_back(to == corners.end() ? point : to->second);
+        const std::size_t n = merged.size();
+        if (n > 1 && merged[n - 1] == merged[n - 2])
+            merged.pop_back();
+        else if (n > 2 && merged[n - 1] == merged[n - 3])
+            merged.resize(n - 2);
+    }
+    points = std::move(merged);
     geometry::remove_repeated_points(points, 0.0);
 }
 

@@ -33,7 +33,11 @@ std::size_t end_of_block(std::string_view text) {
     return text.size();
 }
 
-bool is_for_screens(std::string_view media) {
+/// True for "@media" with the media that a picture is shown on.
+bool is_for_screens(std::string_view head) {
+    constexpr std::string_view kMedia = "@media";
+    if (!head.starts_with(kMedia)) return false;
+    const std::string_view media = trimmed(head.substr(kMedia.size()));
     return media == "all" || media == "screen" || media.empty();
 }
 
@@ -83,30 +87,29 @@ std::vector<CssDeclaration> parse_css_declarations(std::string_view text) {
 
 void CssRules::add(std::string_view text) {
     const std::string plain = without_comments(text);
-    std::vector<std::string_view> rest{plain};  // the content of @media blocks is added in their place
-    while (!rest.empty()) {
-        std::string_view& sheet = rest.back();
-        sheet = trimmed(sheet);
-        if (sheet.empty()) {
-            rest.pop_back();
-            continue;
-        }
-        const std::size_t brace = std::min(sheet.find('{'), sheet.size());
-        const std::size_t semicolon = sheet.find(';');
-        if (sheet.front() == '@' && semicolon < brace) {  // such as @import
-            sheet.remove_prefix(semicolon + 1);
-            continue;
-        }
-        const std::string_view head = trimmed(sheet.substr(0, brace));
-        const std::size_t end = brace + end_of_block(sheet.substr(brace));
-        std::string_view inside = sheet.substr(brace, end - brace);
-        if (inside.starts_with('{')) inside.remove_prefix(1);
-        if (inside.ends_with('}')) inside.remove_suffix(1);
+    // The number of @media blocks around this place. Those for screens are entered, not cut out, so that the
+    // text is read once however deep they lie in one another.
+    int open = 0;
+    for (std::string_view sheet = trimmed(plain); !sheet.empty(); sheet = trimmed(sheet)) {
+        std::string ends = "{";
+        if (open > 0) ends += '}';
+        if (sheet.front() == '@') ends += ';';  // such as @import
+        const std::size_t end = sheet.find_first_of(ends);
+        if (end == std::string_view::npos) return;
+        const std::string_view head = trimmed(sheet.substr(0, end));
+        const char found = sheet[end];
         sheet.remove_prefix(end);
-        if (head.starts_with("@media") && is_for_screens(trimmed(head.substr(6))))
-            rest.push_back(inside);
-        else if (!head.starts_with('@'))
-            add_rule(head, inside);
+        if (found == '{' && !is_for_screens(head)) {
+            std::string_view inside = sheet.substr(0, end_of_block(sheet));
+            sheet.remove_prefix(inside.size());
+            inside.remove_prefix(1);
+            if (inside.ends_with('}')) inside.remove_suffix(1);
+            if (!head.starts_with('@')) add_rule(head, inside);
+            continue;
+        }
+        sheet.remove_prefix(1);
+        if (found == '{') ++open;
+        if (found == '}') --open;
     }
 }
 
@@ -149,7 +152,10 @@ std::vector<const CssDeclaration*> CssRules::of(pugi::xml_node node) const {
     });
     std::vector<const CssDeclaration*> declarations;
     for (const Rule* rule : rules)
-        for (const CssDeclaration& declaration : blocks_[rule->block]) declarations.push_back(&declaration);
+        for (const CssDeclaration& declaration : blocks_[rule->block]) {
+            count_looks(1 + declaration.value.size() / kCharactersPerLook, looks_);
+            declarations.push_back(&declaration);
+        }
     return declarations;
 }
 

@@ -52,7 +52,7 @@ class CssRules {
     /// selectors, such as `:hover`, are left out.
     void add(std::string_view text);
     /// The declarations that apply to an element, the strongest last. `!important` is not considered. Throws
-    /// as matches(); all calls share one count of tests.
+    /// as count_looks(); all calls share one count.
     [[nodiscard]] std::vector<const CssDeclaration*> of(pugi::xml_node node) const;
 
   private:
@@ -73,8 +73,12 @@ class CssRules {
 /// Parse one selector of a list, without the commas. Nothing if it contains something unsupported.
 std::optional<CssSelector> parse_css_selector(std::string_view text);
 
-/// True if the selector matches an element. Each compound that is tested adds one to `looks`. Throws
-/// InputError after ten million tests.
+/// Text that is read or compared counts one look for this many characters: short values cost nothing.
+inline constexpr std::size_t kCharactersPerLook = 16;
+/// Add the steps of choosing rules to `looks`. Throws InputError after ten million.
+void count_looks(std::size_t steps, long& looks);
+
+/// True if the selector matches an element. Its steps are counted; throws as count_looks().
 bool matches(const CssSelector& selector, pugi::xml_node node, long& looks);
 
 /// A CSS colour as "#rrggbb", without its opacity. Hexadecimal colours, rgb() and names are supported.

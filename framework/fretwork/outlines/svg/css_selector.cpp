@@ -8,11 +8,15 @@ namespace fretwork::outlines::detail {
 namespace {
 
 constexpr long kMostLooks = 10'000'000;
+constexpr std::size_t kNamesPerLook = 64;  // characters of names of attributes, which are passed fast
 constexpr std::size_t kMostCompounds = 32;
+/// The largest number of classes, ids and other conditions in a selector; selectors of programs have a few.
+constexpr int kMostConditions = 100;
 // Weights of specificity. An id weighs more than any number of classes, and a class more than any number of
 // names.
 constexpr int kId = 1'000'000;
 constexpr int kClass = 1'000;
+static_assert(kMostConditions * kClass < kId && kMostCompounds < kClass);
 
 bool is_name(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_' ||
@@ -71,6 +75,10 @@ class SelectorParser {
 
     void read_condition(CssCompound& compound) {
         const char sign = text_[next_++];
+        if (++conditions_ > kMostConditions) {
+            has_failed_ = true;
+            return;
+        }
         selector_.specificity += sign == '#' ? kId : kClass;
         if (sign == '#') return compound.attributes.push_back({"id", "=", name()});
         if (sign == '.') return compound.attributes.push_back({"class", "~=", name()});
@@ -109,71 +117,93 @@ class SelectorParser {
     std::string_view text_;
     std::size_t next_ = 0;
     CssSelector selector_;
+    int conditions_ = 0;
     bool has_failed_ = false;
 };
 
 bool has_word(std::string_view words, std::string_view word) {
-    if (word.empty()) return false;
-    for (auto at = words.find(word); at != std::string_view::npos; at = words.find(word, at + 1)) {
-        const auto is_gap = [&](std::size_t i) {
-            return i >= words.size() || std::isspace(static_cast<unsigned char>(words[i]));
-        };
-        if ((at == 0 || is_gap(at - 1)) && is_gap(at + word.size())) return true;
+    constexpr std::string_view kGaps = " \t\r\n\f\v";
+    while (!words.empty()) {
+        const std::size_t end = std::min(words.find_first_of(kGaps), words.size());
+        if (end > 0 && words.substr(0, end) == word) return true;
+        words.remove_prefix(std::min(end + 1, words.size()));
     }
     return false;
 }
 
-bool holds(const CssCompound::Attribute& wanted, pugi::xml_node node) {
-    const pugi::xml_attribute attribute = node.attribute(wanted.name.c_str());
-    if (!attribute) return false;
-    const std::string_view value = attribute.value();
+/// The value of an attribute; nothing if the element does not have it.
+std::optional<std::string_view> value_of(std::string_view name, pugi::xml_node node, long& looks) {
+    std::size_t characters = 0;
+    std::optional<std::string_view> value;
+    for (auto attribute = node.first_attribute(); attribute && !value;
+         attribute = attribute.next_attribute()) {
+        const std::string_view here = attribute.name();
+        characters += here.size();
+        if (here == name) value = attribute.value();
+    }
+    count_looks(characters / kNamesPerLook + value.value_or("").size() / kCharactersPerLook, looks);
+    return value;
+}
+
+bool holds(const CssCompound::Attribute& wanted, pugi::xml_node node, long& looks) {
+    const auto found = value_of(wanted.name, node, looks);
+    if (!found) return false;
+    const std::string_view value = *found;
     const std::string_view with = wanted.value;
     if (wanted.sign.empty()) return true;
     if (wanted.sign == "=") return value == with;
     if (wanted.sign == "~=") return has_word(value, with);
-    if (wanted.sign == "|=") return value == with || value.starts_with(wanted.value + "-");
+    if (wanted.sign == "|=")
+        return value.starts_with(with) && (value.size() == with.size() || value[with.size()] == '-');
     if (with.empty()) return false;
     if (wanted.sign == "^=") return value.starts_with(with);
     if (wanted.sign == "$=") return value.ends_with(with);
-    return wanted.sign == "*=" && value.find(with) != std::string_view::npos;
+    if (wanted.sign != "*=") return false;
+    count_looks(value.size() * with.size() / kCharactersPerLook, looks);  // at most so many comparisons
+    return value.find(with) != std::string_view::npos;
 }
 
-pugi::xml_node element_before(pugi::xml_node node) {
-    do node = node.previous_sibling();
-    while (node && node.type() != pugi::node_element);
+pugi::xml_node element_before(pugi::xml_node node, long& looks) {
+    do {
+        node = node.previous_sibling();
+        count_looks(1, looks);
+    } while (node && node.type() != pugi::node_element);
     return node;
 }
-pugi::xml_node element_after(pugi::xml_node node) {
-    do node = node.next_sibling();
-    while (node && node.type() != pugi::node_element);
+pugi::xml_node element_after(pugi::xml_node node, long& looks) {
+    do {
+        node = node.next_sibling();
+        count_looks(1, looks);
+    } while (node && node.type() != pugi::node_element);
     return node;
 }
 
-bool is_at(CssCompound::Place place, pugi::xml_node node) {
+bool is_at(CssCompound::Place place, pugi::xml_node node, long& looks) {
     switch (place) {
         case CssCompound::Place::Any:
             return true;
         case CssCompound::Place::First:
-            return !element_before(node);
+            return !element_before(node, looks);
         case CssCompound::Place::Last:
-            return !element_after(node);
+            return !element_after(node, looks);
         case CssCompound::Place::Root:
             return node.parent().type() == pugi::node_document;
     }
     return false;
 }
 
-bool is_chosen(const CssCompound& compound, pugi::xml_node node) {
+bool is_chosen(const CssCompound& compound, pugi::xml_node node, long& looks) {
     std::string_view name = node.name();
+    count_looks(1 + name.size() / kNamesPerLook, looks);
     name = name.substr(name.find(':') == std::string_view::npos ? 0 : name.find(':') + 1);
-    return (compound.type.empty() || compound.type == name) && is_at(compound.place, node) &&
-           std::ranges::all_of(compound.attributes, [&](const auto& wanted) { return holds(wanted, node); });
+    return (compound.type.empty() || compound.type == name) && is_at(compound.place, node, looks) &&
+           std::ranges::all_of(compound.attributes,
+                               [&](const auto& wanted) { return holds(wanted, node, looks); });
 }
 
 /// True if the compounds 0 .. last match, with compound `last` on the element.
 bool matches_up_to(const CssSelector& selector, std::size_t last, pugi::xml_node node, long& looks) {
-    if (++looks > kMostLooks) throw base::InputError("its style sheets are too intricate");
-    if (node.type() != pugi::node_element || !is_chosen(selector.compounds[last], node)) return false;
+    if (node.type() != pugi::node_element || !is_chosen(selector.compounds[last], node, looks)) return false;
     if (last == 0) return true;
     const auto is_before = [&](pugi::xml_node other) {
         return matches_up_to(selector, last - 1, other, looks);
@@ -182,9 +212,9 @@ bool matches_up_to(const CssSelector& selector, std::size_t last, pugi::xml_node
         case '>':
             return is_before(node.parent());
         case '+':
-            return is_before(element_before(node));
+            return is_before(element_before(node, looks));
         case '~':
-            for (auto other = element_before(node); other; other = element_before(other))
+            for (auto other = element_before(node, looks); other; other = element_before(other, looks))
                 if (is_before(other)) return true;
             return false;
         default:
@@ -195,6 +225,12 @@ bool matches_up_to(const CssSelector& selector, std::size_t last, pugi::xml_node
 }
 
 }  // namespace
+
+void count_looks(std::size_t steps, long& looks) {
+    if (steps > static_cast<std::size_t>(kMostLooks - looks))
+        throw base::InputError("its style sheets are too intricate");
+    looks += static_cast<long>(steps);
+}
 
 std::optional<CssSelector> parse_css_selector(std::string_view text) {
     return SelectorParser(text).run();

@@ -78,7 +78,7 @@ std::string SvgReader::left_out_text() const {
 }
 
 void SvgReader::add_stroke(pugi::xml_node node, const Surroundings& around) {
-    const SvgProperties properties(node, document_.rules());
+    const SvgProperties properties(node, document_);
     const SvgElement element(node, properties, document_);
     for (const Subpath& subpath : element.subpaths(document_.name_of(node), around.measure)) {
         Polygon points = flatten(subpath, {around.map, how_.tolerance});
@@ -96,8 +96,10 @@ void SvgReader::add_stroke(pugi::xml_node node, const Surroundings& around) {
 void SvgReader::add_open_line(Polygon points, pugi::xml_node node, std::optional<std::size_t> clip) {
     if (points.size() < 2 || perimeter(points) <= how_.tolerance) return;  // a dot
     // Construction lines that reach far outside are left out, and do not spoil the rest of the drawing.
-    if (!std::ranges::all_of(points, [&](Point2 point) { return is_near_page(point); }))
+    if (!std::ranges::all_of(points, [&](Point2 point) { return is_near_page(point); })) {
+        count_points(points.size(), node);
         return remarks_.leave_out("open line that reaches far out of the drawing");
+    }
     check_loops({points}, node);
     if (!is_shown_whole(picture_, clip, points, how_.tolerance))
         return remarks_.leave_out("open line that a clip cuts or hides");

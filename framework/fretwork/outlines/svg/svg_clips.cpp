@@ -10,8 +10,12 @@ namespace fretwork::outlines::detail {
 
 using geometry::Polygon;
 
-std::size_t SvgReader::add_clip(const std::vector<Subpath>& subpaths, const Surroundings& around) {
-    picture_.clips.push_back({{{loops_of(subpaths, around.map)}}, around.clip});
+std::size_t SvgReader::add_clip(Clip clip, pugi::xml_node node) {
+    const int depth = clip.outer ? clip_depths_[*clip.outer] + 1 : 1;
+    if (depth > kDeepest)
+        document_.fail(node, "clips lie more than " + std::to_string(kDeepest) + " deep in one another");
+    clip_depths_.push_back(depth);
+    picture_.clips.push_back(std::move(clip));
     return picture_.clips.size() - 1;
 }
 
@@ -29,7 +33,8 @@ std::optional<std::size_t> SvgReader::clip_of(const SvgElement& element, const S
 }
 
 std::size_t SvgReader::read_clip(pugi::xml_node clip, const SvgElement& clipped, Surroundings around) {
-    const SvgProperties properties(clip, document_.rules());
+    enter(clip, ++around.depth);
+    const SvgProperties properties(clip, document_);
     const SvgElement element(clip, properties, document_);
     copying_.push_back(clip);
     if (std::string_view(clip.attribute("clipPathUnits").value()) == "objectBoundingBox")
@@ -45,11 +50,11 @@ std::size_t SvgReader::read_clip(pugi::xml_node clip, const SvgElement& clipped,
     shapes_ = shapes;
     purpose_ = purpose;
     copying_.pop_back();
-    picture_.clips.push_back(std::move(made));
-    return picture_.clips.size() - 1;
+    return add_clip(std::move(made), clip);
 }
 
 Affine SvgReader::unit_box_of(const SvgElement& element, const Surroundings& around) {
+    document_.charge(element.node());  // it is read once more, for its box
     std::vector<FilledShape> found;
     const auto shapes = std::exchange(shapes_, &found);
     const auto purpose = std::exchange(purpose_, Purpose::Box);

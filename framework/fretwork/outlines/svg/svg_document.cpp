@@ -9,6 +9,8 @@ namespace fretwork::outlines::detail {
 namespace {
 
 constexpr std::size_t kLongestName = 60;
+/// A drawing has at most 200,000 elements, with all copies: a thousand characters for each of them.
+constexpr std::size_t kMostCharged = 200'000'000;
 
 std::string line_of(std::string_view text, std::ptrdiff_t offset) {
     const auto end = text.begin() + std::clamp<std::ptrdiff_t>(offset, 0, text.size());
@@ -40,8 +42,10 @@ struct Elements : pugi::xml_tree_walker {
 
 }  // namespace
 
-SvgProperties::SvgProperties(pugi::xml_node node, const CssRules& rules)
-    : node_(node), own_(parse_css_declarations(node.attribute("style").value())), ascending_(rules.of(node)) {
+SvgProperties::SvgProperties(pugi::xml_node node, const SvgDocument& document) : node_(node) {
+    document.charge(node);
+    own_ = parse_css_declarations(node.attribute("style").value());
+    ascending_ = document.rules().of(node);
     for (const CssDeclaration& declaration : own_) ascending_.push_back(&declaration);
     std::ranges::stable_sort(ascending_, {},
                              [](const CssDeclaration* declaration) { return declaration->weight; });
@@ -108,6 +112,25 @@ std::string SvgDocument::place(pugi::xml_node node) const {
     const std::string id = node.attribute("id").value();
     return line_of(text_, node.offset_debug()) + ", " + for_message(name.empty() ? node.name() : name) +
            (id.empty() ? "" : " '" + for_message(id) + "'");
+}
+
+void SvgDocument::charge(pugi::xml_node node, std::size_t steps) const {
+    charged_ += steps;
+    if (charged_ > kMostCharged)
+        fail(node, "with all copies, more than " + std::to_string(kMostCharged) +
+                       " characters of elements are read; copy simpler elements");
+}
+
+void SvgDocument::charge(pugi::xml_node node) const {
+    const bool is_image = name_of(node) == "image";
+    std::size_t characters = std::string_view(node.name()).size();
+    for (const pugi::xml_attribute attribute : node.attributes()) {
+        const std::string_view name = attribute.name();
+        characters += name.size();
+        // The picture in an image, which may have megabytes, is not read.
+        if (!is_image || !name.ends_with("href")) characters += std::string_view(attribute.value()).size();
+    }
+    charge(node, characters);
 }
 
 void SvgDocument::fail(pugi::xml_node node, const std::string& message) const {

@@ -12,11 +12,13 @@
 
 namespace fretwork::outlines::detail {
 
+class SvgDocument;
+
 /// The style of one element, from style sheets, the attribute `style` and presentation attributes.
 class SvgProperties {
   public:
-    /// Throws as CssRules::of().
-    SvgProperties(pugi::xml_node node, const CssRules& rules);
+    /// Charges the document for the element. Throws as CssRules::of() and SvgDocument::charge().
+    SvgProperties(pugi::xml_node node, const SvgDocument& document);
     /// The value of a property by the cascade; empty if it is not set.
     [[nodiscard]] std::string_view find(std::string_view name) const;
 
@@ -42,6 +44,11 @@ class SvgDocument {
     /// The place of an element in messages: "line 3, path 'rim'".
     [[nodiscard]] std::string place(pugi::xml_node node) const;
     [[noreturn]] void fail(pugi::xml_node node, const std::string& message) const;
+    /// Count characters or elements that are read at `node`. They are read again for every copy, so that the
+    /// size of the file does not limit the work. Throws InputError after 200 million.
+    void charge(pugi::xml_node node, std::size_t steps) const;
+    /// Count the characters of an element's name and attributes.
+    void charge(pugi::xml_node node) const;
     /// Read the value of an attribute or property. An error of the reader gets file, place and `name`.
     template <class Reader>
     auto read(pugi::xml_node node, std::string_view name, std::string_view value, Reader reader) const {
@@ -61,6 +68,7 @@ class SvgDocument {
     std::string prefix_;  // prefix of SVG's elements, with its colon
     std::unordered_map<std::string_view, pugi::xml_node> ids_;
     CssRules rules_;
+    mutable std::size_t charged_ = 0;
 };
 
 }  // namespace fretwork::outlines::detail

@@ -46,7 +46,7 @@ std::string size_text(const Size& size) {
 }  // namespace
 
 SvgPage page_of(pugi::xml_node root, const SvgDocument& document, Remarks& remarks) {
-    const SvgProperties properties(root, document.rules());
+    const SvgProperties properties(root, document);
     const SvgElement element(root, properties, document);
     const auto box = element.view_box();
     if (box && (!((*box)[2] > 0) || !((*box)[3] > 0)))

@@ -12,8 +12,6 @@ namespace {
 using geometry::Point2;
 using geometry::Polygon;
 
-constexpr int kDeepest =
-    256;  // depth of groups and copies: no drawing needs more, and the reader's stack is limited
 constexpr int kMostElements = 200'000;        // copies of copies grow fast
 constexpr std::size_t kMostPoints = 200'000;  // points whose lines are tested for crossings
 /// The distance by which a curve may leave the drawing, as a multiple of the drawing's size; a larger
@@ -45,25 +43,31 @@ void SvgReader::read() {
     page_ = page_of(root, document_, remarks_);
     how_.tolerance = flattening_tolerance(std::max(page_.width, page_.height));
     Surroundings all{.map = page_.to_metres, .measure = page_.measure};
-    const SvgProperties properties(root, document_.rules());
+    const SvgProperties properties(root, document_);
     all.style = style_in({}, properties, document_);
     if (!is_switched_off(properties)) read_children(root, all);
 }
 
 void SvgReader::read_children(pugi::xml_node parent, const Surroundings& around) {
-    if (around.depth > kDeepest)
-        document_.fail(parent, "groups lie more than " + std::to_string(kDeepest) + " deep in one another");
-    for (const pugi::xml_node node : parent.children())
+    for (const pugi::xml_node node : parent.children()) {
+        document_.charge(node, 1);  // what is not drawn is passed in every copy, too
         if (node.type() == pugi::node_element) read_element(node, around);
+    }
+}
+
+void SvgReader::enter(pugi::xml_node node, int depth) {
+    if (depth > kDeepest)
+        document_.fail(node, "elements lie more than " + std::to_string(kDeepest) + " deep in one another");
+    if (++elements_ > kMostElements)
+        document_.fail(node,
+                       "with all copies, more than " + std::to_string(kMostElements) + " elements are drawn");
 }
 
 void SvgReader::read_element(pugi::xml_node node, const Surroundings& outer) {
     const std::string_view name = document_.name_of(node);
-    if (name.empty() || is_one_of(kNotDrawn, name) || !meets_conditions(node)) return;
-    if (++elements_ > kMostElements)
-        document_.fail(node,
-                       "with all copies, more than " + std::to_string(kMostElements) + " elements are drawn");
-    const SvgProperties properties(node, document_.rules());
+    if (name.empty() || is_one_of(kNotDrawn, name) || !meets_conditions(node, document_)) return;
+    enter(node, outer.depth);
+    const SvgProperties properties(node, document_);
     if (properties.find("display") == "none") return;
     if (purpose_ == Purpose::Paint && is_switched_off(properties)) return;
     const SvgElement element(node, properties, document_);
@@ -97,7 +101,9 @@ void SvgReader::read_kind(std::string_view name, const SvgElement& element, cons
 
 void SvgReader::read_switch(pugi::xml_node parent, const Surroundings& around) {
     for (const pugi::xml_node node : parent.children()) {
-        if (node.type() == pugi::node_element && !document_.name_of(node).empty() && meets_conditions(node))
+        document_.charge(node, 1);
+        if (node.type() == pugi::node_element && !document_.name_of(node).empty() &&
+            meets_conditions(node, document_))
             return read_element(node, around);
     }
 }
@@ -116,7 +122,8 @@ void SvgReader::read_viewport(const SvgElement& element, const SvgElement& sized
     if (!(box.width > 0) || !(box.height > 0)) return;
     if (view_box && (!((*view_box)[2] > 0) || !((*view_box)[3] > 0))) return;
     const std::string_view overflow = element.properties().find("overflow");
-    if (overflow != "visible" && overflow != "auto") around.clip = add_clip({box.outline()}, around);
+    if (overflow != "visible" && overflow != "auto")
+        around.clip = add_clip({{{loops_of({box.outline()}, around.map)}}, around.clip}, element.node());
     around.map = around.map.after(
         view_box ? map_of_view_box(*view_box, box, element.node().attribute("preserveAspectRatio").value())
                  : Affine{1, 0, 0, 1, box.x, box.y});
@@ -134,8 +141,6 @@ void SvgReader::read_use(const SvgElement& element, Surroundings around) {
     if (std::ranges::find(copying_, copied) != copying_.end() ||
         node.attribute("id").value() == copied.attribute("id").value())
         document_.fail(node, "copies itself");
-    if (around.depth > kDeepest)
-        document_.fail(node, "copies lie more than " + std::to_string(kDeepest) + " deep in one another");
     const Affine moved{1,
                        0,
                        0,
@@ -154,7 +159,7 @@ void SvgReader::read_use(const SvgElement& element, Surroundings around) {
 }
 
 void SvgReader::read_copied_viewport(pugi::xml_node copied, const SvgElement& use, Surroundings around) {
-    const SvgProperties properties(copied, document_.rules());
+    const SvgProperties properties(copied, document_);
     if (is_switched_off(properties)) return;
     const SvgElement element(copied, properties, document_);
     around.style = style_in(around.style, properties, document_);
@@ -189,20 +194,28 @@ void SvgReader::remember_stroke(pugi::xml_node node, const Surroundings& around)
 
 std::vector<Polygon> SvgReader::loops_of(const std::vector<Subpath>& subpaths, const Affine& map) const {
     std::vector<Polygon> loops;
+    std::size_t all = points_;
     for (const Subpath& subpath : subpaths) {
         Polygon points = flatten(subpath, {map, how_.tolerance});
         geometry::remove_repeated_points(points, kClosingShare * how_.tolerance);
-        if (points.size() > 2) loops.push_back(std::move(points));
+        if (points.size() < 3) continue;
+        all += points.size();
+        loops.push_back(std::move(points));
+        if (all > kMostPoints) break;  // check_loops() refuses them; more would only take memory
     }
     return loops;
 }
 
+void SvgReader::count_points(std::size_t points, pugi::xml_node node) {
+    points_ += points;
+    if (points_ > kMostPoints)
+        document_.fail(node, "up to here the drawing has more than " + std::to_string(kMostPoints) +
+                                 " points, which is more than an outline can use; simplify its paths");
+}
+
 void SvgReader::check_loops(const std::vector<Polygon>& loops, pugi::xml_node node) {
     for (const Polygon& loop : loops) {
-        points_ += loop.size();
-        if (points_ > kMostPoints)
-            document_.fail(node, "up to here the drawing has more than " + std::to_string(kMostPoints) +
-                                     " points, which is more than an outline can use; simplify its paths");
+        count_points(loop.size(), node);
         for (const Point2& point : loop) {
             if (!std::isfinite(point.x) || !std::isfinite(point.y))
                 document_.fail(node, "has a point that is not finite");

@@ -34,6 +34,9 @@ class SvgReader {
     /// The purpose of reading an element. For Clip and Box, shapes count even if they are not painted.
     enum class Purpose { Paint, Clip, Box };
 
+    /// The depth of groups, copies and clips: no drawing needs more, and the reader's stack is limited.
+    static constexpr int kDeepest = 256;
+
     void read();
     /// The region that the lines of a drawing enclose. It is used if the filled shapes give no part, as in
     /// drawings for laser cutters. Lines are joined as in DXF, and a line inside another is a hole. Throws
@@ -44,6 +47,9 @@ class SvgReader {
     [[nodiscard]] std::string left_out_text() const;
     void read_children(pugi::xml_node parent, const Surroundings& around);
     void read_element(pugi::xml_node node, const Surroundings& outer);
+    /// Count an element that is drawn or that clips. Throws InputError if there are too many, or if it lies
+    /// too deep.
+    void enter(pugi::xml_node node, int depth);
     void read_kind(std::string_view name, const SvgElement& element, const Surroundings& around);
     /// Read the first alternative of a `switch` that meets its conditions.
     void read_switch(pugi::xml_node parent, const Surroundings& around);
@@ -57,13 +63,16 @@ class SvgReader {
     void add_stroke(pugi::xml_node node, const Surroundings& around);
     void add_open_line(geometry::Polygon points, pugi::xml_node node, std::optional<std::size_t> clip);
     void add_closed_line(geometry::Polygon points, std::optional<std::size_t> clip);
+    /// The polygons of a shape; not all of them if check_loops() will refuse them as too many points.
     [[nodiscard]] std::vector<geometry::Polygon> loops_of(const std::vector<Subpath>& subpaths,
                                                           const Affine& map) const;
+    void count_points(std::size_t points, pugi::xml_node node);
     void check_loops(const std::vector<geometry::Polygon>& loops, pugi::xml_node node);
     /// True if a point lies in the drawing, or no further away than a fixed multiple of the drawing's size.
     [[nodiscard]] bool is_near_page(geometry::Point2 point) const;
     void check_on_page(geometry::Point2 point, pugi::xml_node node) const;
-    std::size_t add_clip(const std::vector<Subpath>& subpaths, const Surroundings& around);
+    /// Add a clip of `node` to the picture. Returns its index.
+    std::size_t add_clip(Clip clip, pugi::xml_node node);
     /// The clip of an element, inside the clip of its surroundings.
     std::optional<std::size_t> clip_of(const SvgElement& element, const Surroundings& around);
     std::size_t read_clip(pugi::xml_node clip, const SvgElement& clipped, Surroundings around);
@@ -75,6 +84,7 @@ class SvgReader {
     SvgPage page_;
     Flattening how_{.tolerance = kFlatteningTolerance};
     Picture picture_;
+    std::vector<int> clip_depths_;  // for each clip of the picture, the number of clips around it and itself
     std::vector<FilledShape>* shapes_ = &picture_.shapes;
     std::vector<pugi::xml_node> places_;   // elements of the picture's shapes
     std::vector<std::string> colours_;     // colours of the picture's shapes

@@ -44,9 +44,10 @@ bool paints(pugi::xml_node server, const SvgDocument& document) {
     for (int links = 0; server && links < 8; ++links) {
         bool has_stops = false;
         for (const pugi::xml_node stop : server.children()) {
+            document.charge(stop, 1);
             if (document.name_of(stop) != "stop") continue;
             has_stops = true;
-            const SvgProperties properties(stop, document.rules());
+            const SvgProperties properties(stop, document);
             if (share_of(properties.find("stop-opacity")) != 0.0 &&
                 !has_alpha_zero(properties.find("stop-color")))
                 return true;
@@ -148,9 +149,12 @@ bool is_switched_off(const SvgProperties& properties) {
     return properties.find("display") == "none" || share_of(properties.find("opacity")) == 0.0;
 }
 
-bool meets_conditions(pugi::xml_node node) {
-    if (const auto language = node.attribute("systemLanguage"); language && !names_english(language.value()))
-        return false;
+bool meets_conditions(pugi::xml_node node, const SvgDocument& document) {
+    if (const auto language = node.attribute("systemLanguage")) {
+        const std::string_view list = language.value();
+        document.charge(node, list.size());
+        if (!names_english(list)) return false;
+    }
     return !node.attribute("requiredExtensions");
 }
 

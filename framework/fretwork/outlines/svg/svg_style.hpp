@@ -32,13 +32,14 @@ struct SvgStyle {
     }
 };
 
-/// The style of an element in a parent with the style `outer`.
+/// The style of an element in a parent with the style `outer`. Throws as SvgDocument::charge().
 SvgStyle style_in(const SvgStyle& outer, const SvgProperties& properties, const SvgDocument& document);
 
 /// True if an element and its content are not shown: `display: none`, `opacity: 0`.
 bool is_switched_off(const SvgProperties& properties);
 
-/// True if the conditions of an element (language, extensions) hold in a browser set to English.
-bool meets_conditions(pugi::xml_node node);
+/// True if the conditions of an element (language, extensions) hold in a browser set to English. Throws as
+/// SvgDocument::charge().
+bool meets_conditions(pugi::xml_node node, const SvgDocument& document);
 
 }  // namespace fretwork::outlines::detail

@@ -14,6 +14,9 @@ namespace {
 constexpr std::size_t kMostGrowth = 10;
 constexpr std::size_t kLittle = 100'000;
 constexpr int kDeepestEntity = 16;  // depth of entities in entities
+/// Ten replacements for each element that a drawing may have. They are counted because some add no text.
+constexpr int kMostReplacements = 2'000'000;
+constexpr std::size_t kLongestEntityName = 256;  // with its '&'; programs write short ones
 
 constexpr std::string_view kSpace = " \t\r\n";
 
@@ -37,7 +40,9 @@ Entities declared_in(std::string_view doctype) {
     Entities entities;
     for (auto at = doctype.find(kBegin); at != std::string_view::npos; at = doctype.find(kBegin, at + 1)) {
         const std::string_view rest = without_leading_space(doctype.substr(at + kBegin.size()));
-        const std::string_view name = rest.substr(0, rest.find_first_of(kSpace));
+        const std::size_t end = rest.substr(0, kLongestEntityName).find_first_of(kSpace);
+        if (end == std::string_view::npos) continue;
+        const std::string_view name = rest.substr(0, end);
         const auto value = quoted(without_leading_space(rest.substr(name.size())));
         if (!value || name == "%") continue;
         std::string in_one_line(*value);
@@ -65,13 +70,16 @@ class Replacer {
             append(text.substr(0, mark));
             text.remove_prefix(mark);
             if (text.empty()) return;
-            const std::size_t end = text.substr(0, kLongestName).find(';');
+            const std::size_t end = text.substr(0, kLongestEntityName).find(';');
             const auto found =
                 end == std::string_view::npos ? entities_.end() : entities_.find(text.substr(1, end - 1));
             if (found == entities_.end()) {
                 append(text.substr(0, 1));
                 text.remove_prefix(1);
             } else {
+                if (++replacements_ > kMostReplacements)
+                    throw base::InputError("more than " + std::to_string(kMostReplacements) +
+                                           " entities of the document are to be replaced");
                 add(found->second, depth + 1);
                 text.remove_prefix(end + 1);
             }
@@ -84,9 +92,9 @@ class Replacer {
                                    " characters");
     }
 
-    static constexpr std::size_t kLongestName = 256;
     const Entities& entities_;
     std::size_t most_;
+    int replacements_ = 0;
     std::string done_;
 };
 
