@@ -5,6 +5,7 @@
 #include <fretwork/base/internal/json_text.hpp>
 
 #include <arpa/inet.h>
+#include <cerrno>
 #include <cstring>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
@@ -59,7 +60,8 @@ class Wire {
     /// False if the server has closed the connection.
     bool send(std::string_view bytes) const {
         while (!bytes.empty()) {
-            const ssize_t sent = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+            const ssize_t sent =
+                again([&] { return ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL); });
             if (sent <= 0) return false;
             bytes.remove_prefix(static_cast<std::size_t>(sent));
         }
@@ -86,9 +88,16 @@ class Wire {
     }
 
   private:
+    /// A signal, such as the clock of libFuzzer, interrupts calls on a socket with time limits.
+    template <class Call>
+    static ssize_t again(Call call) {
+        ssize_t result = call();
+        while (result < 0 && errno == EINTR) result = call();
+        return result;
+    }
     bool fill() {
         char bytes[65536];
-        const ssize_t got = ::recv(socket_, bytes, sizeof bytes, 0);
+        const ssize_t got = again([&] { return ::recv(socket_, bytes, sizeof bytes, 0); });
         if (got > 0) buffer_.append(bytes, static_cast<std::size_t>(got));
         return got > 0;
     }
