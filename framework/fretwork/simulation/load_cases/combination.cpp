@@ -3,8 +3,9 @@
 #include <fretwork/base/named.hpp>
 #include <fretwork/simulation/load_cases/combination.hpp>
 
-#include <algorithm>
 #include <cstddef>
+#include <map>
+#include <vector>
 
 namespace fretwork::simulation {
 namespace {
@@ -26,11 +27,6 @@ LoadCase with_origins(LoadCase load_case, const std::string& name) {
     return load_case;
 }
 
-/// True for a share of the load case with this name.
-auto names(const std::string& name) {
-    return [&name](const LoadCase::Share& share) { return share.load_case == name; };
-}
-
 void add(const LoadCase& part, double factor, LoadCase& sum) {
     sum.supports.insert(sum.supports.end(), part.supports.begin(), part.supports.end());
     for (LoadCase::Load load : part.loads) {
@@ -49,6 +45,31 @@ void add(const LoadCase& part, double factor, LoadCase& sum) {
     sum.gravity += factor * part.gravity;
 }
 
+struct Part {
+    const LoadCase* load_case;
+    double factor;
+};
+
+/// The load cases that one combines, each once: factors of a case that is named several times are added.
+std::vector<Part> parts_of(const LoadCase& load_case, std::span<const LoadCase> cases) {
+    std::vector<Part> parts;
+    std::map<const LoadCase*, std::size_t> places;
+    for (std::size_t i = 0; i < load_case.combines.size(); ++i) {
+        const LoadCase::Share& share = load_case.combines[i];
+        const std::string place = "/combines/" + std::to_string(i) + "/load_case";
+        base::located("load case '" + load_case.name + "'", place, [&] {
+            if (share.load_case == load_case.name) throw base::InputError("is itself");
+            const LoadCase& part = load_case_of(share.load_case, cases);
+            if (!part.combines.empty())
+                throw base::InputError("'" + part.name + "' is a combination, too: name what it combines");
+            const auto [known, is_new] = places.try_emplace(&part, parts.size());
+            if (is_new) parts.push_back({&part, 0.0});
+            parts[known->second].factor += share.factor;
+        });
+    }
+    return parts;
+}
+
 }  // namespace
 
 const LoadCase& load_case_of(const std::string& name, std::span<const LoadCase> cases) {
@@ -57,27 +78,15 @@ const LoadCase& load_case_of(const std::string& name, std::span<const LoadCase> 
 
 LoadCase combined(const LoadCase& load_case, std::span<const LoadCase> cases) {
     if (load_case.combines.empty()) return load_case;
+    const std::vector<Part> parts = parts_of(load_case, cases);
     LoadCase sum = with_origins(load_case, "");
     sum.combines.clear();
-    for (std::size_t i = 0; i < load_case.combines.size(); ++i) {
-        const LoadCase::Share& share = load_case.combines[i];
-        const std::string place = "/combines/" + std::to_string(i) + "/load_case";
-        base::located("load case '" + load_case.name + "'", place, [&] {
-            if (share.load_case == load_case.name) throw base::InputError("is itself");
-            const auto end = load_case.combines.begin() + static_cast<std::ptrdiff_t>(i);
-            if (std::find_if(load_case.combines.begin(), end, names(share.load_case)) != end)
-                throw base::InputError("is named before: give the sum of both factors");
-            const LoadCase& part = load_case_of(share.load_case, cases);
-            if (!part.combines.empty())
-                throw base::InputError("'" + part.name + "' is a combination, too: name what it combines");
-            add(with_origins(part, part.name), share.factor, sum);
-        });
-    }
+    for (const Part& part : parts) add(with_origins(*part.load_case, part.load_case->name), part.factor, sum);
     return sum;
 }
 
 void check_combinations(std::span<const LoadCase> cases) {
-    for (const LoadCase& load_case : cases) (void)combined(load_case, cases);
+    for (const LoadCase& load_case : cases) (void)parts_of(load_case, cases);
 }
 
 }  // namespace fretwork::simulation

@@ -11,10 +11,10 @@ namespace fretwork::simulation {
 const LoadCase& load_case_of(const std::string& name, std::span<const LoadCase> cases);
 
 /// Merge a load case with the load cases that it combines. Their loads, area loads, prescribed displacements
-/// and gravity are multiplied by their factors and added; their supports are added, too. A load case that
-/// combines no others is returned unchanged. Messages about an entry name the load case from which it was
-/// taken. Throws InputError if a combined load case is not among `cases`, is the load case itself, is named
-/// twice, or is also a combination.
+/// and gravity are multiplied by their factors and added; their supports are added, too. The factors of a
+/// load case that is named several times are added. A load case that combines no others is returned
+/// unchanged. Messages about an entry name the load case from which it was taken. Throws InputError if a
+/// combined load case is not among `cases`, is the load case itself, or is also a combination.
 LoadCase combined(const LoadCase& load_case, std::span<const LoadCase> cases);
 
 /// Check that each load case combines only others that exist and are no combinations. Throws InputError as
