@@ -47,10 +47,10 @@ double checked_scale(double scale) {
 }
 
 double parse_scale(const std::string& text) {
-    constexpr double kLargest = 1e6;
+    constexpr double kLargest = 1e9;
     const auto number = base::read_number<double>(text);
     if (!number || !(std::abs(*number) <= kLargest))
-        throw base::InputError("'" + text + "' is not a number from -1e6 to 1e6");
+        throw base::InputError("'" + text + "' is not a number from -1e9 to 1e9");
     return *number;
 }
 

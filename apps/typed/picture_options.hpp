@@ -12,10 +12,10 @@ namespace fretwork::typed {
 /// Throws InputError.
 exports::ViewOptions parse_view(const std::string& text);
 
-/// A factor on displacements as it is given. Beyond 1e6 a picture of any surface shows nothing. Throws
-/// InputError if its magnitude is larger, or if it is no number.
+/// A factor on displacements as it is given. Throws InputError if its magnitude is above 1e9, or if it is no
+/// number.
 double checked_scale(double scale);
-/// Read a factor on displacements, from -1e6 to 1e6. Throws InputError.
+/// Read a factor on displacements, from -1e9 to 1e9. Throws InputError.
 double parse_scale(const std::string& text);
 
 /// Read a picture's size in pixels, such as "1600x1000"; each number is from 16 to 8000. Throws InputError.

@@ -404,9 +404,9 @@ TEST_F(CalculixFile, RefusesBadDecksWithLineNumber) {
     EXPECT_THAT(complaint("20, 0.5, 0, 0", "20, half, 0, 0"), HasSubstr("line 6 has 'HALF'"));
     EXPECT_THAT(complaint("2, 30, 40", "2, 30, 41"), HasSubstr("node 41, which does not exist"));
     EXPECT_THAT(complaint("10, 30, 20", "10, 2000000000"),
-                HasSubstr("line 17 names sets (NSET) of 1999999991 labels"));
+                HasSubstr("line 17 puts 1999999991 labels into a set"));
     EXPECT_THAT(complaint("10, 30, 20", "1, 1000\n1, 19999500"),
-                HasSubstr("line 18 names sets (NSET) of 20000500 labels, counted in all lines so far"));
+                HasSubstr("line 18 puts 19999500 labels into a set; with those before, these are 20000500"));
     EXPECT_THAT(complaint("10, 30, 20", "10, 30, 0"), HasSubstr("line 17 steps by 0"));
     EXPECT_THAT(complaint("10, 30, 20", "30, 10, 20"), HasSubstr("line 17 generates labels up to 10, which"));
     EXPECT_EQ(complaint("10, 30, 20", "10, 10"), "");

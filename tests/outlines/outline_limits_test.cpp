@@ -84,9 +84,9 @@ TEST(OutlineLimits, TheToleranceOfTheSmallestDrawingIsAboveZero) {
 
 TEST(OutlineLimits, FarTooManyPairsOfLooseEndsAreRefused) {
     EXPECT_THAT(
-        refuse("0 POINT 10 200 20 0 0 INSERT 2 A 10 0 20 0 70 100 71 60 44 0.012 45 0.006 ",
+        refuse("0 POINT 10 200 20 0 0 INSERT 2 A 10 0 20 0 70 100 71 200 44 0.012 45 0.006 ",
                "0 BLOCK 2 A 0 LINE 10 0 20 0 11 0.006 21 0 0 ENDBLK "),
-        AllOf(HasSubstr("o.dxf: "), HasSubstr("more than 4000000 pairs of loose ends lie within 0.2 mm")));
+        AllOf(HasSubstr("o.dxf: "), HasSubstr("more than 20000000 pairs of loose ends lie within 0.2 mm")));
 }
 
 TEST(OutlineLimits, FarTooManyNearSidesAreRefused) {

@@ -3,7 +3,7 @@
 
 #include <fretwork/geometry/plane.hpp>
 
-#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -87,10 +87,12 @@ class PointGrid {
         }
     };
     [[nodiscard]] Cell cell(Point2 point) const { return {number(point.x), number(point.y)}; }
-    /// Places further away than whole numbers reach share the outermost cells.
+    /// Beyond 2^53 cells only neighbouring doubles are near each other: their bits give their number.
     [[nodiscard]] std::int64_t number(double coordinate) const {
-        constexpr double kMost = 0x1p62;
-        return static_cast<std::int64_t>(std::clamp(std::floor(coordinate / width_), -kMost, kMost));
+        constexpr double kMost = 0x1p53;
+        const double cell = std::floor(coordinate / width_);
+        return std::abs(cell) < kMost ? static_cast<std::int64_t>(cell)
+                                      : std::bit_cast<std::int64_t>(coordinate) / 2;
     }
 
     double width_;

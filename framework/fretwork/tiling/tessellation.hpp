@@ -87,9 +87,8 @@ std::vector<std::vector<RimSide>> rim_sides(const Tessellation& tessellation);
 std::vector<std::vector<InterfaceIndex>> rim_loops(const Tessellation& tessellation);
 
 /// Check that a tessellation, for example one from a file, is valid:
-/// - it names the layout `layout` and has a tile, indices are in range, and positions are within the limits
-/// of
-///   lengths (base::kLengthLimits);
+/// - it names the layout `layout`, has a tile, and its indices are in range;
+/// - positions are within the limits of lengths (base::kLengthLimits);
 /// - tiles are counterclockwise and convex, up to rounding (geometry::is_nearly_convex());
 /// - at most two tiles share a side, in opposite directions and with the same interface nodes;
 /// - each interface node lies on its side at a place of the layout, and on no other side;

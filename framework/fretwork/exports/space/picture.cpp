@@ -145,10 +145,10 @@ class Lighting {
 
 // ---- the picture ----
 
-/// The samples along each side of a pixel: fewer in a picture of more than nine million pixels, whose samples
-/// would need many gigabytes of memory.
+/// The samples along each side of a pixel: fewer in a picture of more than 4.4 million pixels, whose samples
+/// would need gigabytes of memory.
 int samples_per_side(PixelSize size) {
-    constexpr std::size_t kMostSamples = 81'000'000;
+    constexpr std::size_t kMostSamples = 40'000'000;
     for (const std::size_t side : {3, 2})
         if (size.count() * side * side <= kMostSamples) return static_cast<int>(side);
     return 1;

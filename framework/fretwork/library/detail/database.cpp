@@ -54,6 +54,9 @@ void Database::fail(int code) const {
     if (kind == SQLITE_INTERRUPT) throw base::Stopped();
     if (kind == SQLITE_NOTADB) throw base::InputError(path_.string(), "", "is not a pattern library");
     if (kind == SQLITE_CORRUPT) throw base::InputError(path_.string(), "", "is damaged (" + what + ")");
+    if (kind == SQLITE_TOOBIG)
+        throw base::InputError(path_.string(), "",
+                               "has a value of more than " + std::to_string(kLongestValue) + " bytes");
     if (kind == SQLITE_BUSY || kind == SQLITE_LOCKED)
         throw base::IoError(path_.string(), "", "is in use by another program");
     if (kind == SQLITE_FULL) throw base::IoError(path_.string(), "", "cannot be written: the disk is full");

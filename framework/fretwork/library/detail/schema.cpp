@@ -142,9 +142,14 @@ void require_ordinary_table(const Database& database, std::string_view name) {
                     "SELECT type, sql LIKE 'CREATE VIRTUAL%' FROM sqlite_master WHERE lower(name) = ?");
     if (!entry.bind_all(name).step()) return;
     const std::string kind = entry.integer(1) != 0 ? "virtual table" : std::string(entry.text(0));
-    if (kind == "table") return;
-    throw base::InputError(database.path().string(), std::string(name),
-                           "is a " + kind + ", where a pattern library has a table of its own");
+    if (kind != "table")
+        throw base::InputError(database.path().string(), std::string(name),
+                               "is a " + kind + ", where a pattern library has a table of its own");
+    Statement computed(database, "SELECT name FROM pragma_table_xinfo(?) WHERE hidden > 1");
+    if (computed.bind_all(name).step())
+        throw base::InputError(database.path().string(), std::string(name),
+                               "has a computed column, '" + base::printable(computed.text(0)) +
+                                   "', where a pattern library has values");
 }
 
 std::int64_t header_field(const Database& database, const std::string& name) {

@@ -21,8 +21,8 @@ Point2 at(const Bezier& curve, double t) {
 
 /// The largest number of pieces; a curve with more pieces is kilometres long.
 constexpr double kMostPieces = 1e5;
-/// The largest number of points of one polygon, 16 MB. Readers take 200,000 points, but they count them when
-/// points that repeat are taken out.
+/// The largest number of points of one polygon, 16 MB. A drawing may have 200,000 points, but SVG counts them
+/// only when points that repeat are taken out.
 constexpr std::size_t kMostFlattened = 1'000'000;
 
 std::string place_of(const Bezier& curve) {

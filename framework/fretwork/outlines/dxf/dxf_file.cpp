@@ -32,8 +32,10 @@ std::string quoted(std::string_view value) {
 
 std::size_t size_of(std::span<const DxfGroup> groups) {
     constexpr std::size_t kCodeAndLineEnds = 3;
+    constexpr int kFirstData = 300;  // text and binary data of other programs, which are passed over
     std::size_t size = 0;
-    for (const DxfGroup& group : groups) size += kCodeAndLineEnds + group.value.size();
+    for (const DxfGroup& group : groups)
+        size += kCodeAndLineEnds + (group.code < kFirstData ? group.value.size() : 0);
     return size;
 }
 

@@ -23,7 +23,7 @@ struct DxfEntity {
     std::string_view name;
     int line = 0;
     std::span<const DxfGroup> groups;
-    std::size_t size = 0;  ///< least number of characters in a file, for limits of work
+    std::size_t size = 0;  ///< characters that are read each time the entity is drawn, for limits of work
 };
 
 /// The entities, blocks and layers of a file. Each function that reads a value throws InputError that names

@@ -19,11 +19,11 @@ namespace {
 using geometry::Point2;
 using geometry::Polygon;
 
+constexpr std::string_view kInherited = "0";  // the name of the layer that means the one of the INSERT
 constexpr int kDeepestBlock = 32;             // depth of blocks in blocks
 constexpr int kMostEntities = 200'000;        // blocks of blocks grow fast
 constexpr std::size_t kMostPoints = 200'000;  // points whose lines are tested for crossings
-// Characters of all entities, each as often as it is drawn: a thousand copies of a solid of 1 MB. Those take
-// seconds.
+// Characters of all entities, each as often as it is drawn, which take seconds.
 constexpr std::size_t kMostRead = 1'000'000'000;
 
 struct UnitName {
@@ -51,7 +51,7 @@ constexpr std::array<UnitName, 16> kUnits = {{{1, 0.0254, "in"},
 /// The place of an entity: in the drawing, or in a block that the drawing inserts.
 struct Place {
     Affine to_metres{};
-    std::string_view layer = "0";  // layer of entities on layer 0
+    DxfFile::Layer layer{};  // the layer of entities on layer 0
     int depth = 0;
 };
 
@@ -63,7 +63,7 @@ class DxfReader {
     OutlineFile run() {
         const double unit = metres_per_unit();
         how_.tolerance = flattening_tolerance(unit * extent());
-        read(file_.entities(), {.to_metres = {unit, 0, 0, unit, 0, 0}});
+        read(file_.entities(), {.to_metres = {unit, 0, 0, unit, 0, 0}, .layer = file_.layer(kInherited)});
         Enclosed enclosed = enclosed_by(lines_, how_.tolerance, remarks_);
         open_ = std::move(enclosed.open);
         Region region = nested_region(enclosed.curves, how_.tolerance);
@@ -139,15 +139,14 @@ class DxfReader {
         if (entity.name == "VERTEX" || entity.name == "SEQEND") return;
         if (file_.whole_or(entity, 67, 0) == 1) return remarks_.leave_out("in paper space");
         if (file_.whole_or(entity, 60, 0) == 1) return remarks_.leave_out("invisible");
-        std::string_view layer = file_.text_or(entity, 8, "0");
-        if (layer == "0") layer = place.layer;
-        const DxfFile::Layer state = file_.layer(layer);
+        const std::string_view layer = file_.text_or(entity, 8, kInherited);
+        const DxfFile::Layer state = layer == kInherited ? place.layer : file_.layer(layer);
         const bool is_insert = entity.name == "INSERT";
         // If the layer of a block is off, its entities follow their own layers; a frozen layer hides all of
         // them.
         if (state == DxfFile::Layer::Frozen || (state == DxfFile::Layer::Off && !is_insert))
             return remarks_.leave_out("on layers that are off");
-        if (is_insert) return read_insert(entity, {place.to_metres, layer, place.depth + 1});
+        if (is_insert) return read_insert(entity, {place.to_metres, state, place.depth + 1});
         add(draw_dxf_entity(file_, from, {{place.to_metres, how_.tolerance}, kMostPoints - points_}), entity);
     }
 

@@ -69,6 +69,10 @@ class OpenShapes {
         return !clip || is_open(*clip);
     }
     [[nodiscard]] bool is_open(std::size_t clip) const {
+        constexpr std::size_t kMostLooks = 1'000'000'000;  // some ten seconds
+        if (++looks_ > kMostLooks)
+            throw base::GeometryError(
+                "very many shapes lie in one another and in clips; release the clips in the drawing");
         const auto& outer = picture_.clips[clip].outer;
         return std::ranges::any_of(clipped_[clip], [&](std::size_t shape) { return is_visible(shape); }) &&
                (!outer || is_open(*outer));
@@ -80,6 +84,7 @@ class OpenShapes {
     std::vector<std::size_t> shape_of_line_;
     std::set<std::size_t> filled_;                // shapes of the picture that contain the face
     std::vector<std::set<std::size_t>> clipped_;  // for each clip, its shapes that contain the face
+    mutable std::size_t looks_ = 0;               // clips that were looked at, for all faces
 };
 
 /// The shape with the largest box, the only shape that can cover all others.

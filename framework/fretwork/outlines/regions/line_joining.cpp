@@ -129,9 +129,8 @@ struct Gap {
     std::size_t to;
 };
 
-/// The largest number of pairs of loose ends that may be joined, 100 MB: dozens for each end of a drawing of
-/// 100,000 lines that do not meet.
-constexpr std::size_t kMostGaps = 4'000'000;
+/// The largest number of pairs of loose ends that may be joined, 500 MB. Gravel in a site plan has millions.
+constexpr std::size_t kMostGaps = 20'000'000;
 
 [[noreturn]] void fail_gaps(Point2 place, double most) {
     throw base::GeometryError("more than " + std::to_string(kMostGaps) + " pairs of loose ends lie within " +

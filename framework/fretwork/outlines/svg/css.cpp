@@ -150,12 +150,18 @@ std::vector<const CssDeclaration*> CssRules::of(pugi::xml_node node) const {
                    ? a->selector.specificity < b->selector.specificity
                    : a < b;
     });
+    // Declarations are read much faster than selectors are compared: browsers write all 300 properties.
+    constexpr std::size_t kReadPerLook = 128;
+    constexpr std::size_t kOfADeclaration = 32;
     std::vector<const CssDeclaration*> declarations;
-    for (const Rule* rule : rules)
+    for (const Rule* rule : rules) {
+        std::size_t characters = 0;
         for (const CssDeclaration& declaration : blocks_[rule->block]) {
-            count_looks(1 + declaration.value.size() / kCharactersPerLook, looks_);
+            characters += kOfADeclaration + declaration.value.size();
             declarations.push_back(&declaration);
         }
+        count_looks(characters / kReadPerLook, looks_);
+    }
     return declarations;
 }
 

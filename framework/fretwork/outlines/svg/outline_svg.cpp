@@ -89,7 +89,7 @@ void SvgReader::add_stroke(pugi::xml_node node, const Surroundings& around) {
         geometry::remove_repeated_points(points, kClosingShare * how_.tolerance);
         if (points.size() < 3) continue;
         check_loops({points}, node);
-        add_closed_line(std::move(points), around.clip);
+        add_closed_line(std::move(points), node, around.clip);
     }
 }
 
@@ -101,23 +101,27 @@ void SvgReader::add_open_line(Polygon points, pugi::xml_node node, std::optional
         return remarks_.leave_out("open line that reaches far out of the drawing");
     }
     check_loops({points}, node);
+    if (clip) count_clipping(static_cast<double>(points.size() * clip_points_[*clip]), node);
     if (!is_shown_whole(picture_, clip, points, how_.tolerance))
         return remarks_.leave_out("open line that a clip cuts or hides");
     lines_drawn_.open.push_back(std::move(points));
     open_places_.push_back(node);
 }
 
-void SvgReader::add_closed_line(Polygon points, std::optional<std::size_t> clip) {
+void SvgReader::add_closed_line(Polygon points, pugi::xml_node node, std::optional<std::size_t> clip) {
+    if (clip) count_clipping(static_cast<double>(points.size() * clip_points_[*clip]), node);
     Polygon line = points;
     line.push_back(points.front());
-    if (is_shown_whole(picture_, clip, line, how_.tolerance)) {
+    if (!clip || is_shown_whole(picture_, clip, line, how_.tolerance)) {
         lines_drawn_.closed.push_back(std::move(points));
         return;
     }
-    // The area inside the line, cut by the clip.
+    // The area inside the line, cut by the clip: exact arithmetic takes a thousand times as long.
+    constexpr double kExact = 1000;
+    count_clipping(kExact * static_cast<double>(points.size() + clip_points_[*clip]), node);
     Picture cut;
     cut.shapes.push_back({.loops = {std::move(points)}, .rule = FillRule::Evenodd, .clip = {}});
-    if (clip) cut.shapes.front().clip = copy_clip(picture_, *clip, cut);
+    cut.shapes.front().clip = copy_clip(picture_, *clip, cut);
     for (Outline& part : filled_region(cut, how_.tolerance).parts) {
         lines_drawn_.closed.push_back(std::move(part.boundary));
         std::ranges::move(part.holes, std::back_inserter(lines_drawn_.closed));

@@ -15,8 +15,23 @@ std::size_t SvgReader::add_clip(Clip clip, pugi::xml_node node) {
     if (depth > kDeepest)
         document_.fail(node, "clips lie more than " + std::to_string(kDeepest) + " deep in one another");
     clip_depths_.push_back(depth);
+    std::size_t points = clip.outer ? clip_points_[*clip.outer] : 0;
+    for (const FilledShape& shape : clip.shapes) {
+        for (const Polygon& loop : shape.loops) points += loop.size();
+        if (shape.clip) points += clip_points_[*shape.clip];
+    }
+    clip_points_.push_back(points);
     picture_.clips.push_back(std::move(clip));
     return picture_.clips.size() - 1;
+}
+
+void SvgReader::count_clipping(double work, pugi::xml_node node) {
+    constexpr double kMostWork = 2e9;  // comparisons of points; some ten seconds
+    clipping_ += work;
+    if (clipping_ > kMostWork)
+        document_.fail(node,
+                       "up to here, clips of many points cut very many lines; release the clips in the "
+                       "drawing, or simplify them");
 }
 
 std::optional<std::size_t> SvgReader::clip_of(const SvgElement& element, const Surroundings& around) {

@@ -62,8 +62,11 @@ class SvgReader {
     void remember_stroke(pugi::xml_node node, const Surroundings& around);
     void add_stroke(pugi::xml_node node, const Surroundings& around);
     void add_open_line(geometry::Polygon points, pugi::xml_node node, std::optional<std::size_t> clip);
-    void add_closed_line(geometry::Polygon points, std::optional<std::size_t> clip);
-    /// The polygons of a shape; not all of them if check_loops() will refuse them as too many points.
+    void add_closed_line(geometry::Polygon points, pugi::xml_node node, std::optional<std::size_t> clip);
+    /// Count the work of a line in a clip. Throws InputError if many lines lie in clips of many points.
+    void count_clipping(double work, pugi::xml_node node);
+    /// The polygons of a shape. Once they have more points than a drawing may have, the rest is left out:
+    /// check_loops() refuses them.
     [[nodiscard]] std::vector<geometry::Polygon> loops_of(const std::vector<Subpath>& subpaths,
                                                           const Affine& map) const;
     void count_points(std::size_t points, pugi::xml_node node);
@@ -85,6 +88,8 @@ class SvgReader {
     Flattening how_{.tolerance = kFlatteningTolerance};
     Picture picture_;
     std::vector<int> clip_depths_;  // for each clip of the picture, the number of clips around it and itself
+    std::vector<std::size_t> clip_points_;  // for each clip, the points of these clips
+    double clipping_ = 0;                   // work of lines in clips
     std::vector<FilledShape>* shapes_ = &picture_.shapes;
     std::vector<pugi::xml_node> places_;   // elements of the picture's shapes
     std::vector<std::string> colours_;     // colours of the picture's shapes

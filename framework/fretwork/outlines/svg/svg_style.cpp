@@ -42,6 +42,7 @@ bool paints(pugi::xml_node server, const SvgDocument& document) {
     if (name == "pattern") return true;
     if (name != "linearGradient" && name != "radialGradient") return false;
     for (int links = 0; server && links < 8; ++links) {
+        document.charge(server);
         bool has_stops = false;
         for (const pugi::xml_node stop : server.children()) {
             document.charge(stop, 1);

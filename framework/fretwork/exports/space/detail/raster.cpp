@@ -113,6 +113,8 @@ std::vector<Sample> visible_samples(const Mesh& mesh, const Camera& camera, Pixe
     const PictureRaster raster(mesh, camera, grid);
     const Vector3f eye = camera.eye().cast<float>();
     std::vector<Sample> samples;
+    samples.reserve(static_cast<std::size_t>(
+        std::ranges::count_if(raster.hits(), [](const Hit& hit) { return hit.nearness > 0.0F; })));
     for (int y = 0; y < grid.height; ++y) {
         for (int x = 0; x < grid.width; ++x) {
             const Hit& hit = raster.hits()[grid.at(x, y)];

@@ -184,7 +184,7 @@ class Reader {
     [[nodiscard]] const std::set<int>& element_set(std::size_t line, const std::string& name) {
         const std::set<int>* set = element_sets_.find(name);
         if (set == nullptr) deck_.fail(line, "names the element set " + name + ", which does not exist");
-        element_sets_.count(deck_, line, set->size());
+        element_sets_.count_use(deck_, line, set->size());
         return *set;
     }
 
@@ -222,7 +222,7 @@ class Reader {
         }
         if (set == nullptr) deck_.fail(line, "names the node set " + word + ", which does not exist");
         if (set->empty()) deck_.fail(line, "names the node set " + word + ", which has no nodes");
-        node_sets_.count(deck_, line, set->size());
+        node_sets_.count_use(deck_, line, set->size());
         std::vector<NodeIndex> nodes;
         for (const int label : *set) nodes.push_back(node(line, std::to_string(label)));
         return nodes;

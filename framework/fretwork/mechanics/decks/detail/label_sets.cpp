@@ -7,11 +7,21 @@
 namespace fretwork::mechanics::decks {
 namespace {
 
-/// The largest number of labels that the lines of a deck look at together. A deck of a million nodes in a
-/// dozen sets stays below it.
-constexpr std::size_t kMostLabels = 20'000'000;
+/// The largest number of labels that ranges and other sets put into sets, which take a gigabyte.
+constexpr std::size_t kMostMembers = 20'000'000;
+/// The largest number of labels in the sets that lines name, which take seconds: a million nodes in a hundred
+/// lines.
+constexpr std::size_t kMostUses = 100'000'000;
 
-void generate(const InputDeck& deck, const Card::Line& line, LabelSets& sets, std::set<int>& members) {
+/// A range of labels.
+struct Range {
+    long first;
+    long last;
+    long step;
+    [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>((last - first) / step + 1); }
+};
+
+Range read_range(const InputDeck& deck, const Card::Line& line) {
     const auto& [number, words, ends_with_comma] = line;
     if (words.size() < 2) deck.fail(number, "needs a first and a last label");
     const long step = words.size() > 2 && !words[2].empty() ? deck.integer(number, words[2]) : 1;
@@ -21,8 +31,7 @@ void generate(const InputDeck& deck, const Card::Line& line, LabelSets& sets, st
     if (last < first)
         deck.fail(number, "generates labels up to " + words[1] +
                               ", which must not be below the first label, " + words[0]);
-    sets.count(deck, number, static_cast<std::size_t>((last - first) / step + 1));
-    for (long label = first; label <= last; label += step) members.insert(static_cast<int>(label));
+    return {first, last, step};
 }
 
 }  // namespace
@@ -37,7 +46,10 @@ void LabelSets::read(const InputDeck& deck, const Card& card) {
     std::set<int>& members = sets_[name];
     for (const Card::Line& line : card.lines) {
         if (card.has("GENERATE")) {
-            generate(deck, line, *this, members);
+            const Range range = read_range(deck, line);
+            count_members(deck, line.number, range.size());
+            for (long label = range.first; label <= range.last; label += range.step)
+                members.insert(static_cast<int>(label));
             continue;
         }
         for (const std::string& word : line.words) {
@@ -51,17 +63,25 @@ void LabelSets::read(const InputDeck& deck, const Card& card) {
             if (inner == nullptr)
                 deck.fail(line.number, "puts " + word + " into the set " + name +
                                            ", where labels and sets that are defined before are possible");
-            count(deck, line.number, inner->size());
+            count_members(deck, line.number, inner->size());
             members.insert(inner->begin(), inner->end());
         }
     }
 }
 
-void LabelSets::count(const InputDeck& deck, std::size_t line, std::size_t labels) {
-    counted_ += labels;
-    if (counted_ > kMostLabels)
-        deck.fail(line, "names sets (" + kind_ + ") of " + std::to_string(counted_) +
-                            " labels, counted in all lines so far, where " + std::to_string(kMostLabels) +
+void LabelSets::count_members(const InputDeck& deck, std::size_t line, std::size_t labels) {
+    members_ += labels;
+    if (members_ > kMostMembers)
+        deck.fail(line, "puts " + std::to_string(labels) +
+                            " labels into a set; with those before, these are " + std::to_string(members_) +
+                            ", where " + std::to_string(kMostMembers) + " at most are understood");
+}
+
+void LabelSets::count_use(const InputDeck& deck, std::size_t line, std::size_t labels) {
+    uses_ += labels;
+    if (uses_ > kMostUses)
+        deck.fail(line, "names a set of " + std::to_string(labels) + " labels; the deck names sets of " +
+                            std::to_string(uses_) + " labels by then, where " + std::to_string(kMostUses) +
                             " at most are understood");
 }
 

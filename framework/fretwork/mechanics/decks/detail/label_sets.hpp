@@ -27,13 +27,16 @@ class LabelSets {
     void add(const std::string& set, int label) { sets_[set].insert(label); }
     /// The labels of a set; null if the set does not exist.
     [[nodiscard]] const std::set<int>* find(const std::string& name) const;
-    /// Count labels that a line is about to look at. Large sets in many lines, which would take hours and all
-    /// memory, are refused.
-    void count(const InputDeck& deck, std::size_t line, std::size_t labels);
+    /// Count the labels of a set that a line names. Large sets in very many lines, which would take hours,
+    /// are refused.
+    void count_use(const InputDeck& deck, std::size_t line, std::size_t labels);
 
   private:
+    void count_members(const InputDeck& deck, std::size_t line, std::size_t labels);
+
     std::string kind_;
-    std::size_t counted_ = 0;  ///< labels that all lines have looked at
+    std::size_t members_ = 0;  ///< labels that were put into sets by ranges and by other sets
+    std::size_t uses_ = 0;     ///< labels of the sets that lines have named
     std::map<std::string, std::set<int>> sets_;
 };
 
