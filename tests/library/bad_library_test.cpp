@@ -121,6 +121,14 @@ TEST_F(BadLibrary, ATextInThePlaceOfANumberIsNotReadAsZero) {
                 HasSubstr("value: is damaged: a blob is not a number"));
 }
 
+/// A computed column could make gigabytes of a file of a few kilobytes.
+TEST_F(BadLibrary, AComputedColumnIsRefused) {
+    make_library(path());
+    sql("PRAGMA foreign_keys = OFF; DROP VIEW behaviour; DROP TABLE layout; CREATE TABLE layout "
+        "(name TEXT PRIMARY KEY, json TEXT GENERATED ALWAYS AS (hex(zeroblob(400000000))))");
+    EXPECT_THAT(complaint(), AllOf(HasSubstr("lib.db"), HasSubstr("layout: has a computed column, 'json'")));
+}
+
 /// A view that never ends, where a table is expected.
 TEST_F(BadLibrary, AViewInThePlaceOfATableIsRefused) {
     for (const char* table : {"layout", "setting", "pattern", "calibration", "failure", "provenance"}) {

@@ -146,6 +146,34 @@ TEST(SvgLimits, ThePicturesInImagesAreNotCounted) {
               1U);
 }
 
+/// A zigzag of many points, to the right.
+std::string zigzag(int points) {
+    std::string path = "M0 0";
+    for (int i = 1; i < points; ++i) path += "L" + std::to_string(i % 180) + " " + std::to_string(i % 2);
+    return path;
+}
+
+TEST(SvgLimits, LinesInClipsOfManyPointsAreCounted) {
+    const auto with_clip = [](int points) {
+        return drawing("<clipPath id='c'><path d='" + zigzag(points) +
+                       "'/></clipPath><path clip-path='url(#c)' d='" + zigzag(60'000) +
+                       "' fill='none' stroke='red'/>");
+    };
+    EXPECT_THAT(refuse(with_clip(50'000)), HasSubstr("clips of many points cut very many lines"));
+    EXPECT_THAT(refuse(with_clip(4)), HasSubstr("open line that a clip cuts or hides"));
+}
+
+TEST(SvgLimits, AttributesOfElementsThatAreNotDrawnAreCounted) {
+    std::string attributes;
+    for (int i = 0; i < 20'000; ++i) attributes += " a" + std::to_string(i) + "=''";
+    EXPECT_THAT(refuse(drawing("<g id='g'><path" + attributes + " requiredExtensions=''/></g>" +
+                               repeated("<use href='#g'/>", 5000))),
+                HasSubstr("200000000"));
+    EXPECT_THAT(refuse(drawing("<linearGradient id='l'" + attributes + "/>" +
+                               repeated("<rect width='9' height='9' fill='url(#l)'/>", 5000))),
+                HasSubstr("200000000"));
+}
+
 TEST(SvgLimits, TextThatRulesCompareIsCounted) {
     const std::string value(100'000, 'a');
     EXPECT_THAT(refuse_sheet(repeated("[x-long^=b]{}", 3000), value), HasSubstr("too intricate"));
