@@ -3,6 +3,7 @@
 """Build the site from the repository's Markdown, the program's help, the Python module and the public headers. `build.py --help`."""
 
 import argparse
+import json
 import os
 import pathlib
 import shutil
@@ -51,6 +52,17 @@ def copy_static(source):
     shutil.copytree(KATEX / "fonts", static / "katex/fonts")
 
 
+def sort_search_index(out):
+    """Sphinx reads pages side by side, and lists equal titles in the order in which their pages were ready: two builds would differ."""
+    index = out / "searchindex.js"
+    head, tail = "Search.setIndex(", ")"
+    text = index.read_text()
+    tables = json.loads(text[len(head):-len(tail)])
+    for name in ("alltitles", "indexentries"):
+        tables[name] = {title: sorted(places) for title, places in sorted(tables[name].items())}
+    index.write_text(head + json.dumps(tables) + tail)
+
+
 def build(out, program, package):
     """Build the site; gives 0, or what Sphinx gives where a page has a mistake."""
     source = out.parent / "site-source"
@@ -68,6 +80,7 @@ def build(out, program, package):
     code = subprocess.run([sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-j", jobs, "-b", "html", "-d", trees, source, out]).returncode
     if code == 0:
         theme.mend(out)
+        sort_search_index(out)
     return code
 
 
