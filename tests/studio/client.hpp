@@ -6,6 +6,7 @@
 
 #include <arpa/inet.h>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
@@ -14,6 +15,7 @@
 #include <string_view>
 #include <sys/socket.h>
 #include <sys/time.h>
+#include <thread>
 #include <unistd.h>
 #include <vector>
 
@@ -44,8 +46,16 @@ class Wire {
         address.sin_family = AF_INET;
         address.sin_port = htons(static_cast<std::uint16_t>(port));
         address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-        if (::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0)
-            throw std::runtime_error("no server at port " + std::to_string(port));
+        const auto connect = [&] {
+            return ::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+        };
+        // A port of this side rests for a minute after each connection: the fuzzer uses all 28,000.
+        bool is_connected = connect();
+        for (int tenths = 0; !is_connected && errno == EADDRNOTAVAIL && tenths < 600; ++tenths) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+            is_connected = connect();
+        }
+        if (!is_connected) throw std::runtime_error("no server at port " + std::to_string(port));
     }
     Wire(const Wire&) = delete;
     Wire& operator=(const Wire&) = delete;
