@@ -26,9 +26,7 @@ std::string dxf(const std::string& entities, const std::string& blocks = "") {
     return text;
 }
 std::string refuse(const std::string& entities, const std::string& blocks = "") {
-    const TemporaryFolder folder;
-    const auto path = folder.file("o.dxf", dxf(entities, blocks));
-    return complaint_of([&] { read_outline(path); });
+    return refuse_file("o.dxf", dxf(entities, blocks));
 }
 std::string place(double x, double y) {
     return "10 " + std::to_string(x) + " 20 " + std::to_string(y) + " ";

@@ -40,30 +40,24 @@ TEST(OutlineMesh, ComplaintsNameTheFileAndTheVertex) {
     EXPECT_THAT(refuse("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), HasSubstr("touches or crosses"));
 }
 
-std::string refuse(const std::string& name, const std::string& content) {
-    const TemporaryFolder folder;
-    const auto path = folder.file(name, content);
-    std::string message = complaint_of([&] { read_outline(path); });
-    EXPECT_THAT(message, HasSubstr(name + ": "));
-    return message;
-}
-
 TEST(OutlineMesh, ObjIndicesAreCheckedAndCountBackIfNegative) {
     const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-    EXPECT_THAT(refuse("o.obj", triangle + "f 1 2 4\n"), AllOf(HasSubstr("line 4"), HasSubstr("vertex 4")));
-    EXPECT_THAT(refuse("o.obj", triangle + "f 0 1 2\n"), AllOf(HasSubstr("line 4"), HasSubstr("vertex 0")));
-    EXPECT_THAT(refuse("o.obj", triangle + "f -4 1 2\n"), HasSubstr("vertex -4"));
-    EXPECT_THAT(refuse("o.obj", triangle + "f -9223372036854775808 1 2\n"), HasSubstr("vertex -92"));
-    EXPECT_THAT(refuse("o.obj", triangle + "f 1 2 99999999999999999999\n"),
+    EXPECT_THAT(refuse_file("o.obj", triangle + "f 1 2 4\n"),
+                AllOf(HasSubstr("line 4"), HasSubstr("vertex 4")));
+    EXPECT_THAT(refuse_file("o.obj", triangle + "f 0 1 2\n"),
+                AllOf(HasSubstr("line 4"), HasSubstr("vertex 0")));
+    EXPECT_THAT(refuse_file("o.obj", triangle + "f -4 1 2\n"), HasSubstr("vertex -4"));
+    EXPECT_THAT(refuse_file("o.obj", triangle + "f -9223372036854775808 1 2\n"), HasSubstr("vertex -92"));
+    EXPECT_THAT(refuse_file("o.obj", triangle + "f 1 2 99999999999999999999\n"),
                 HasSubstr("is not a whole number"));
-    EXPECT_THAT(refuse("o.obj", triangle + "f 1 2\n"), HasSubstr("2 vertices"));
-    EXPECT_THAT(refuse("o.obj", triangle + "f 1 2 2\n"), HasSubstr("twice"));
-    EXPECT_THAT(refuse("o.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n"),
+    EXPECT_THAT(refuse_file("o.obj", triangle + "f 1 2\n"), HasSubstr("2 vertices"));
+    EXPECT_THAT(refuse_file("o.obj", triangle + "f 1 2 2\n"), HasSubstr("twice"));
+    EXPECT_THAT(refuse_file("o.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n"),
                 AllOf(HasSubstr("line 2"), HasSubstr("'nan'")));
-    EXPECT_THAT(refuse("o.obj", "v 0 x 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\n"),
+    EXPECT_THAT(refuse_file("o.obj", "v 0 x 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\n"),
                 AllOf(HasSubstr("line 1"), HasSubstr("'x'")));
-    EXPECT_THAT(refuse("o.obj", "v 0 0\n"), HasSubstr("2 coordinates"));
-    EXPECT_THAT(refuse("o.obj", triangle + "v 1 1 0\nf 1 2 3\nf 1 2 4\n"), HasSubstr("face 1"));
+    EXPECT_THAT(refuse_file("o.obj", "v 0 0\n"), HasSubstr("2 coordinates"));
+    EXPECT_THAT(refuse_file("o.obj", triangle + "v 1 1 0\nf 1 2 3\nf 1 2 4\n"), HasSubstr("face 1"));
     const TemporaryFolder folder;
     EXPECT_DOUBLE_EQ(area_of(read_outline(folder.file("o.obj", triangle + "f -3/1/1 -2//2 -1 # rim\n"))),
                      0.5);
@@ -71,19 +65,19 @@ TEST(OutlineMesh, ObjIndicesAreCheckedAndCountBackIfNegative) {
 
 TEST(OutlineMesh, OffCountsAndIndicesAreChecked) {
     const std::string points = "0 0 0\n1 0 0\n0 1 0\n";
-    EXPECT_THAT(refuse("o.off", "OFF\n-3 1 0\n" + points + "3 0 1 2\n"),
+    EXPECT_THAT(refuse_file("o.off", "OFF\n-3 1 0\n" + points + "3 0 1 2\n"),
                 AllOf(HasSubstr("line 2"), HasSubstr("'-3'")));
-    EXPECT_THAT(refuse("o.off", "OFF\n999999999999 1 0\n" + points + "3 0 1 2\n"),
+    EXPECT_THAT(refuse_file("o.off", "OFF\n999999999999 1 0\n" + points + "3 0 1 2\n"),
                 AllOf(HasSubstr("line 2"), HasSubstr("999999999999 vertices")));
-    EXPECT_THAT(refuse("o.off", "OFF\n3 1 0\n" + points + "999999999999 0 1 2\n"),
+    EXPECT_THAT(refuse_file("o.off", "OFF\n3 1 0\n" + points + "999999999999 0 1 2\n"),
                 AllOf(HasSubstr("line 6"), HasSubstr("999999999999 vertices")));
-    EXPECT_THAT(refuse("o.off", "OFF\n3 1 0\n" + points + "3 0 1 7\n"),
+    EXPECT_THAT(refuse_file("o.off", "OFF\n3 1 0\n" + points + "3 0 1 7\n"),
                 AllOf(HasSubstr("line 6"), HasSubstr("vertex 7"), HasSubstr("there are 3")));
-    EXPECT_THAT(refuse("o.off", "OFF 3 2 0\n" + points + "3 0 1 2\n"),
+    EXPECT_THAT(refuse_file("o.off", "OFF 3 2 0\n" + points + "3 0 1 2\n"),
                 AllOf(HasSubstr("line 6"), HasSubstr("face 1 of 2")));
-    EXPECT_THAT(refuse("o.off", "OFF BINARY\n"), HasSubstr("binary"));
-    EXPECT_THAT(refuse("o.off", "solid\n"), HasSubstr("'solid'"));
-    EXPECT_THAT(refuse("o.off", ""), HasSubstr("ends before"));
+    EXPECT_THAT(refuse_file("o.off", "OFF BINARY\n"), HasSubstr("binary"));
+    EXPECT_THAT(refuse_file("o.off", "solid\n"), HasSubstr("'solid'"));
+    EXPECT_THAT(refuse_file("o.off", ""), HasSubstr("ends before"));
 }
 
 TEST(OutlineMesh, PlyHeadersAndRowsAreChecked) {
@@ -91,19 +85,19 @@ TEST(OutlineMesh, PlyHeadersAndRowsAreChecked) {
     const std::string end =
         "\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
         "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n";
-    EXPECT_THAT(refuse("o.ply", "ply\nformat ascii 1.0\nelement vertex 3\n"),
+    EXPECT_THAT(refuse_file("o.ply", "ply\nformat ascii 1.0\nelement vertex 3\n"),
                 AllOf(HasSubstr("line 4"), HasSubstr("end_header")));
-    EXPECT_THAT(refuse("o.ply", begin + "999999999999" + end + "3 0 1 2\n"),
+    EXPECT_THAT(refuse_file("o.ply", begin + "999999999999" + end + "3 0 1 2\n"),
                 AllOf(HasSubstr("line 3"), HasSubstr("999999999999 rows of vertex")));
-    EXPECT_THAT(refuse("o.ply", begin + "-3" + end), AllOf(HasSubstr("line 3"), HasSubstr("'-3'")));
-    EXPECT_THAT(refuse("o.ply", begin + "3" + end + "3 0 1 3\n"),
+    EXPECT_THAT(refuse_file("o.ply", begin + "-3" + end), AllOf(HasSubstr("line 3"), HasSubstr("'-3'")));
+    EXPECT_THAT(refuse_file("o.ply", begin + "3" + end + "3 0 1 3\n"),
                 AllOf(HasSubstr("line 13"), HasSubstr("vertex 3")));
-    EXPECT_THAT(refuse("o.ply", begin + "3" + end + "4 0 1 2\n"), HasSubstr("too few"));
-    EXPECT_THAT(refuse("o.ply", begin + "3" + end), HasSubstr("ends before face 0 of 1"));
-    EXPECT_THAT(refuse("o.ply", begin + "3" + end + "3 0 1 0.5\n"), HasSubstr("0.5"));
-    EXPECT_THAT(refuse("o.ply", "ply\nformat utf8 1.0\n"), HasSubstr("'utf8'"));
-    EXPECT_THAT(refuse("o.ply", begin + "1\nproperty long x\n"), HasSubstr("'long'"));
-    EXPECT_THAT(refuse("o.ply", begin + "3\nend_header\n"),
+    EXPECT_THAT(refuse_file("o.ply", begin + "3" + end + "4 0 1 2\n"), HasSubstr("too few"));
+    EXPECT_THAT(refuse_file("o.ply", begin + "3" + end), HasSubstr("ends before face 0 of 1"));
+    EXPECT_THAT(refuse_file("o.ply", begin + "3" + end + "3 0 1 0.5\n"), HasSubstr("0.5"));
+    EXPECT_THAT(refuse_file("o.ply", "ply\nformat utf8 1.0\n"), HasSubstr("'utf8'"));
+    EXPECT_THAT(refuse_file("o.ply", begin + "1\nproperty long x\n"), HasSubstr("'long'"));
+    EXPECT_THAT(refuse_file("o.ply", begin + "3\nend_header\n"),
                 AllOf(HasSubstr("element vertex"), HasSubstr("3 rows and no property")));
 }
 
@@ -125,7 +119,7 @@ TEST(OutlineMesh, BinaryPlyIsReadInBothByteOrders) {
     const TemporaryFolder folder;
     EXPECT_DOUBLE_EQ(area_of(read_outline(folder.file("big.ply", big))), 0.5);
     EXPECT_DOUBLE_EQ(area_of(read_outline(folder.file("little.ply", little))), 0.5);
-    EXPECT_THAT(refuse("o.ply", little.substr(0, little.size() - 1)),
+    EXPECT_THAT(refuse_file("o.ply", little.substr(0, little.size() - 1)),
                 AllOf(HasSubstr("face 0"), HasSubstr("ends here")));
 }
 
@@ -135,16 +129,16 @@ TEST(OutlineMesh, AListOfAPlyHasANumberOfNumbers) {
         "property float y\nproperty float z\nproperty list float uchar n\nend_header\n" +
         std::string(12, '\0');
     const auto count = [](const char* bytes) { return std::string(bytes, 4); };
-    EXPECT_THAT(refuse("o.ply", begin + count("\0\0\xc0\x7f")),
+    EXPECT_THAT(refuse_file("o.ply", begin + count("\0\0\xc0\x7f")),
                 AllOf(HasSubstr("vertex 0"), HasSubstr("n promises nan numbers")));
-    EXPECT_THAT(refuse("o.ply", begin + count("\0\0\x80\xbf")), HasSubstr("n promises -1 numbers"));
-    EXPECT_THAT(refuse("o.ply", begin + count("\0\0\x80\x7f")), HasSubstr("n promises inf numbers"));
+    EXPECT_THAT(refuse_file("o.ply", begin + count("\0\0\x80\xbf")), HasSubstr("n promises -1 numbers"));
+    EXPECT_THAT(refuse_file("o.ply", begin + count("\0\0\x80\x7f")), HasSubstr("n promises inf numbers"));
 }
 
 TEST(OutlineMesh, OneOfFarTooManyFacesIsRefusedBeforeItIsReadWhole) {
     std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     for (int i = 0; i < 250'001; ++i) text += "f 1 2 3\n";
-    EXPECT_THAT(refuse("huge.obj", text),
+    EXPECT_THAT(refuse_file("huge.obj", text),
                 AllOf(HasSubstr("line 250004"), HasSubstr("more than 250000 faces")));
 }
 

@@ -18,6 +18,15 @@ inline std::filesystem::path example_outline(const std::string& name) {
     return std::filesystem::path(FRETWORK_SOURCE_DIR) / "experiments/outlines" / name;
 }
 
+/// The complaint about a file with this name and content. It begins with the file.
+inline std::string refuse_file(const std::string& name, const std::string& content) {
+    const test::TemporaryFolder folder;
+    const auto path = folder.file(name, content);
+    std::string message = test::complaint_of([&] { read_outline(path); });
+    EXPECT_THAT(message, testing::HasSubstr(name + ": "));
+    return message;
+}
+
 /// The lower left and the upper right corner of a polygon's box.
 inline std::array<geometry::Point2, 2> box_of(const geometry::Polygon& polygon) {
     std::array<geometry::Point2, 2> box = {polygon.front(), polygon.front()};

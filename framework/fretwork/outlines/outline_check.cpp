@@ -2,6 +2,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/geometry/box_grid.hpp>
+#include <fretwork/outlines/detail/outline_readers.hpp>
 #include <fretwork/outlines/outline_check.hpp>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -87,10 +88,6 @@ bool clash(const Side& a, const Side& b) {
     return CGAL::do_intersect(Kernel::Segment_2(a.from, a.to), Kernel::Segment_2(b.from, b.to));
 }
 
-/// The largest number of pairs of sides whose boxes meet, which take seconds to test: a hundred neighbours
-/// for each of hundreds of thousands of sides.
-constexpr std::size_t kMostNear = 20'000'000;
-
 /// Call found(pair) for each pair of sides that clash. Pairs whose boxes meet are tested exactly.
 template <class Found>
 void for_each_clash(const std::vector<Side>& sides, const base::Control& control, const Found& found) {
@@ -102,10 +99,11 @@ void for_each_clash(const std::vector<Side>& sides, const base::Control& control
     CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
         control.check();
         const std::pair<const Side*, const Side*> pair = std::minmax(a.handle(), b.handle());
-        if (++near > kMostNear)
+        if (++near > detail::kMostNear)
             throw base::GeometryError("its sides come near each other more than " +
-                                      std::to_string(kMostNear) + " times, such as " + pair.first->name() +
-                                      ", and " + pair.second->name() + "; simplify the outline");
+                                      std::to_string(detail::kMostNear) + " times, such as " +
+                                      pair.first->name() + ", and " + pair.second->name() +
+                                      "; simplify the outline");
         if (clash(*pair.first, *pair.second)) found(pair);
     });
 }

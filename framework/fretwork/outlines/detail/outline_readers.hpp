@@ -4,6 +4,7 @@
 #include <fretwork/outlines/outline.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -26,6 +27,10 @@ inline double flattening_tolerance(double extent) {
     const bool is_small = extent > 0 && extent < kDetail * kFlatteningTolerance;
     return is_small ? std::max(extent / kDetail, kLeastTolerance) : kFlatteningTolerance;
 }
+
+/// The largest number of pairs of sides whose boxes meet, which take seconds to test: a hundred neighbours
+/// for each of hundreds of thousands of sides.
+inline constexpr std::size_t kMostNear = 20'000'000;
 
 /// The readers throw InputError or GeometryError with file and place.
 OutlineFile read_svg_outlines(const std::filesystem::path& path);

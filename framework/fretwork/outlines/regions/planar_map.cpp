@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/outlines/detail/outline_readers.hpp>
 #include <fretwork/outlines/regions/planar_map.hpp>
 
 #include <CGAL/box_intersection_d.h>
@@ -85,8 +86,6 @@ void add_around(Circulator first, std::vector<Halfedge>& halfedges) {
 
 /// The largest number of crossings. Drawings of shapes have fewer, and more would take minutes.
 constexpr std::size_t kMostCrossings = 100'000;
-/// The largest number of pairs of sides that are near each other.
-constexpr std::size_t kMostNear = 20'000'000;
 
 /// Twice the area of a triangle. Its sign may be wrong by rounding, which does not matter for a count.
 double doubled_area(const geometry::Point2& a, const geometry::Point2& b, const geometry::Point2& c) {

@@ -73,8 +73,6 @@ class CssRules {
 /// Parse one selector of a list, without the commas. Nothing if it contains something unsupported.
 std::optional<CssSelector> parse_css_selector(std::string_view text);
 
-/// Text that is read or compared counts one look for this many characters: short values cost nothing.
-inline constexpr std::size_t kCharactersPerLook = 16;
 /// Add the steps of choosing rules to `looks`. Throws InputError after ten million.
 void count_looks(std::size_t steps, long& looks);
 

@@ -8,7 +8,8 @@ namespace fretwork::outlines::detail {
 namespace {
 
 constexpr long kMostLooks = 10'000'000;
-constexpr std::size_t kNamesPerLook = 64;  // characters of names of attributes, which are passed fast
+constexpr std::size_t kCharactersPerLook = 16;  // compared characters of values: short ones cost nothing
+constexpr std::size_t kNamesPerLook = 64;       // characters of names of attributes, which are passed fast
 constexpr std::size_t kMostCompounds = 32;
 /// The largest number of classes, ids and other conditions in a selector; selectors of programs have a few.
 constexpr int kMostConditions = 100;

@@ -65,9 +65,7 @@ void SvgReader::enter(pugi::xml_node node, int depth) {
 
 void SvgReader::read_element(pugi::xml_node node, const Surroundings& outer) {
     const std::string_view name = document_.name_of(node);
-    if (name.empty() || is_one_of(kNotDrawn, name)) return;
-    document_.charge(node);
-    if (!meets_conditions(node, document_)) return;
+    if (name.empty() || is_one_of(kNotDrawn, name) || !meets_conditions(node, document_)) return;
     enter(node, outer.depth);
     const SvgProperties properties(node, document_);
     if (properties.find("display") == "none") return;

@@ -151,6 +151,7 @@ bool is_switched_off(const SvgProperties& properties) {
 }
 
 bool meets_conditions(pugi::xml_node node, const SvgDocument& document) {
+    document.charge(node);  // all attributes are searched, also of an element that is not drawn
     if (const auto language = node.attribute("systemLanguage")) {
         const std::string_view list = language.value();
         document.charge(node, list.size());
