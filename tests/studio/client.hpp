@@ -10,6 +10,7 @@
 #include <cstring>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
+#include <poll.h>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -42,20 +43,15 @@ class Wire {
         ::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &longest, sizeof longest);
         ::setsockopt(socket_, SOL_SOCKET, SO_SNDTIMEO, &longest, sizeof longest);
         ::setsockopt(socket_, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
-        sockaddr_in address{};
-        address.sin_family = AF_INET;
-        address.sin_port = htons(static_cast<std::uint16_t>(port));
-        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-        const auto connect = [&] {
-            return ::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
-        };
         // A port of this side rests for a minute after each connection: the fuzzer uses all 28,000.
-        bool is_connected = connect();
+        bool is_connected = connect(port);
         for (int tenths = 0; !is_connected && errno == EADDRNOTAVAIL && tenths < 600; ++tenths) {
             std::this_thread::sleep_for(std::chrono::milliseconds(100));
-            is_connected = connect();
+            is_connected = connect(port);
         }
-        if (!is_connected) throw std::runtime_error("no server at port " + std::to_string(port));
+        if (!is_connected)
+            throw std::runtime_error("no server at port " + std::to_string(port) + ": " +
+                                     std::strerror(errno));
     }
     Wire(const Wire&) = delete;
     Wire& operator=(const Wire&) = delete;
@@ -98,6 +94,25 @@ class Wire {
     }
 
   private:
+    /// False, with the reason in errno, if there is no connection.
+    [[nodiscard]] bool connect(int port) const {
+        sockaddr_in address{};
+        address.sin_family = AF_INET;
+        address.sin_port = htons(static_cast<std::uint16_t>(port));
+        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        if (::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0) return true;
+        return errno == EINTR && is_connected_at_last();
+    }
+    /// A connection that a signal interrupted is made all the same. Sets errno as connect() does.
+    [[nodiscard]] bool is_connected_at_last() const {
+        pollfd made{socket_, POLLOUT, 0};
+        const ssize_t ready = again([&] { return ::poll(&made, 1, 60'000); });
+        int error = ETIMEDOUT;
+        socklen_t size = sizeof error;
+        if (ready > 0) ::getsockopt(socket_, SOL_SOCKET, SO_ERROR, &error, &size);
+        errno = error;
+        return error == 0;
+    }
     /// A signal, such as the clock of libFuzzer, interrupts calls on a socket with time limits.
     template <class Call>
     static ssize_t again(Call call) {
