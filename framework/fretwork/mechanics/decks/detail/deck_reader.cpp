@@ -31,7 +31,7 @@ class Reader {
     LabelledFrame run() {
         for (const Card& card : deck_.cards()) read(card);
         check_complete();
-        for (const auto& [line, word] : pulled_) check_pulled(line, word);
+        check_pulled();
         for (const auto& [label, element] : elements_) add_beams(label, element);
         history_.put_into(result_.frame);
         result_.source = deck_.source();
@@ -310,8 +310,15 @@ class Reader {
         return {*label};
     }
 
-    /// Check that gravity acts on all elements, also on those that come after it in the deck.
-    void check_pulled(std::size_t line, const std::string& word) {
+    /// Check that gravity acts on all elements, also on those that come after it in the deck. Each word once:
+    /// load histories name one set in thousands of lines.
+    void check_pulled() {
+        std::set<std::string> checked;
+        for (const auto& [line, word] : pulled_)
+            if (checked.insert(word).second) check_all_pulled(line, word);
+    }
+
+    void check_all_pulled(std::size_t line, const std::string& word) {
         const std::set<int> pulled = elements_named(line, word);
         const auto is_pulled = [&pulled](const auto& element) { return pulled.contains(element.first); };
         if (!std::ranges::all_of(elements_, is_pulled))
