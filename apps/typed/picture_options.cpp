@@ -26,6 +26,12 @@ constexpr std::array<NamedView, 6> kViews = {{{"iso", 45.0, 35.264389682754654},
                                               {"left", 270.0, 10.0},
                                               {"top", 0.0, 90.0}}};
 
+constexpr double kLargestScale = 1e9;
+
+[[noreturn]] void refuse_scale(const std::string& text) {
+    throw base::InputError("'" + text + "' is not a number from -1e9 to 1e9");
+}
+
 }  // namespace
 
 exports::ViewOptions parse_view(const std::string& text) {
@@ -43,14 +49,13 @@ exports::ViewOptions parse_view(const std::string& text) {
 }
 
 double checked_scale(double scale) {
-    return parse_scale(base::format_number(scale));
+    if (!(std::abs(scale) <= kLargestScale)) refuse_scale(base::format_number(scale));
+    return scale;
 }
 
 double parse_scale(const std::string& text) {
-    constexpr double kLargest = 1e9;
     const auto number = base::read_number<double>(text);
-    if (!number || !(std::abs(*number) <= kLargest))
-        throw base::InputError("'" + text + "' is not a number from -1e9 to 1e9");
+    if (!number || !(std::abs(*number) <= kLargestScale)) refuse_scale(text);
     return *number;
 }
 
