@@ -286,6 +286,9 @@ TEST_F(ResultTools, SlipsOfUnitsAndNamesAreRefusedWithWhatIsMeant) {
     EXPECT_THAT(run("fretwork simulate p.json --steps 0 --out x.json").err, HasSubstr("number of steps"));
     EXPECT_THAT(run("fretwork export p.json --to x.png --colour stress").err, HasSubstr("--result"));
     EXPECT_EQ(run("fretwork export p.json --result full.json --to x.png --view 1e300,0").exit_code, 2);
+    for (const std::string scale : {"1.01e9", "-1e200", "nan"})
+        EXPECT_THAT(run("fretwork export p.json --result full.json --to x.png --scale=" + scale).err,
+                    HasSubstr("--scale: '" + scale + "' is not a number from -1e9 to 1e9"));
     EXPECT_THAT(run("fretwork export p.json --result full.json --to x.png --colour utilization").err,
                 HasSubstr("--strength"));
 }

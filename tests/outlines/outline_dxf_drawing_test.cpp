@@ -191,6 +191,25 @@ TEST(DxfDrawing, InABlockLayerZeroIsTheLayerOfTheInsertion) {
                 HasSubstr("1 on layers that are off left out"));
 }
 
+TEST(DxfDrawing, LayerZeroIsInheritedThroughBlocksInBlocks) {
+    const std::string layers = "0 LAYER 2 0 70 0 62 -7 0 LAYER 2 Off 70 0 62 -7 0 LAYER 2 Frozen 70 1 62 7 ";
+    const std::string blocks =
+        "0 BLOCK 2 A " + rectangle(0, 0, 10, 10, "0") + rectangle(50, 0, 20, 20, "Own") +
+        "0 ENDBLK 0 BLOCK 2 INHERITS 0 INSERT 2 A 8 0 0 ENDBLK 0 BLOCK 2 OWN 0 INSERT 2 A 8 Own 0 ENDBLK "
+        "0 BLOCK 2 HIDES 0 INSERT 2 A 8 Frozen 0 ENDBLK ";
+    const auto drawn = [&](const std::string& block, const std::string& layer) {
+        return area(read(Sections{rectangle(100, 0, 1, 1, "Own") + "0 INSERT 2 " + block + layer, layers,
+                                  blocks})) -
+               1;
+    };
+    EXPECT_NEAR(drawn("INHERITS", " 8 Any"), 500, 1e-6);
+    EXPECT_NEAR(drawn("INHERITS", " 8 Off"), 400, 1e-6);
+    EXPECT_NEAR(drawn("INHERITS", " 8 Frozen"), 0, 1e-6);
+    EXPECT_NEAR(drawn("INHERITS", ""), 400, 1e-6) << "the drawing's own layer 0 is off";
+    EXPECT_NEAR(drawn("OWN", " 8 Off"), 500, 1e-6);
+    EXPECT_NEAR(drawn("HIDES", " 8 Any"), 0, 1e-6);
+}
+
 TEST(DxfDrawing, EntitiesSeenFromBelowAreMirrored) {
     const OutlineFile file = read("0 CIRCLE 10 100 20 50 40 10 210 0 220 0 230 -1");
     double x = 0;

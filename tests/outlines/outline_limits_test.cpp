@@ -46,6 +46,22 @@ TEST(OutlineLimits, CopiesOfALongEntityCount) {
                 AllOf(HasSubstr("o.dxf: line"), HasSubstr("more than 1000000000 characters")));
 }
 
+// Programs hide data of their own in entities: reactors, dictionaries, pictures, extended data.
+TEST(OutlineLimits, DataOfOtherProgramsArePassedOver) {
+    const std::string megabyte(1'000'000, '1');
+    const std::string text = "0 TEXT 102 {ACAD_XDICTIONARY 360 1F 102 } 310 " + megabyte +
+                             " 1 a 1001 OTHER 1000 " + megabyte + " ";
+    const std::string square =
+        "0 LWPOLYLINE 102 {ACAD_REACTORS 330 1F 102 } 8 0 90 4 70 1 10 0 20 0 10 9 20 0 10 9 20 9 10 0 20 9 "
+        "1001 OTHER 1008 Off 1010 1e9 1020 1e9 1030 1e9 1042 1 1060 1 1067 1 1070 0 ";
+    const TemporaryFolder folder;
+    const OutlineFile file = read_outline_file(
+        folder.file("o.dxf", dxf(square + "0 INSERT 2 A 70 2000 ", "0 BLOCK 2 A " + text + "0 ENDBLK ")));
+    ASSERT_EQ(file.parts.size(), 1U);
+    EXPECT_NEAR(1e6 * area_of(file.parts.front()), 81, 1e-6);
+    EXPECT_THAT(file.remarks, testing::Contains("2000 TEXT left out"));
+}
+
 TEST(OutlineLimits, APolylineWithOnePointTooManyIsRefused) {
     std::string polyline = "0 LWPOLYLINE 90 200001 70 1 ";
     for (int i = 0; i < 200'001; ++i)

@@ -173,6 +173,29 @@ TEST(SvgFill, AClipLeavesWhatLiesInIt) {
                 20, kExact);
 }
 
+TEST(SvgFill, WhatLiesOutsideOneOfTheClipsInOneAnotherIsHidden) {
+    const std::string clips =
+        "<clipPath id='left'><rect width='10' height='100'/></clipPath>"
+        "<clipPath id='right'><rect x='20' width='10' height='100'/></clipPath>"
+        "<clipPath id='both' clip-path='url(#left)'><rect x='5' width='30' height='100'/></clipPath>"
+        "<clipPath id='inner'><rect width='30' height='100' clip-path='url(#left)'/></clipPath>";
+    const std::string square = "<rect width='30' height='10'/>";
+    const auto in = [](const std::string& clip, const std::string& content) {
+        return "<g clip-path='url(#" + clip + ")'>" + content + "</g>";
+    };
+    EXPECT_NEAR(filled(clips + in("both", square)), 50, kExact);
+    EXPECT_NEAR(filled(clips + in("left", in("both", square))), 50, kExact);
+    EXPECT_NEAR(filled(clips + in("inner", square)), 100, kExact);
+    for (const char* clip : {"left", "both", "inner"}) {
+        EXPECT_EQ(filled(clips + in(clip, in("right", square))), 0) << clip;
+        EXPECT_EQ(filled(clips + in("right", in(clip, square))), 0) << clip;
+    }
+    const OutlineFile file = read(clips + in("left", in("both", "<rect x='12' width='5' height='5'/>")) +
+                                  "<rect x='50' width='3' height='3'/>");
+    ASSERT_EQ(file.parts.size(), 1U);
+    EXPECT_NEAR(1e6 * area_of(file.parts.front()), 9, kExact);
+}
+
 TEST(SvgFill, CopiesAreDrawnWhereTheyAreUsed) {
     const std::string tile = "<defs><rect id='r' width='10' height='10'/></defs>";
     EXPECT_NEAR(filled(tile + "<use href='#r'/><use xlink:href='#r' x='20' y='5'/>"), 200, kExact);
@@ -225,6 +248,25 @@ TEST(SvgFill, ADrawingInADrawingShowsItsViewBoxInItsBox) {
     EXPECT_NEAR(filled("<svg width='50' height='20' viewBox='0 0 10 10' preserveAspectRatio='xMaxYMin "
                        "slice'><rect width='10' height='10'/></svg>"),
                 1000, kExact);
+}
+
+TEST(SvgFill, DrawingsInDrawingsShowWhatLiesInAllOfThem) {
+    const auto drawing = [](const std::string& attributes, const std::string& content) {
+        return "<svg " + attributes + ">" + content + "</svg>";
+    };
+    const std::string square = "<rect width='100' height='100'/>";
+    const std::string outer = "x='10' width='50' height='50'";
+    EXPECT_NEAR(filled(drawing(outer, drawing("x='40' width='30' height='30'", square))), 300, kExact);
+    EXPECT_NEAR(
+        filled(drawing(outer + " overflow='visible'", drawing("x='40' width='30' height='30'", square))), 900,
+        kExact);
+    EXPECT_EQ(filled(drawing(outer, drawing("x='60' width='30' height='30'", square))), 0);
+    // Clips and viewports.
+    const std::string clip = "<clipPath id='c'><rect width='10' height='100'/></clipPath>";
+    const std::string clipped = "<g clip-path='url(#c)'>";
+    EXPECT_NEAR(filled(clip + drawing("x='20' width='30' height='30'", clipped + square + "</g>")), 300,
+                kExact);
+    EXPECT_EQ(filled(clip + clipped + drawing("x='20' width='30' height='30'", square) + "</g>"), 0);
 }
 
 TEST(SvgFill, WhatIsNoShapeIsCountedAndTold) {

@@ -88,6 +88,16 @@ TEST(SvgLimits, ClipsOfClipsNestOnlySoDeep) {
                 AllOf(HasSubstr("clipPath 'a"), HasSubstr("clips lie more than 256 deep")));
 }
 
+TEST(SvgLimits, DrawingsInDrawingsAddTheirClipsToThoseAround) {
+    const auto nested = [](int depth) {
+        return drawing(chain_of_clips(100) + "<g clip-path='url(#a0)'>" + repeated("<svg>", depth) +
+                       "<rect width='20' height='20'/>" + repeated("</svg>", depth) + "</g>");
+    };
+    EXPECT_NEAR(1e6 * area_of(read(nested(100)).parts.front()), 100, 1e-6);
+    EXPECT_THAT(refuse(nested(200)),
+                AllOf(HasSubstr("line 1, svg"), HasSubstr("clips lie more than 256 deep")));
+}
+
 TEST(SvgLimits, ClipsCountAsElements) {
     std::string clips;
     for (int i = 0; i < 200; ++i)

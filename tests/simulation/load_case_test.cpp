@@ -443,6 +443,27 @@ TEST(Combination, AddsTheFactorsOfACaseThatIsNamedTwice) {
     EXPECT_EQ(sum, combined(once, wind_and_snow()));
 }
 
+/// The loads are there once, and not as often as the case is named.
+TEST(Combination, NamesACaseManyThousandTimes) {
+    constexpr std::size_t kLoads = 500;
+    constexpr int kTimes = 4000;
+    LoadCase many;
+    many.name = "many";
+    many.loads.assign(kLoads, {NodesAtSide{Side::Left}, {0, 0, -2}});
+    LoadCase often;
+    often.name = "often";
+    often.combines.assign(kTimes, {"many", 0.25});
+    std::vector<LoadCase> cases = {many, often};
+    check_combinations(cases);
+    const LoadCase sum = combined(often, cases);
+    ASSERT_EQ(sum.loads.size(), kLoads);
+    EXPECT_EQ(sum.loads.back().force, Eigen::Vector3d(0, 0, -2 * 0.25 * kTimes));
+    cases[1].combines.push_back({"mny", 1.0});
+    EXPECT_THAT(complaint_of([&] { check_combinations(cases); }),
+                AllOf(HasSubstr("load case 'often'"), HasSubstr("/combines/4000/load_case"),
+                      HasSubstr("did you mean 'many'?")));
+}
+
 TEST(Combination, NamesTheCaseThatThereIsNot) {
     LoadCase both;
     both.name = "both";
