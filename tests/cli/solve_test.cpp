@@ -112,6 +112,18 @@ TEST_F(Solve, NamesTheFileOfAMechanism) {
     EXPECT_THAT(before.err, HasSubstr("loose.json: /beams/1 has releases, which an input deck"));
 }
 
+TEST_F(Solve, WritesNoResultThatItDoesNotRead) {
+    std::string frame = base::read_text_file(folder_.path() / "column.json");
+    frame.replace(frame.find("1e9"), 3, "1e-12");
+    folder_.file("soft.json", frame);
+    const auto outcome = run_command("fretwork solve soft.json --solver linear --out r.json", folder_.path());
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_THAT(outcome.err, HasSubstr("soft.json: the largest displacement is "));
+    EXPECT_THAT(outcome.err, HasSubstr("the load or a stiffness is out of any sensible range"));
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "r.json"));
+}
+
 TEST_F(Solve, WritesModesForParaView) {
     run("--solver linear --modes 2 --vtu r.vtu");
     const std::string file = base::read_text_file(folder_.path() / "r.vtu");

@@ -185,10 +185,30 @@ TEST_F(FrameFile, ValuesBeyondAnythingThatIsBuiltAreRefusedWithTheirLimits) {
     EXPECT_THAT(complaint("[1,1,0]", "[1,1e20,0]"),
                 AllOf(HasSubstr(path_.string() + ": /nodes/2"), HasSubstr("1e+12 (m)")));
     EXPECT_THAT(complaint("\"young_modulus\": 1e9", "\"young_modulus\": 1e308"),
-                AllOf(HasSubstr("/material/young_modulus"), HasSubstr("1e+18 (Pa)")));
-    EXPECT_THAT(complaint("\"width\": 0.002", "\"width\": 1e-320"), HasSubstr("/section/area"));
+                AllOf(HasSubstr("/materials/pla/young_modulus"), HasSubstr("1e+18 (Pa)")));
+    EXPECT_THAT(complaint("\"width\": 0.002", "\"width\": 1e-320"), HasSubstr("/sections/bar/width"));
     EXPECT_THAT(complaint("[0,0,-9.81]", "[0,0,-1e308]"), HasSubstr("/gravity"));
     EXPECT_THAT(complaint("\"uz\": 0.01", "\"uz\": 1e308"), HasSubstr("/prescribed/0/uz"));
+}
+
+// No beam uses the rod.
+TEST_F(FrameFile, MaterialsAndSectionsAreCheckedWhereTheyStandAlsoIfNoBeamUsesThem) {
+    EXPECT_THAT(complaint("\"diameter\": 0.002", "\"diameter\": 1e300"),
+                HasSubstr(": /sections/rod/diameter: "));
+    EXPECT_THAT(
+        complaint("\"pla\": {", "\"spare\": {\"young_modulus\": 1e300, \"poisson_ratio\": 0.3}, \"pla\": {"),
+        HasSubstr(": /materials/spare/young_modulus: is 1e+300, where a number from 1e-12 to 1e+18 (Pa)"));
+    EXPECT_THAT(complaint("\"density\": 900", "\"density\": 1e300"),
+                HasSubstr(": /materials/odd/density: is 1e+300, where 0 or a number from "));
+    EXPECT_THAT(complaint("\"shear_modulus\": 7e8", "\"shear_modulus\": 7e18"),
+                HasSubstr(": /materials/odd/shear_modulus: "));
+    EXPECT_THAT(complaint("\"I3\": 1.4e-12", "\"I3\": 1e49"),
+                HasSubstr(": /sections/any/I3: is 1e+49, where "));
+    EXPECT_THAT(complaint("\"shear_area3\": 3.4e-6", "\"shear_area3\": 1e25"),
+                HasSubstr(": /sections/any/shear_area3: "));
+    // The file has the length, and not the number that it gives.
+    EXPECT_THAT(complaint("\"diameter\": 0.002", "\"diameter\": 1e-12"),
+                HasSubstr(": /sections/rod: has no valid area: it is 7.85"));
 }
 
 /// One entry may prescribe several components.

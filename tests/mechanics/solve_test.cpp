@@ -7,6 +7,7 @@
 #include <fretwork/mechanics/frame/frame_file.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/modes.hpp>
+#include <fretwork/mechanics/results/result_file.hpp>
 #include <fretwork/mechanics/solve.hpp>
 
 #include <gmock/gmock.h>
@@ -40,6 +41,34 @@ TEST(Solve, LinearSolutionIsThatOfTheLinearSolver) {
     ASSERT_EQ(result.nodes.size(), 4u);
     EXPECT_EQ(result.nodes[2].id, 2);
     EXPECT_GT(result.seconds, 0.0);
+}
+
+// P L^3 / 3 E I and P L^2 / 2 E I, with E = 1e-12 Pa and a diameter of 1 mm.
+TEST(Solve, DisplacementsThatNoResultHasAreRefused) {
+    Frame frame =
+        sample::cantilever({.section = circle_section(0.001), .material = {.young_modulus = 1e-12}});
+    frame.loads.push_back({NodeIndex(1), {0.0, 0.0, 1.0}});
+    const std::string refusal = test::complaint_of([&] {
+        solve(LabelledFrame{frame, {}, "soft.json"}, {.solver = Solver::Linear});
+    });
+    EXPECT_THAT(refusal, testing::StartsWith("soft.json: the largest displacement is 6.79e+24 m, the largest "
+                                             "rotation 1.02e+25 rad, where results have at most 1e+12 m and "
+                                             "1e+06 rad: "));
+    EXPECT_THAT(refusal, HasSubstr("out of any sensible range"));
+}
+
+// The limits of solutions are those of files, for each component: half a limit is read back, twice the limit
+// is refused. The tip turns by M L / E I about y, or moves by N L / E A along x.
+TEST(Solve, DisplacementsThatAreNotRefusedAreReadBack) {
+    for (const auto& [force, moment] : {std::pair{0.0, 1e6 * 1e3}, std::pair{1e12 * 1e3, 0.0}}) {
+        Frame frame = sample::cantilever({.section = {.area = 1e-6, .I2 = 1e-6, .I3 = 1e-6, .J = 1e-6}});
+        frame.loads.push_back({NodeIndex(1), {0.5 * force, 0.0, 0.0}, {0.0, 0.5 * moment, 0.0}});
+        const Result result = solve(assemble(frame), {.solver = Solver::Linear});
+        EXPECT_EQ(parse_result(result_text(result), "text").solution.displacements,
+                  result.solution.displacements);
+        frame.loads.push_back({NodeIndex(1), {1.5 * force, 0.0, 0.0}, {0.0, 1.5 * moment, 0.0}});
+        EXPECT_THROW(solve(assemble(frame), {.solver = Solver::Linear}), base::NumericalError);
+    }
 }
 
 TEST(Solve, PathIsJoinedAndKeptOnlyIfStepsWereAskedFor) {

@@ -68,6 +68,34 @@ TEST(Simulate, ReactionsOfEveryModelBalanceTheLoad) {
     }
 }
 
+// Only uz of a side is held: the surface moves in its plane, and turns about that side.
+TEST(Simulate, MechanismIsToldWithEveryModel) {
+    const Surface surface = with_parameters(make_surface(honeycomb(3, 2, kPatterns), nullptr));
+    LoadCase load_case = cantilever({0.0, 1.0, 0.0});
+    load_case.supports.front().fixed = {{false, false, true, false, false, false}};
+    for (const reduction::TileModel& model : reduction::tile_models()) {
+        for (const Analysis analysis : {Analysis::Linear, Analysis::OfTheModel}) {
+            EXPECT_THAT(complaint_of([&] {
+                            simulate(surface, load_case, {.model = model.name, .analysis = analysis});
+                        }),
+                        HasSubstr("the structure, as held, can move without strain at node "))
+                << model.name;
+        }
+    }
+}
+
+TEST(Simulate, DisplacementsThatNoResultHasAreRefused) {
+    const Surface surface = make_surface(honeycomb(2, 1, kPatterns), nullptr);
+    for (const char* model : {"full", "condensed"}) {
+        EXPECT_THAT(
+            complaint_of([&] {
+                simulate(surface, cantilever({0, 0, 1e18}), {.model = model, .analysis = Analysis::Linear});
+            }),
+            testing::StartsWith("the largest displacement is "))
+            << model;
+    }
+}
+
 TEST(Simulate, NonlinearTendsToLinearAsTheLoadVanishes) {
     const Surface surface = make_surface(honeycomb(3, 2, kPatterns), nullptr);
     const auto relative = [&](double force) {

@@ -82,6 +82,7 @@ Result result_of(const Assembly& assembly, const SolveOptions& options) {
     result.solver = solver_name(options.solver);
     result.nodes = reported_nodes(assembly);
     result.load_steps = equilibria(assembly, options);
+    for (const Solution& solution : result.load_steps) require_sensible_motion(solution);
     result.solution = end_of_path(result.load_steps);
     result.seconds = watch.seconds();
     return result;

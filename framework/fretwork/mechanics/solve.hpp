@@ -60,12 +60,13 @@ struct SolveOptions {
 LabelledFrame read_structure(const std::filesystem::path& path);
 
 /// Solve an assembly. Result::seconds is the time of the solution, without modes. Throws the errors of
-/// SolveOptions::validate(), of the solver and of the modes. Throws InputError if the options ask for the
-/// discretization error or for lumped gravity: both need a frame.
+/// SolveOptions::validate(), of the solver, of require_sensible_motion() and of the modes. Throws InputError
+/// if the options ask for the discretization error or for lumped gravity: both need a frame.
 Result solve(const Assembly& assembly, const SolveOptions& options = {});
 /// Assemble and solve a frame. The discretization error is estimated if the options ask for it.
 /// Result::seconds includes the assembly, but neither the estimate nor the modes. Throws the errors of
-/// SolveOptions::validate(), assemble(), the solver and the modes. A NumericalError names the frame's source.
+/// SolveOptions::validate(), assemble(), and those of solving an assembly. A NumericalError names the frame's
+/// source.
 Result solve(const LabelledFrame& frame, const SolveOptions& options = {});
 
 }  // namespace fretwork::mechanics

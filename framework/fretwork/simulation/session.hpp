@@ -121,8 +121,9 @@ class Session {
     /// also if the equilibrium may lie on another path, or if new supports hold components far from their
     /// values. The result has no subject; result_subject() makes one.
     /// Throws InputError if a tile cannot be built after the edits, or if SimulationOptions::estimate_error
-    /// is set and a tile does not consist of beams; NumericalError if the structure has too few supports;
-    /// base::Stopped. After an error, all edits are kept, and the next call continues.
+    /// is set and a tile does not consist of beams; NumericalError if the structure has too few supports, or
+    /// as mechanics::require_sensible_motion(); base::Stopped. After an error, all edits are kept, and the
+    /// next call continues.
     ///
     /// @param check  whether to check the stability; Skipped is for a user who drags a load in small steps,
     /// and is ignored by linear solutions and by paths of several load steps

@@ -12,7 +12,7 @@ namespace fretwork::simulation {
 /// Simulate a surface under a load case by a new session, and compute the modes and estimates that the
 /// options ask for. Interface nodes come first in the result, with the same ids in every model. The result
 /// has a subject. Paper, Section 6. Throws InputError (options, load case, calibrations), NumericalError (too
-/// few supports), base::Stopped.
+/// few supports, or displacements that no result has), base::Stopped.
 SurfaceResult simulate(const Surface& surface, const LoadCase& load_case,
                        const SimulationOptions& options = {}, const base::Control& control = {});
 

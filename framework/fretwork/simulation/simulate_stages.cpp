@@ -94,6 +94,7 @@ class StagedSimulation {
         std::vector<mechanics::Solution> ends;
         for (const LoadStage& stage : plan_.stages) {
             ends.push_back(path.advance(conditions.advance(stage, displacements, assembly.nodes.size())));
+            mechanics::require_sensible_motion(ends.back());
             if (!ends.back().converged()) break;
             displacements = ends.back().displacements;
         }

@@ -27,6 +27,19 @@ Eigen::Vector3d read_optional_vector(const JsonReader& owner, std::string_view k
     return member ? read_vector(*member) : Eigen::Vector3d::Zero();
 }
 
+/// Refuse a number of a section or a material that is out of its limits, where it stands in the file.
+template <class Value>
+Value within_limits(const JsonReader& reader, const Value& value) {
+    const auto flaw = detail::flaw_of(value);
+    if (!flaw) return value;
+    if (const auto number = reader.find(flaw->key)) number->fail(flaw->problem);
+    reader.fail("has no valid " + std::string(flaw->key) + ": it " + flaw->problem);
+}
+
+Section read_limited_section(const JsonReader& reader) {
+    return within_limits(reader, read_section(reader));
+}
+
 Material read_material(const JsonReader& reader) {
     reader.allow_only({"young_modulus", "poisson_ratio", "density", "shear_modulus"});
     Material material;
@@ -44,7 +57,7 @@ Material read_material(const JsonReader& reader) {
         if (material.density < 0)
             density->fail("is " + density->text() + ", where a number not below zero is needed");
     }
-    return material;
+    return within_limits(reader, material);
 }
 
 template <class Value>
@@ -83,7 +96,7 @@ class FrameReader {
         for (const JsonReader& node : document_.at("nodes").elements())
             frame_.nodes.push_back(read_vector(node));
         materials_ = read_table(document_.at("materials"), read_material);
-        sections_ = read_table(document_.at("sections"), read_section);
+        sections_ = read_table(document_.at("sections"), read_limited_section);
         for (const JsonReader& beam : document_.at("beams").elements())
             frame_.beams.push_back(read_beam(beam));
         for (const JsonReader& support : optional_list("supports")) read_support(support);

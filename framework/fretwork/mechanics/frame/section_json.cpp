@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/limits.hpp>
 #include <fretwork/mechanics/internal/section_json.hpp>
 
 #include <array>
@@ -38,6 +39,15 @@ SectionShape shape_named(const std::string& type) {
     return RectangleShape();
 }
 
+/// Lengths have limits of their own, because numbers made of them, such as an area, are not in the file.
+double read_length(const JsonReader& json) {
+    const double length = json.positive_number();
+    if (!base::is_positive_within(length, base::kLengthLimits))
+        json.fail("is " + json.text() + ", where " + base::positive_range_text(base::kLengthLimits) +
+                  " is needed");
+    return length;
+}
+
 Section fitting_section(const JsonReader& json, const SectionShape& shape) {
     const auto* tube = std::get_if<TubeShape>(&shape);
     if (tube != nullptr && tube->inner_diameter >= tube->outer_diameter)
@@ -55,14 +65,16 @@ Section read_typed_section(const JsonReader& json) {
     json.allow_only(keys);
     std::visit(
         [&](auto& own) {
-            for_each_length(
-                own, [&](const char* key, double& length) { length = json.at(key).positive_number(); });
+            for_each_length(own,
+                            [&](const char* key, double& length) { length = read_length(json.at(key)); });
         },
         shape);
     return fitting_section(json, shape);
 }
 
 Section read_numbers(const JsonReader& json) {
+    if (!json.find("area") && (json.find("width") || json.find("diameter") || json.find("outer_diameter")))
+        json.fail("the key 'type' is missing, which says what the lengths are: rectangle, circle, tube or I");
     json.allow_only({"area", "I2", "I3", "J", "shear_area2", "shear_area3"});
     return {.area = json.at("area").positive_number(),
             .I2 = json.at("I2").positive_number(),

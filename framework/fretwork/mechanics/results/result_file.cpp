@@ -74,7 +74,7 @@ NodeValues read_motions(const JsonReader& reader, std::size_t count) {
     NodeValues motions = read_rows(reader, count);
     for (Eigen::Index i = 0; i < motions.rows(); ++i) {
         for (int d = 0; d < kDofsPerNode; ++d) {
-            const base::Limits& allowed = d < 3 ? base::kLengthLimits : base::kAngleLimits;
+            const base::Limits& allowed = motion_limits(static_cast<Dof>(d));
             if (!base::is_within(motions(i, d), allowed))
                 reader.elements()[static_cast<std::size_t>(i)].fail(
                     "has " + base::format_number(motions(i, d)) + ", where " + base::range_text(allowed) +

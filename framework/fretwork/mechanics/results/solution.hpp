@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/limits.hpp>
 #include <fretwork/mechanics/frame/frame.hpp>
 
 #include <span>
@@ -70,6 +71,13 @@ struct Solution {
     /// Losses of stability since the last solution of the path.
     std::vector<StabilityLoss> stability_losses{};
 };
+
+/// The limits of a component of a solution's displacements. Result files have no values beyond them.
+const base::Limits& motion_limits(Dof dof);
+
+/// Check that the displacements lie within motion_limits(). Throws NumericalError with the largest ones: a
+/// load or a stiffness is then out of any sensible range.
+void require_sensible_motion(const Solution& solution);
 
 /// The last solution of a path, with the iterations and stability losses of the whole path. Pre: the path is
 /// not empty.

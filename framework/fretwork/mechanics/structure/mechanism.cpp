@@ -3,6 +3,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/sparse/arbitrary.hpp>
 #include <fretwork/mechanics/structure/constraints.hpp>
+#include <fretwork/mechanics/structure/free_motion.hpp>
 #include <fretwork/mechanics/structure/mechanism.hpp>
 
 #include <algorithm>
@@ -70,6 +71,8 @@ void refuse_mechanisms(const Assembly& assembly, const sparse::SystemLayout& lay
                        const sparse::Ldlt::Outcome& outcome, const base::Control& control) {
     if (!outcome.positive_definite())
         refuse(assembly, NodeIndex(layout.node_of(std::max(outcome.zero_pivot, 0))));
+    // Rounding in condensed elements can resist a rigid motion so much that no pivot is weak.
+    if (const auto node = freely_moving_node(assembly)) refuse(assembly, *node);
     if (!outcome.has_weak_pivot) return;
     // Loads are scaled by the stiffness of each equation, so that units do not matter.
     Eigen::VectorXd scale(layout.equations());

@@ -15,7 +15,8 @@ namespace fretwork::mechanics::structure {
 ///
 /// A mechanism has a pivot that is zero or, if beams are oblique, as small as rounding. A merely soft
 /// structure may have a small pivot, too. Therefore, if all pivots are positive and one of them is small, a
-/// solution under an arbitrary load decides: a mechanism cannot balance the load.
+/// solution under an arbitrary load decides: a mechanism cannot balance the load. Rigid motions of connected
+/// parts are found by their places and supports, whatever the pivots (see freely_moving_node()).
 ///
 /// @param values   the stiffness at rest
 /// @param factors  the factors of the stiffness

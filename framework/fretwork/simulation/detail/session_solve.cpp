@@ -117,6 +117,7 @@ void Session::Impl::solve_equilibrium(SurfaceResult& result, const base::Control
         equilibrium_solver_.emplace(
             mechanics::EquilibriumOptions{.branch = options_.branch, .threads = options_.threads});
     result.solution = equilibrium_solver_->solve(assembly_, control, check, first_iterate);
+    mechanics::require_sensible_motion(result.solution);
     result.load_steps = {result.solution};
     is_at_equilibrium_ = result.solution.converged();
     report_.starting_point = equilibrium_solver_->starting_point();
@@ -124,6 +125,7 @@ void Session::Impl::solve_equilibrium(SurfaceResult& result, const base::Control
 
 void Session::Impl::solve_linear(SurfaceResult& result, const base::Control& control) {
     result.solution = updated_solver(control).solve(assembly_.loads, control);
+    mechanics::require_sensible_motion(result.solution);
     is_at_equilibrium_ = result.solution.converged();
     linear_displacements_ = all_rows(result.solution);
 }

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <initializer_list>
 #include <optional>
 #include <set>
 
@@ -23,6 +24,22 @@ std::string text_of(const Eigen::Vector3d& v) {
 
 bool are_within(const Eigen::Vector3d& v, const base::Limits& limits) {
     return base::is_within(v.x(), limits) && base::is_within(v.y(), limits) && base::is_within(v.z(), limits);
+}
+
+/// A property of a beam that must be above zero.
+struct Property {
+    const char* key;
+    double value;
+    const base::Limits& limits;
+};
+
+std::optional<PropertyFlaw> first_flaw(std::initializer_list<Property> properties) {
+    for (const Property& property : properties) {
+        if (!base::is_positive_within(property.value, property.limits))
+            return PropertyFlaw{property.key, "is " + format_number(property.value) + ", where " +
+                                                  base::positive_range_text(property.limits) + " is needed"};
+    }
+    return std::nullopt;
 }
 
 class FrameCheck {
@@ -104,17 +121,6 @@ class FrameCheck {
     // The place of a beam is written out only if a check fails, because a thousand tiles are checked in a
     // second.
 
-    /// A property of a beam: its value, and its name in messages.
-    struct Property {
-        double value;
-        const char* name;
-    };
-    void require_positive(std::size_t beam, const Property& property, const base::Limits& limits) const {
-        if (!base::is_positive_within(property.value, limits))
-            fail(beam_place(beam) + property.name, "is " + format_number(property.value) + ", where " +
-                                                       base::positive_range_text(limits) + " is needed");
-    }
-
     void check_beam(std::size_t index) const {
         const Beam& beam = frame_.beams[index];
         const auto where = [&](const char* name) { return beam_place(index) + name; };
@@ -128,8 +134,8 @@ class FrameCheck {
         } catch (const base::GeometryError& error) {
             throw base::within(names_.source, beam_place(index), error);
         }
-        check_section(index);
-        check_material(index);
+        if (const auto flaw = flaw_of(beam.section)) fail(where("/section/") + flaw->key, flaw->problem);
+        if (const auto flaw = flaw_of(beam.material)) fail(where("/material/") + flaw->key, flaw->problem);
         if (beam.divisions < 1 || beam.divisions > kMostDivisions)
             fail(where("/divisions"), "is " + std::to_string(beam.divisions) + ", where a number from 1 to " +
                                           std::to_string(kMostDivisions) + " is needed");
@@ -138,32 +144,6 @@ class FrameCheck {
                 fail(where("/releases"),
                      "there is no end " + std::to_string(release.end) + "; a beam has the ends 0 and 1");
         }
-    }
-
-    void check_section(std::size_t beam) const {
-        const Section& section = frame_.beams[beam].section;
-        require_positive(beam, {section.area, "/section/area"}, base::kAreaLimits);
-        require_positive(beam, {section.I2, "/section/I2"}, base::kSecondMomentLimits);
-        require_positive(beam, {section.I3, "/section/I3"}, base::kSecondMomentLimits);
-        require_positive(beam, {section.J, "/section/J"}, base::kSecondMomentLimits);
-        if (section.shear_area2)
-            require_positive(beam, {*section.shear_area2, "/section/shear_area2"}, base::kAreaLimits);
-        if (section.shear_area3)
-            require_positive(beam, {*section.shear_area3, "/section/shear_area3"}, base::kAreaLimits);
-    }
-
-    void check_material(std::size_t beam) const {
-        const Material& material = frame_.beams[beam].material;
-        require_positive(beam, {material.young_modulus, "/material/young_modulus"}, base::kModulusLimits);
-        if (!(material.poisson_ratio > -1.0 && material.poisson_ratio <= 0.5))
-            fail(beam_place(beam) + "/material/poisson_ratio",
-                 "is " + format_number(material.poisson_ratio) +
-                     ", where a number above -1 and up to 0.5 is needed");
-        if (material.given_shear_modulus)
-            require_positive(beam, {*material.given_shear_modulus, "/material/shear_modulus"},
-                             base::kModulusLimits);
-        if (material.density != 0.0)
-            require_positive(beam, {material.density, "/material/density"}, base::kDensityLimits);
     }
 
     void check_supports() const {
@@ -216,6 +196,32 @@ class FrameCheck {
 };
 
 }  // namespace
+
+std::optional<PropertyFlaw> flaw_of(const Section& section) {
+    auto flaw = first_flaw({{"area", section.area, base::kAreaLimits},
+                            {"I2", section.I2, base::kSecondMomentLimits},
+                            {"I3", section.I3, base::kSecondMomentLimits},
+                            {"J", section.J, base::kSecondMomentLimits}});
+    if (!flaw && section.shear_area2)
+        flaw = first_flaw({{"shear_area2", *section.shear_area2, base::kAreaLimits}});
+    if (!flaw && section.shear_area3)
+        flaw = first_flaw({{"shear_area3", *section.shear_area3, base::kAreaLimits}});
+    return flaw;
+}
+
+std::optional<PropertyFlaw> flaw_of(const Material& material) {
+    auto flaw = first_flaw({{"young_modulus", material.young_modulus, base::kModulusLimits}});
+    if (flaw) return flaw;
+    if (!(material.poisson_ratio > -1.0 && material.poisson_ratio <= 0.5))
+        return PropertyFlaw{"poisson_ratio", "is " + format_number(material.poisson_ratio) +
+                                                 ", where a number above -1 and up to 0.5 is needed"};
+    if (material.given_shear_modulus)
+        flaw = first_flaw({{"shear_modulus", *material.given_shear_modulus, base::kModulusLimits}});
+    if (!flaw && material.density != 0.0 && !base::is_positive_within(material.density, base::kDensityLimits))
+        return PropertyFlaw{"density", "is " + format_number(material.density) + ", where 0 or " +
+                                           base::positive_range_text(base::kDensityLimits) + " is needed"};
+    return flaw;
+}
 
 void check_parts(const Frame& frame) {
     const FrameNames names{"frame"};

@@ -4,6 +4,7 @@
 #include <fretwork/mechanics/frame/frame.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -12,6 +13,16 @@ namespace fretwork::mechanics::detail {
 /// Check a frame as validate() does, except that connected parts need no support, because a tile to be
 /// condensed is a frame without supports.
 void check_parts(const Frame& frame);
+
+/// A number of a section or a material that is out of its limits.
+struct PropertyFlaw {
+    const char* key;      ///< key of the number in files
+    std::string problem;  ///< "is 1e+300, where a number from 1e-24 to 1e+24 (m^2) is needed"
+};
+/// The first flaw of a section; none if all its numbers are within their limits.
+std::optional<PropertyFlaw> flaw_of(const Section& section);
+/// The first flaw of a material; none if all its numbers are within their limits.
+std::optional<PropertyFlaw> flaw_of(const Material& material);
 
 /// The names of a frame, its nodes and its beams in messages.
 struct FrameNames {
