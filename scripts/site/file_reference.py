@@ -23,6 +23,13 @@ def resolve(node, file):
     return node, file
 
 
+def number_text(number):
+    """A limit as a person writes it: 1e12."""
+    digits, _, power = f"{number:g}".partition("e")
+    short = f"{digits}e{int(power)}" if power else digits
+    return short if isinstance(number, float) and float(short) == number else str(number)
+
+
 def kind_of(node, file):
     """A value's kind in words."""
     node, file = resolve(node, file)
@@ -37,9 +44,10 @@ def kind_of(node, file):
     kind = " or ".join(kind) if isinstance(kind, list) else kind
     if kind == "array":
         count = "" if "minItems" not in node else f"at least {node['minItems']} " if node["minItems"] != node.get("maxItems") else f"{node['minItems']} "
-        inner = kind_of(node["items"], file) if isinstance(node.get("items"), dict) else "values"
+        elements = node.get("prefixItems", [node["items"]] if isinstance(node.get("items"), dict) else [])
+        inner = ", then ".join(dict.fromkeys(kind_of(element, file) for element in elements)) or "values"
         return f"list of {count}{PLURALS.get(inner, f'({inner})')}"
-    limits = " and ".join(f"{sign} {node[name]}" for name, sign in NAMES.items() if name in node)
+    limits = " and ".join(f"{sign} {number_text(node[name])}" for name, sign in NAMES.items() if name in node)
     return f"{kind} {limits}".strip()
 
 

@@ -28,6 +28,18 @@ TEST(Error, ItsTextIsMadeOfItsData) {
               "a.json: /b: b.json: line 3: is not a number");
 }
 
+/// what() is a C string, which a NUL would end.
+TEST(Error, ANulInAnyPartIsShown) {
+    using namespace std::string_literals;
+    EXPECT_STREQ(InputError("a.json"s, "/b\0c"s, "unknown key 'b\0c\0'; there is: format"s).what(),
+                 "a.json: /b\\x00c: unknown key 'b\\x00c\\x00'; there is: format");
+    const JsonReader json = JsonReader::from_text(R"({"b\u0000c": "d\u0000e"})", "a.json");
+    EXPECT_EQ(text_of(error_of<InputError>([&] { json.allow_only({"format"}); })),
+              "a.json: /b\\x00c: unknown key 'b\\x00c'; there is: format");
+    EXPECT_EQ(text_of(error_of<InputError>([&] { (void)json.members().front().second.choice({"circle"}); })),
+              "a.json: /b\\x00c: unknown choice 'd\\x00e'; there is: circle");
+}
+
 TEST(Error, InsideOfASourceKeepsItsTypeItsKindAndItsOwnPlace) {
     const ErrorData data = error_of<GeometryError>([] {
         try {

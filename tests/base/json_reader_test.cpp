@@ -146,6 +146,39 @@ TEST(JsonReader, PointersEscapeTheirSpecialCharacters) {
     EXPECT_EQ(parsed(R"({"a/b~c": 1})").at("a/b~c").pointer(), "/a~1b~0c");
 }
 
+/// What checks a value does not know where the value stands.
+TEST(JsonReader, AnErrorAboutAPartOfAValueNamesThePart) {
+    const auto json = parsed(R"({"a": {"list": [{"width": 1}], "name": "x"}})");
+    const auto complaint = [&](const std::string& place) {
+        return complaint_of([&] { json.at("a").located([&] { throw InputError("", place, "is wrong"); }); });
+    };
+    EXPECT_EQ(complaint("/list/0/width"), "test.json: /a/list/0/width: is wrong");
+    EXPECT_EQ(complaint(""), "test.json: /a: is wrong");
+    EXPECT_EQ(complaint("line 3"), "test.json: /a: line 3: is wrong");
+    // The document does not have these.
+    EXPECT_EQ(complaint("/list/0/area"), "test.json: /a/list/0: area: is wrong");
+    EXPECT_EQ(complaint("/list/1/area"), "test.json: /a/list: 1/area: is wrong");
+    EXPECT_EQ(complaint("/name/first"), "test.json: /a/name: first: is wrong");
+    // A source of its own is no part of the value.
+    EXPECT_EQ(complaint_of(
+                  [&] { json.at("a").located([] { throw InputError("other.json", "/list", "is wrong"); }); }),
+              "test.json: /a: other.json: /list: is wrong");
+}
+
+TEST(JsonReader, APartOfASourceHasItsPlaceThere) {
+    const auto json = JsonReader::from_text(R"({"b": [1]})", "whole.json", "/a/2");
+    EXPECT_EQ(json.pointer(), "/a/2");
+    EXPECT_EQ(complaint_of([&] { (void)json.at("b").elements()[0].string(); }),
+              "whole.json: /a/2/b/0: is 1, where a text is needed");
+}
+
+TEST(JsonReader, AKeyThatItsFormatDoesNotHaveIsNamedAtItsPlace) {
+    const auto json = parsed(R"({"format": "fretwork/k/1", "list": [{"old": 1}, {"new": 2}]})");
+    EXPECT_EQ(complaint_of([&] { json.require_format("fretwork/k/2", "new"); }),
+              "test.json: /list/1/new: fretwork/k/1 has no new; fretwork/k/2 has");
+    EXPECT_NO_THROW(json.require_format("fretwork/k/1", "new"));
+}
+
 TEST(JsonReader, LongValuesAreShortenedInMessages) {
     const auto json = parsed("{\"a\": \"" + std::string(5000, 'x') + "\"}");
     EXPECT_LT(complaint_of([&] { (void)json.at("a").number(); }).size(), 200U);

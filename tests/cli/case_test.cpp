@@ -65,6 +65,24 @@ TEST_F(CaseCommand, ACaseThatOthersCombineDoesNotBecomeACombination) {
     EXPECT_EQ(run("fretwork case add p.json new_tip.json --replace").exit_code, 0) << "nothing combines it";
 }
 
+TEST_F(CaseCommand, ErrorsNameTheFileOfTheLoadCase) {
+    folder_.file("push.json", R"({"format": "fretwork/load-case/4", "name": "push",
+        "loads": [{"circle": {"center": [9, 8], "radius": 0.01}, "force": [0, 0, -1]}]})");
+    folder_.file("sum.json", R"({"format": "fretwork/load-case/2", "name": "sum",
+        "combines": [{"load_case": "push", "factor": 1}]})");
+    folder_.file("self.json", R"({"format": "fretwork/load-case/2", "name": "self",
+        "combines": [{"load_case": "self", "factor": 1}]})");
+    EXPECT_THAT(run("fretwork case add p.json push.json").err,
+                HasSubstr("fretwork: push.json: load case 'push': /loads/0: no interface node lies in"));
+    EXPECT_THAT(
+        run("fretwork case add p.json sum.json").err,
+        HasSubstr("fretwork: sum.json: load case 'sum': /combines/0/load_case: unknown load case 'push'"));
+    EXPECT_THAT(
+        run("fretwork case add p.json self.json").err,
+        AllOf(HasSubstr("fretwork: self.json: "), HasSubstr("/combines/0/load_case: "), HasSubstr("itself")));
+    EXPECT_EQ(run("fretwork case list p.json").out, "") << "none is added";
+}
+
 TEST_F(CaseCommand, RemovesAndRenames) {
     ASSERT_EQ(run("fretwork case add p.json tip.json && fretwork case add p.json both.json").exit_code, 0);
     const Outcome kept = run("fretwork case remove p.json tip");

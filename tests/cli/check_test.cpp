@@ -67,6 +67,10 @@ const std::vector<Sample>& samples() {
          "fretwork/facts/2"},
         {"json_of_another_ending.txt", R"({"format":"fretwork/setting/2","tile_side":0.02})",
          "fretwork/setting/2"},
+        {"json_with_a_byte_order_mark.txt",
+         "\xef\xbb\xbf\n"
+         R"({"format":"fretwork/setting/2","tile_side":0.02})",
+         "fretwork/setting/2"},
         {"outline.svg",
          R"(<svg xmlns="http://www.w3.org/2000/svg" width="200mm" height="200mm" viewBox="0 0 200 200"><path d="M0 0H200V200H0Z"/></svg>)",
          "outline (svg)"},
@@ -216,6 +220,41 @@ TEST(Check, RefusesALayoutThatNoFileUses) {
     const auto outcome = run_command(
         "fretwork check painting.json experiments/settings/paper.json --layout paper7", folder.path());
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+}
+
+TEST(Check, TakesTheOwnLayoutOfAPaintingFromTheOptionOnly) {
+    const TemporaryFolder folder;
+    const auto painting = [&](const std::string& layout) {
+        write(folder.path() / "painting.json",
+              R"({"format":"fretwork/painting/1","layout":")" + layout + R"(","patterns":["0-1"]})");
+    };
+    write(folder.path() / "one.json", text_of("layout.json"));
+    painting("one");
+    test::expect_refused(
+        "fretwork check painting.json", folder.path(),
+        "painting.json: /layout: is \"one\", where a built-in layout is needed (paper7, paper8, ");
+    test::expect_refused("fretwork check painting.json", folder.path(),
+                         "); for a layout of your own, add --layout FILE.json");
+    const auto outcome = run_command("fretwork check painting.json --layout one.json", folder.path());
+    EXPECT_EQ(outcome.out, "painting.json: valid fretwork/painting/1\n") << outcome.err;
+    painting("one.json");
+    test::expect_refused("fretwork check painting.json --layout one.json", folder.path(),
+                         R"(painting.json: /layout: is "one.json", where the layout in use is "one")");
+}
+
+/// The name is no path: a check would blame the file there, or wait for a pipe.
+TEST(Check, OpensNoFileThatAPaintingNames) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(::mkfifo((folder.path() / "pipe.json").c_str(), 0600), 0);
+    write(folder.path() / "valid.json", text_of("layout.json"));
+    write(folder.path() / "broken.json", "{]");
+    for (const std::string path :
+         {"valid.json", "broken.json", "none.json", "./pipe.json", "/etc/passwd", ""}) {
+        write(folder.path() / "painting.json",
+              R"({"format":"fretwork/painting/1","layout":")" + path + R"(","patterns":["0-1"]})");
+        test::expect_refused("fretwork check painting.json", folder.path(),
+                             "fretwork: painting.json: /layout: is \"" + path + "\", where a built-in");
+    }
 }
 
 TEST(Check, OneBadFileFailsAllAndTheRestIsChecked) {

@@ -64,6 +64,16 @@ TEST_F(Messages, PassOnNothingThatATerminalObeys) {
         expect_one_short_line("fretwork solve " + std::string(name) + ".json --out r.json");
 }
 
+TEST_F(Messages, AreNotCutAtANul) {
+    (void)folder_.file("key.json", R"({"format": "fretwork/setting/3", "a\u0000b": 1})");
+    (void)folder_.file("choice.json",
+                       R"({"format": "fretwork/setting/3", "section": {"type": "circ\u0000le"}})");
+    for (const char* name : {"key", "choice"})
+        expect_one_short_line("fretwork check " + std::string(name) + ".json");
+    EXPECT_THAT(run("fretwork check key.json").err, HasSubstr("/a\\x00b: unknown key 'a\\x00b'; "));
+    EXPECT_THAT(run("fretwork check choice.json").err, HasSubstr("'circ\\x00le'"));
+}
+
 TEST_F(Messages, NamesOfAProjectAreShownAndNotObeyed) {
     ASSERT_EQ(run("fretwork tile experiments/outlines/specimen.svg --edge-length 60mm --patterns 0-1+1-6 "
                   "--out p.json")

@@ -201,8 +201,7 @@ TEST_F(ResultTools, StagesAreListedAndCheckedBeforeTheyAreSimulated) {
         {"name": "let go", "free": [{"side": "right", "fixed": ["uz"]}]}]})");
     const Outcome wrong = run("fretwork simulate p.json --stages wrong.json --out wrong-result.json");
     EXPECT_EQ(wrong.exit_code, 2);
-    EXPECT_THAT(wrong.err,
-                StartsWith("fretwork: wrong.json: load stage 'let go': /free/0: releases nothing"));
+    EXPECT_THAT(wrong.err, StartsWith("fretwork: wrong.json: /stages/0/free: releases nothing"));
 }
 
 /// Their errors name their file, and options of a load case alone would do nothing.

@@ -74,7 +74,7 @@ TEST_F(SurfaceResults, AreRefusedIfTheyWereChangedByHand) {
                    "/subject/is_reference: does not agree");
     expect_refused("s/\"painting\": \"/\"painting\": \"x/", "/subject/painting: is ");
     expect_refused("s/\"seconds\": /\"seconds\": -/", "/seconds: is -");
-    expect_refused("s/\"gravity\": /\"gravety\": /", "/subject/load_case: /gravety");
+    expect_refused("s/\"gravity\": /\"gravety\": /", "/subject/load_case/gravety");
 }
 
 TEST_F(SurfaceResults, OfDifferentPaintingsAreRefusedWithBothNames) {

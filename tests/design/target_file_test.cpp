@@ -10,6 +10,7 @@ namespace fretwork::design {
 namespace THIS_TEST {
 
 using test::complaint_of;
+using testing::AllOf;
 using testing::HasSubstr;
 
 const char* const kEveryKind = R"({ "format": "fretwork/target/1", "name": "arc", "description": "all kinds",
@@ -65,6 +66,22 @@ std::string complaint_about(const std::string& goals) {
     return complaint_of([&] {
         (void)parse_target(R"({"format": "fretwork/target/1", "goals": [)" + goals + "]}", "t.json");
     });
+}
+
+TEST(TargetFile, RefusesFormulasAndMeshesThatNoDesignCanTake) {
+    for (const char* formula : {"x+", "", "z"})
+        EXPECT_THAT(complaint_about(R"({"select": {"side": "left"}, "displacement": [null, ")" +
+                                    std::string(formula) + R"(", null]})"),
+                    HasSubstr("t.json: /goals/0/displacement/1: '" + std::string(formula) + "': "));
+    // Not finite at the origin, where no node may lie.
+    EXPECT_NO_THROW((void)parse_target(R"({"format": "fretwork/target/1", "goals": [
+        {"select": {"side": "left"}, "displacement": ["1/x", null, null]}]})",
+                                       "t.json"));
+    for (const char* mesh : {"", "x.txt"})
+        EXPECT_THAT(
+            complaint_about(R"({"select": {"side": "left"}, "surface": ")" + std::string(mesh) + "\"}"),
+            AllOf(HasSubstr("t.json: /goals/0/surface: "),
+                  HasSubstr("a mesh is an .obj, .ply or .off file")));
 }
 
 TEST(TargetFile, RefusesBadInputWithItsPlace) {

@@ -188,7 +188,10 @@ TEST(SettingFile, BadInputIsRefusedByItsPlace) {
     EXPECT_THAT(complaint(R"("scenarios": [])"), HasSubstr("/scenarios"));
     EXPECT_THAT(complaint(R"("scenarios": ["axail"])"), HasSubstr("axial"));
     EXPECT_THAT(complaint(R"("scenarios": ["axial", "axial"])"), HasSubstr("/scenarios/1"));
-    EXPECT_THAT(complaint(R"("sides": 4)"), HasSubstr("/scenarios/0/loads/1"));
+    EXPECT_THAT(complaint(R"("sides": 4)"),
+                HasSubstr("mine.json: /sides: is 4, where the paper's scenarios need at least 6"));
+    EXPECT_THAT(complaint(R"("sides": 4, "scenarios": ["axial"])"),
+                HasSubstr("mine.json: /scenarios/0: loads/"));
     EXPECT_THAT(complaint(R"("section": {"type": "rectangle", "width": 0.002})"), HasSubstr("height"));
     EXPECT_THAT(complaint(R"("section": {"type": "tube", "outer_diameter": 1, "inner_diameter": 2})"),
                 HasSubstr("/section/inner_diameter"));
@@ -202,7 +205,14 @@ TEST(SettingFile, BadInputIsRefusedByItsPlace) {
     EXPECT_THAT(complaint(R"("material": {"young_modulus": 1e308, "poisson_ratio": 0.3})"),
                 HasSubstr("1e+18 (Pa)"));
     EXPECT_THAT(complaint(R"("section": {"type": "circle", "diameter": 1e-320})"),
-                HasSubstr("mine.json: /section/area"));
+                HasSubstr("mine.json: /section/diameter: is "));
+    EXPECT_THAT(complaint(R"("section": {"type": "rectangle", "width": 1e300, "height": 0.002})"),
+                HasSubstr("mine.json: /section/width: is 1e+300, where a number from 1e-12 to 1e+12 (m)"));
+    // Lengths within their limits, whose moment is not.
+    EXPECT_THAT(complaint(R"("section": {"type": "circle", "diameter": 1e-12})"),
+                HasSubstr("mine.json: /section: "));
+    EXPECT_THAT(complaint(R"("section": {"width": 0.002, "height": 0.002})"),
+                HasSubstr("mine.json: /section: the key 'type' is missing"));
     EXPECT_THAT(complaint(R"("scenarios": [{"use": "axial", "max_magnitude": 1e300}])"),
                 HasSubstr("/scenarios/0/max_magnitude"));
     EXPECT_THROW((void)read_setting("/nowhere/setting.json"), base::InputError);

@@ -246,6 +246,8 @@ TEST(PaintingRecipe, IsRefusedWithItsPlaceWhereItIsWrong) {
         HasSubstr("/recipes/0/image/content_base64"));
     EXPECT_THAT(complaint_after("\"field\": \"u\"", "\"field\": \"u\", \"range\": [0, 1]"),
                 HasSubstr("/recipes/0/range"));
+    EXPECT_THAT(complaint_after("\"field\": \"u\"", "\"field\": \"u+\""),
+                HasSubstr("p.json: /recipes/0/field: 'u+': "));
     EXPECT_THAT(complaint_after("\"field\": \"u\"", "\"field\": \"u\", \"mood\": 1"), HasSubstr("'mood'"));
 }
 

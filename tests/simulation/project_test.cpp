@@ -5,8 +5,11 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
 #include <fretwork/simulation/project/new_project.hpp>
+#include <fretwork/simulation/project/project_check.hpp>
 #include <fretwork/simulation/project/project_file.hpp>
 #include <fretwork/simulation/project/project_library.hpp>
+
+#include <nlohmann/json.hpp>
 
 #include <regex>
 #include <sys/stat.h>
@@ -18,6 +21,7 @@ using test::complaint_of;
 using test::honeycomb;
 using test::TemporaryFolder;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 Project example() {
     Project project = honeycomb(3, 2, {"0-1+1-6", "0-6"});
@@ -179,6 +183,80 @@ TEST(ProjectFile, RefusesInconsistentContentWithItsPlace) {
     EXPECT_THAT(complaint_after("fretwork/project/2", "fretwork/project/9"),
                 HasSubstr("\"fretwork/project/4\" or \"fretwork/project/3\" or \"fretwork/project/2\""));
     EXPECT_THAT(complaint_after("\"1/3\"", "\"1/0\""), HasSubstr("/layout"));
+}
+
+/// The complaint about a project whose JSON has another value at a pointer.
+std::string complaint_with(const Project& project, const std::string& pointer, const std::string& value) {
+    auto json = nlohmann::ordered_json::parse(project_text(project));
+    json[nlohmann::ordered_json::json_pointer(pointer)] = nlohmann::ordered_json::parse(value);
+    return complaint_of([&] { (void)parse_project(json.dump(), "a.json"); });
+}
+
+TEST(ProjectFile, NamesThePlaceOfARangeInItsSetting) {
+    Project project = example();
+    project.setting = reduction::paper_setting();
+    EXPECT_THAT(complaint_with(project, "/setting/material/young_modulus", "1e300"),
+                StartsWith("a.json: /setting/material/young_modulus: is 1e+300, where"));
+    EXPECT_THAT(complaint_with(project, "/setting/scenarios/0/max_magnitude", "1e300"),
+                StartsWith("a.json: /setting/scenarios/0/max_magnitude: is 1e+300, where"));
+    EXPECT_THAT(complaint_with(project, "/setting/scenarios", "[]"),
+                StartsWith("a.json: /setting/scenarios: "));
+}
+
+TEST(ProjectFile, NamesTheLoadCaseThatCombinesAnUnknownOne) {
+    Project project = example();
+    LoadCase both;
+    both.name = "both";
+    both.combines = {{"cantilever", 1.0}};
+    project.load_cases.push_back(both);
+    EXPECT_EQ(complaint_with(project, "/load_cases/2/combines/0/load_case", "\"nosuch\""),
+              "a.json: /load_cases/2/combines/0/load_case: unknown load case 'nosuch'; there is: cantilever, "
+              "other");
+    EXPECT_EQ(complaint_with(project, "/load_cases/2/combines/0/load_case", "\"both\""),
+              "a.json: /load_cases/2/combines/0/load_case: is the load case itself");
+    EXPECT_EQ(
+        complaint_with(project, "/load_cases/2/format", "\"fretwork/load-case/1\""),
+        "a.json: /load_cases/2/combines: fretwork/load-case/1 has no combines; fretwork/load-case/2 has");
+}
+
+TEST(ProjectFile, NamesThePartWhoseOutlineIsWrong) {
+    const auto with_part = [](const char* boundary) {
+        return R"([{"holes": [], "boundary": [[5, 5], )" + std::string(boundary) + ", [6, 6]]}]";
+    };
+    EXPECT_THAT(complaint_with(example(), "/outline/further_parts", with_part("[1e300, 0]")),
+                StartsWith("a.json: /outline/further_parts/0: point 1 of the boundary"));
+    EXPECT_THAT(complaint_with(example(), "/outline/boundary/1", "[1e300, 0]"),
+                StartsWith("a.json: /outline: point 1 of the boundary"));
+}
+
+TEST(ProjectCheck, FindsWhatOnlyLaterWorkWouldRefuse) {
+    const auto complaint = [](const Project& project) {
+        return complaint_of([&] { check_project(project, "a.json"); });
+    };
+    EXPECT_NO_THROW(check_project(example(), "a.json"));
+    Project project = example();
+    project.tile_models = {{"nosuch", {tiling::TileIndex(0)}}};
+    EXPECT_THAT(complaint(project), StartsWith("a.json: /tile_models/0/model: unknown tile model 'nosuch'"));
+    project = example();
+    project.load_cases[1].prescribed[0].where = NodesById{{999}};
+    EXPECT_THAT(complaint(project),
+                StartsWith("a.json: load case 'other': /prescribed/0: there is no interface node 999"));
+    project = example();
+    project.load_cases[1].area_loads.push_back({LoadCase::AreaLoad::Tiles{{999}}, {0, 0, -1}});
+    EXPECT_THAT(complaint(project), HasSubstr("/tiles: there is no tile 999"));
+    project = example();
+    const PaletteChoice palette{.ids = {"0-6"}};
+    project.recipes = {{PaintByField{.field = FieldExpression{"u"}, .palette = palette, .property = "nosuch"},
+                        {tiling::TileIndex(0)}}};
+    EXPECT_THAT(complaint(project), StartsWith("a.json: /recipes/0/property: unknown property 'nosuch'"));
+    project.library_path = "own.db";  // which may have a property of this name
+    EXPECT_NO_THROW(check_project(project, "a.json"));
+    project.recipes[0].choice =
+        PaintByField{.field = FieldImage{"grey.png", FileContent{"none"}}, .palette = palette};
+    EXPECT_THAT(complaint(project),
+                StartsWith("a.json: /recipes/0/image: grey.png: cannot be read as a PNG"));
+    project.recipes[0].choice = PaintByColours{"ring.svg", {{"#ff0000", "0-6"}}, FileContent{"none"}};
+    EXPECT_THAT(complaint(project), StartsWith("a.json: /recipes/0/drawing: ring.svg: "));
 }
 
 TEST(FindLoadCase, TakesTheOnlyOneAndRefusesToChooseAmongSeveral) {

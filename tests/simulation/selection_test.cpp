@@ -204,7 +204,8 @@ TEST(LoadCaseFile, KeepsCirclesInItsFourthFormat) {
                             R"("supports": [{"circle": {"center": [0, 0], "radius": 1}, "fixed": []}])",
                             format);
                     }),
-                    HasSubstr("which has no circle; fretwork/load-case/4 has"))
+                    HasSubstr("/supports/0/circle: fretwork/load-case/" + std::to_string(format) +
+                              " has no circle; fretwork/load-case/4 has"))
             << format;
     }
 }

@@ -2,6 +2,7 @@
 #include "honeycomb.hpp"
 #include "support.hpp"
 
+#include <fretwork/simulation/load_cases/stage_conditions.hpp>
 #include <fretwork/simulation/results/beam_table.hpp>
 #include <fretwork/simulation/results/comparison.hpp>
 #include <fretwork/simulation/results/model_doubt.hpp>
@@ -109,6 +110,9 @@ TEST(Stages, NameThePlaceOfAWrongEntry) {
                 testing::StartsWith("s.json: /stages/0/free/0/sode: "));
     EXPECT_THAT(complaint(R"({"name": "push", "prescribed": [{"side": "right", "uz": "far"}]})"),
                 testing::StartsWith("s.json: /stages/0/prescribed/0/uz: "));
+    EXPECT_THAT(complaint(R"({"name": "press", "loads": [{"load_case": "tip", "factor": -1e300}]})"),
+                testing::StartsWith("s.json: /stages/0/loads/0/factor: is -1e+300, where a number from "
+                                    "-1e+06 to 1e+06 (times the load case) is needed"));
 }
 
 TEST(Stages, HaveNamesOfTheirOwn) {
@@ -147,7 +151,11 @@ TEST(Stages, AreAPartOfWhatAResultIsAResultOf) {
     simulation::ResultSubject broken = pressed;
     broken.stages_text = R"({"format": "fretwork/stages/1", "stages": []})";
     EXPECT_THAT(complaint_of([&] { check_subject(broken, "r.json"); }),
-                testing::StartsWith("r.json: /subject/stages"));
+                testing::StartsWith("r.json: /subject/stages/stages: is empty"));
+    broken = pressed;
+    broken.stage_load_cases.push_back(R"({"format": "fretwork/load-case/1", "name": ""})");
+    EXPECT_THAT(complaint_of([&] { check_subject(broken, "r.json"); }),
+                testing::StartsWith("r.json: /subject/stage_load_cases/1/name: is empty"));
 }
 
 constexpr const char* kPress = R"({"format": "fretwork/stages/1", "stages": [
@@ -281,7 +289,7 @@ TEST(Stages, RefuseEntriesThatContradictEachOther) {
     };
     EXPECT_THAT(complaint(R"({"name": "a", "loads": [{"load_case": "tip", "factor": 1},
                                                      {"load_case": "tip", "factor": 2}]})"),
-                "load stage 'a': /loads/1: names the load case 'tip' a second time");
+                HasSubstr("/stages/0/loads/1/load_case: is \"tip\", which this load stage names already"));
     EXPECT_THAT(complaint(R"({"name": "a", "loads": [{"load_case": "lift", "factor": 1},
                                                      {"load_case": "raise", "factor": 1}]})"),
                 testing::StartsWith("load stage 'a': /loads/1: gives uz of node "));
@@ -297,11 +305,22 @@ TEST(Stages, RefuseEntriesThatContradictEachOther) {
                                                           {"side": "right", "uz": 0.02}]})"),
                 testing::StartsWith("load stage 'a': /prescribed/1: gives uz of node "));
     EXPECT_THAT(complaint(R"({"name": "a", "free": [{"side": "right", "fixed": ["uz"]}]})"),
-                testing::StartsWith("load stage 'a': /free/0: releases nothing"));
-    EXPECT_THAT(complaint(R"({"name": "a", "free": [{"side": "left", "fixed": ["uz"]}]})"),
+                HasSubstr("/stages/0/free: releases nothing"));
+    EXPECT_THAT(complaint(R"({"name": "a", "loads": [{"load_case": "tip", "factor": 1}],
+                              "free": [{"side": "left", "fixed": ["uz"]}]})"),
                 testing::StartsWith("load stage 'a': /free/0: releases nothing"));
     EXPECT_THAT(complaint(R"({"name": "a", "keep": [{"nodes": [100000], "fixed": ["uz"]}]})"),
                 testing::StartsWith("load stage 'a': /keep/0: "));
+}
+
+/// Stages that no file has had.
+TEST(Stages, NameALoadCaseOnce) {
+    const std::vector<LoadCase> cases = {named("tip", -0.01)};
+    const std::vector<LoadStage> stages = {{.name = "a", .loads = {{"tip", 1.0}, {"tip", 2.0}}}};
+    EXPECT_EQ(complaint_of([&] {
+                  check_stages(strip(), {cases.front(), cases, stages});
+              }),
+              "load stage 'a': /loads/1: names the load case 'tip' a second time");
 }
 
 TEST(Stages, OneThatChangesNothingIsRefusedBeforeTheWork) {

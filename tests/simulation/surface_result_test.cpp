@@ -75,6 +75,9 @@ TEST(SurfaceResult, BadValuesAreRefusedWithTheirPlace) {
     EXPECT_THAT(complaint("[3, 14]", "[14, 3]"), HasSubstr("/subject/full_tiles"));
     EXPECT_THAT(complaint("\"load_factor\": 1.0", "\"load_factor\": 1.5"), HasSubstr("/load_factor: is 1.5"));
     EXPECT_THAT(complaint("\"mean\": 0.001", "\"mean\": -0.001"), HasSubstr("/model_error_estimate/mean"));
+    EXPECT_THAT(
+        complaint("\"full_share\": 0.0", "\"full_share\": 1.25"),
+        HasSubstr("/model_error_estimate/full_share: is 1.25, where a share of the tiles from 0 to 1"));
     EXPECT_THAT(complaint("\"buckled_tiles\"", "\"broken_tiles\""), HasSubstr("unknown key 'broken_tiles'"));
 }
 

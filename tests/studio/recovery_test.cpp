@@ -110,6 +110,11 @@ TEST_F(StudioRecovery, AutosavesAreReadStrictly) {
     EXPECT_EQ(project.tessellation.tiles.size(), found[0].tiles);
     const std::string more = "{\"surprise\": 1, " + text.substr(1);
     EXPECT_THROW((void)parse_autosave(more, "kept.json"), base::InputError);
+    const std::string own = "\"project\": {";  // its errors have the place in the autosave
+    std::string inner = text;
+    inner.insert(text.find(own) + own.size(), "\"surprise\": 1, ");
+    EXPECT_THAT(test::complaint_of([&] { (void)parse_autosave(inner, "kept.json"); }),
+                HasSubstr("kept.json: /project/surprise: unknown key"));
     EXPECT_THROW((void)parse_autosave(text.substr(0, text.size() / 2), "kept.json"), base::InputError);
 }
 

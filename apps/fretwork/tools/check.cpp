@@ -91,7 +91,7 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
     verb->add_option("file", options->files, "Files: JSON, library, outline, mesh, deck or image")
         ->required();
     verb->add_option("--layout", options->layout,
-                     "Node layout of paintings: a name or a file (default: the one they name)");
+                     "Node layout of paintings: a name or a file (default: the built-in one that they name)");
     verb->add_flag("--json", options->json, "Print JSON");
     declare_files(*verb, {input("file"), input("--layout")});
     verb->footer(

@@ -18,6 +18,7 @@
 #include <fretwork/reduction/scenarios/scenario.hpp>
 #include <fretwork/reduction/scenarios/setting_file.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
+#include <fretwork/simulation/project/project_check.hpp>
 #include <fretwork/simulation/project/project_file.hpp>
 #include <fretwork/simulation/results/result_subject.hpp>
 #include <fretwork/simulation/results/surface_result.hpp>
@@ -46,10 +47,21 @@ struct JsonKind {
     void (*read)(const JsonText& file);
 };
 
+/// A painting names its layout by the layout's name. It is never taken for a path, because a stranger's
+/// painting may name any file of this machine.
+pattern::NodeLayout layout_of(const JsonText& painting) {
+    constexpr std::size_t kMostShown = 60;
+    if (!painting.layout.empty()) return pattern::find_node_layout(painting.layout);
+    const auto named = base::JsonReader::from_text(painting.text, painting.source).at("layout");
+    if (!pattern::is_layout_name(named.string()))
+        named.fail("is " + base::shortened(named.text(), kMostShown) +
+                   ", where a built-in layout is needed (" + base::join(pattern::layout_names(), ", ") +
+                   "); for a layout of your own, add --layout FILE.json");
+    return pattern::find_node_layout(named.string());
+}
+
 void read_painting_text(const JsonText& file) {
-    std::string layout = file.layout;
-    if (layout.empty()) layout = base::JsonReader::from_text(file.text, file.source).at("layout").string();
-    (void)tiling::parse_painting(file.text, file.source, pattern::find_node_layout(layout));
+    (void)tiling::parse_painting(file.text, file.source, layout_of(file));
 }
 
 /// Results of surfaces say more than those of frames: their subject.
@@ -68,7 +80,10 @@ constexpr JsonKind kJsonKinds[] = {
     {"setting", [](const JsonText& f) { (void)reduction::parse_setting(f.text, f.source); }},
     {"load-case", [](const JsonText& f) { (void)simulation::parse_load_case(f.text, f.source); }},
     {"painting", read_painting_text},
-    {"project", [](const JsonText& f) { (void)simulation::parse_project(f.text, f.source); }},
+    {"project",
+     [](const JsonText& f) {
+         simulation::check_project(simulation::parse_project(f.text, f.source), f.source);
+     }},
     {"result", read_result_text},
     {"stages", [](const JsonText& f) { (void)simulation::parse_stages(f.text, f.source); }},
     {"target", [](const JsonText& f) { (void)design::parse_target(f.text, f.source); }},
@@ -132,8 +147,16 @@ bool is_database(const fs::path& path) {
 
 /// JSON readers do not look at endings, so a file that begins as an object is JSON.
 bool begins_as_json(const fs::path& path) {
+    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // JSON readers skip it, too
+    std::ifstream stream(path, std::ios::binary);
+    std::string start(kByteOrderMark.size(), '\0');
+    stream.read(start.data(), static_cast<std::streamsize>(start.size()));
+    if (start != kByteOrderMark) {
+        stream.clear();  // the file may be shorter
+        stream.seekg(0);
+    }
     char first = '\0';
-    std::ifstream(path) >> first;
+    stream >> first;
     return first == '{';
 }
 

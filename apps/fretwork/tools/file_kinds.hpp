@@ -12,7 +12,8 @@ namespace fretwork::app {
 /// that reads them. All other JSON files name their kind. Throws as the reader does; InputError for any other
 /// kind of file, a pipe or a device.
 ///
-/// @param layout  a painting's node layout, a name or a file; empty: the one that the painting names
+/// @param layout  a painting's node layout, a name or a file; empty: the built-in layout that the painting
+///                names
 std::string check_file(const std::filesystem::path& path, const std::string& layout);
 
 }  // namespace fretwork::app

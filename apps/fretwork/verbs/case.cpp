@@ -36,10 +36,13 @@ struct CaseOptions {
 };
 
 /// Throws unless every selection of the load case picks something on this project's tessellation. Tiles need
-/// not be painted, so their masses are left out.
-void check_on(const Project& project, const LoadCase& load_case) {
-    (void)simulation::resolve(simulation::combined(load_case, project.load_cases),
-                              simulation::make_surface(project, nullptr), {});
+/// not be painted, so their masses are left out. Errors name the file that is to blame.
+void check_on(const Project& project, const LoadCase& load_case, const CaseOptions& options) {
+    const simulation::Surface surface =
+        base::located(options.project, "", [&] { return simulation::make_surface(project, nullptr); });
+    base::located(options.file, "", [&] {
+        (void)simulation::resolve(simulation::combined(load_case, project.load_cases), surface, {});
+    });
 }
 
 LoadCase& case_of(Project& project, const CaseOptions& options) {
@@ -63,7 +66,7 @@ void add_to_project(const CaseOptions& options) {
     const base::FileLock lock(options.project);
     Project project = simulation::read_project(options.project);
     const LoadCase load_case = simulation::read_load_case(options.file);
-    check_on(project, load_case);
+    check_on(project, load_case, options);
     const auto same = std::ranges::find(project.load_cases, load_case.name, &LoadCase::name);
     if (same != project.load_cases.end() && !options.replace) {
         throw base::InputError(

@@ -4,6 +4,7 @@
 #include <fretwork/base/files/sha256.hpp>
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/json_reader.hpp>
+#include <fretwork/simulation/internal/project_json.hpp>
 #include <fretwork/simulation/project/project_file.hpp>
 #include <studio/document/autosave.hpp>
 
@@ -122,7 +123,7 @@ simulation::Project parse_autosave(std::string_view text, const std::string& sou
     expect_autosave(json);
     (void)label_of(json);
     (void)tiles_of(json);
-    return simulation::parse_project(json.at("project").text(), source);
+    return simulation::read_project(json.at("project"));
 }
 
 State read_autosave(const fs::path& file) {

@@ -5,6 +5,7 @@
 #include <fretwork/reduction/internal/setting_json.hpp>
 #include <fretwork/reduction/models/tile_model.hpp>
 #include <fretwork/reduction/scenarios/setting_file.hpp>
+#include <fretwork/simulation/internal/load_case_json.hpp>
 #include <fretwork/simulation/internal/origins.hpp>
 #include <fretwork/simulation/load_cases/combination.hpp>
 #include <fretwork/simulation/load_cases/conditions.hpp>
@@ -104,7 +105,7 @@ LoadCase read_load_case(const JsonReader& json) {
     base::Json value = base::Json::parse(json.text());
     if (value.is_object() && !value.contains("format")) value["format"] = simulation::kLoadCaseFormat;
     if (value.is_object()) value.erase("marks");
-    return simulation::parse_load_case(value.dump(), "message: /load_case");
+    return simulation::read_load_case(JsonReader::from_text(value.dump(), json.source(), json.pointer()));
 }
 
 Edited set_load_case(const State& state, const JsonReader& request) {

@@ -8,6 +8,23 @@
 #include <system_error>
 
 namespace fretwork::base {
+namespace {
+
+/// A text of JSON may have a NUL, at which what(), a C string, would end. It is shown as printable() shows
+/// it.
+std::string with_nul_shown(std::string text) {
+    if (text.find('\0') == std::string::npos) return text;
+    std::string shown;
+    for (const char c : text) {
+        if (c == '\0')
+            shown += "\\x00";
+        else
+            shown += c;
+    }
+    return shown;
+}
+
+}  // namespace
 
 std::string text_of(const ErrorData& data) {
     std::string text;
@@ -15,7 +32,7 @@ std::string text_of(const ErrorData& data) {
         if (!source.empty()) text += source + ": ";
         if (!place.empty()) text += place + ": ";
     }
-    return text + data.problem;
+    return with_nul_shown(text + data.problem);
 }
 
 Failure handled_failure() {

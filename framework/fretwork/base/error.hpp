@@ -33,7 +33,7 @@ struct ErrorData {
     std::vector<std::string> about{};   ///< facts that depend on `kind`; see ErrorKind
 };
 
-/// The text "SOURCE: PLACE: what is wrong", with all places, outermost first.
+/// The text "SOURCE: PLACE: what is wrong", with all places, outermost first. A NUL in them becomes \x00.
 std::string text_of(const ErrorData& data);
 
 /// The base class of all exceptions of the library. `what()` is one line for the person who gave the input,

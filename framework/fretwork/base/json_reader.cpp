@@ -3,6 +3,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/base/json_reader.hpp>
+#include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 
 #include <algorithm>
@@ -14,6 +15,7 @@ using detail::JsonValue;
 
 struct JsonReader::Document {
     std::string source;
+    std::string place;  ///< JSON pointer of `root` in the source
     JsonValue root;
 };
 
@@ -40,11 +42,45 @@ struct JsonReader::Access {
         }
         return values;
     }
+    /// Go from a value along a JSON pointer as far as the document goes. The rest stays in `pointer`.
+    static JsonReader follow(JsonReader reader, std::string& pointer) {
+        while (pointer.starts_with('/')) {
+            const std::string key = pointer.substr(1, pointer.find('/', 1) - 1);
+            const JsonValue* next = child_at(value(reader), key);
+            if (next == nullptr) break;
+            reader = child(reader, *next);
+            pointer.erase(0, key.size() + 1);
+        }
+        return reader;
+    }
+    /// The first member with a key in a value, at any depth; the value itself if there is none.
+    static JsonReader first_member(const JsonReader& reader, std::string_view key) {
+        const JsonValue* found = find_member(value(reader), key);
+        return found != nullptr ? child(reader, *found) : reader;
+    }
     [[noreturn]] static void refuse(const JsonReader& reader, const std::string& wanted) {
         reader.fail("is " + description(value(reader)) + ", where " + wanted + " is needed");
     }
 
   private:
+    /// The member or the element that a token of a JSON pointer names; null if there is none.
+    static const JsonValue* child_at(const JsonValue& json, const std::string& token) {
+        if (json.is_object()) {
+            const auto member = json.find(token);
+            return member != json.end() ? &*member : nullptr;
+        }
+        const auto index = read_number<std::size_t>(token);
+        return json.is_array() && index && *index < json.size() ? &json[*index] : nullptr;
+    }
+    static const JsonValue* find_member(const JsonValue& json, std::string_view key) {
+        if (!json.is_structured()) return nullptr;
+        for (auto child = json.begin(); child != json.end(); ++child) {
+            if (json.is_object() && child.key() == key) return &*child;
+            if (const JsonValue* found = find_member(*child, key)) return found;
+        }
+        return nullptr;
+    }
+
     /// The value, shortened; for long arrays and objects, the size.
     static std::string description(const JsonValue& json) {
         constexpr std::size_t kMostShown = 60;
@@ -60,9 +96,10 @@ JsonReader JsonReader::from_file(const std::filesystem::path& path) {
     return from_text(read_text_file(path), path.string());
 }
 
-JsonReader JsonReader::from_text(std::string_view text, std::string source) {
+JsonReader JsonReader::from_text(std::string_view text, std::string source, std::string place) {
     JsonValue root = detail::parse_json(text, source);
-    auto document = std::make_shared<const Document>(Document{std::move(source), std::move(root)});
+    auto document =
+        std::make_shared<const Document>(Document{std::move(source), std::move(place), std::move(root)});
     const JsonValue* value = &document->root;
     return {std::move(document), value};
 }
@@ -73,8 +110,15 @@ void JsonReader::fail(const std::string& message) const {
 
 void JsonReader::fail(const InputError& error) const {
     constexpr std::size_t kMostShown = 80;
-    const std::string place = shortened(pointer(), kMostShown);
-    throw within(source(), place.empty() ? "/" : place, error);
+    ErrorData data = error.data();
+    JsonReader wrong = *this;
+    if (!data.where.empty() && data.where.front().source.empty()) {
+        std::string& part = data.where.front().place;
+        wrong = Access::follow(wrong, part);
+        if (part.starts_with('/')) part.erase(0, 1);  // it is no place of the source
+    }
+    const std::string place = shortened(wrong.pointer(), kMostShown);
+    throw within(source(), place.empty() ? "/" : place, InputError(std::move(data)));
 }
 
 void JsonReader::expect_format(std::string_view kind, int newest, int oldest) const {
@@ -92,10 +136,11 @@ void JsonReader::expect_format(std::string_view kind, int newest, int oldest) co
     Access::refuse(format, join(known, " or "));
 }
 
-void JsonReader::require_format(std::string_view needed, std::string_view lacking) const {
+void JsonReader::require_format(std::string_view needed, std::string_view key) const {
     const std::string given = at("format").string();
     if (given >= needed) return;  // compared as texts, because numbers have one digit
-    fail("is of " + given + ", which has " + std::string(lacking) + "; " + std::string(needed) + " has");
+    Access::first_member(*this, key)
+        .fail(given + " has no " + std::string(key) + "; " + std::string(needed) + " has");
 }
 
 void JsonReader::allow_only(std::initializer_list<std::string_view> keys) const {
@@ -221,7 +266,7 @@ std::string JsonReader::source() const {
     return document_->source;
 }
 std::string JsonReader::pointer() const {
-    return detail::pointer_of(document_->root, Access::value(*this));
+    return document_->place + detail::pointer_of(document_->root, Access::value(*this));
 }
 
 }  // namespace fretwork::base

@@ -31,17 +31,19 @@ class JsonReader {
     static JsonReader from_file(const std::filesystem::path& path);
     /// Throws InputError as from_file().
     /// @param source  the name of the text in messages
-    static JsonReader from_text(std::string_view text, std::string source);
+    /// @param place   the JSON pointer at which the source has the text, if it is a part of the source
+    static JsonReader from_text(std::string_view text, std::string source, std::string place = "");
 
     /// Check that the document's `"format"` is "fretwork/<kind>/N", with N from `oldest` to `newest`. Throws
     /// InputError. Only unreleased versions wrote N below `oldest`; the message then asks the user to make
     /// the file again.
     void expect_format(std::string_view kind, int newest = 1, int oldest = 1) const;
     /// Check that the number in the document's `"format"` is at least the number in `needed`. Throws
-    /// InputError. Pre: expect_format() has checked the kind, and both numbers have one digit.
+    /// InputError with the place of the first member with `key`. Pre: expect_format() has checked the kind,
+    /// and both numbers have one digit.
     /// @param needed  a whole format, such as "fretwork/stages/2"
-    /// @param lacking  the end of "which has ..", for the part that older formats lack, such as "no circle"
-    void require_format(std::string_view needed, std::string_view lacking) const;
+    /// @param key  a key in the value, at any depth, that older formats lack, such as "circle"
+    void require_format(std::string_view needed, std::string_view key) const;
     /// Throw InputError unless the value is an object with no other keys than `keys`.
     void allow_only(std::initializer_list<std::string_view> keys) const;
     /// Throw InputError unless the value is an object with no other keys than `keys`.
@@ -89,11 +91,14 @@ class JsonReader {
     [[nodiscard]] std::string text() const;
     /// The file (or other source) that the document came from.
     [[nodiscard]] std::string source() const;
-    /// The JSON pointer of the value; "" is the whole document.
+    /// The JSON pointer of the value in the source; "" is the whole source.
     [[nodiscard]] std::string pointer() const;
     /// Throw an InputError with the place of the value.
     [[noreturn]] void fail(const std::string& message) const;
-    /// Throw an InputError with the data of `error` and the place of the value. ErrorData::kind stays.
+    /// Throw an InputError with the data of `error` and the place of the value. ErrorData::kind stays. If
+    /// the first place of `error` has no source and is a JSON pointer, it is a part of the value: the two
+    /// pointers become one. What the document does not have of it, because a value was left out or follows
+    /// from others, remains a place of its own.
     [[noreturn]] void fail(const InputError& error) const;
     /// Return the value of `work`. If `work` throws a SomeError, throw an InputError with the place of the
     /// value.

@@ -14,6 +14,9 @@ struct MeshFile {
     std::vector<std::vector<int>> faces;
 };
 
+/// Throw InputError unless a path has the extension of a mesh: .obj, .ply or .off.
+void check_mesh_ending(const std::filesystem::path& path);
+
 /// Read a mesh in space from an OBJ, PLY or OFF file; the file extension selects the format. Throws
 /// InputError with file and place, also if the mesh has no face.
 MeshFile read_space_mesh(const std::filesystem::path& path);

@@ -3,9 +3,11 @@
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/json_reader.hpp>
 #include <fretwork/simulation/internal/load_case_json.hpp>
+#include <fretwork/simulation/internal/stages_json.hpp>
 #include <fretwork/simulation/stages.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace fretwork::simulation {
 namespace {
@@ -19,8 +21,13 @@ LoadStage read_stage(const JsonReader& json) {
     stage.name = json.at("name").string();
     if (const auto loads = json.find("loads")) {
         for (const JsonReader& share : loads->elements()) {
-            share.allow_only({"load_case", "factor"});
-            stage.loads.push_back({share.at("load_case").string(), share.at("factor").number()});
+            LoadCase::Share own = read_share(share);
+            const auto same = std::ranges::find(stage.loads, own.load_case, &LoadCase::Share::load_case);
+            if (same != stage.loads.end()) {
+                const JsonReader name = share.at("load_case");
+                name.fail("is " + name.text() + ", which this load stage names already");
+            }
+            stage.loads.push_back(std::move(own));
         }
     }
     if (const auto keep = json.find("keep")) stage.keep = read_supports(*keep);
@@ -48,11 +55,11 @@ bool has_circle(const LoadStage& stage) {
 
 }  // namespace
 
-std::vector<LoadStage> parse_stages(std::string_view text, const std::string& source) {
-    const JsonReader json = JsonReader::from_text(text, source);
+std::vector<LoadStage> read_stages(const JsonReader& json) {
     json.expect_format("stages", 2);
     json.allow_only({"format", "stages"});
     std::vector<LoadStage> stages;
+    bool may_be_held = false;  // a load case of a stage may prescribe displacements, too
     for (const JsonReader& entry : json.at("stages").elements()) {
         LoadStage stage = read_stage(entry);
         const auto same = std::ranges::find(stages, stage.name, &LoadStage::name);
@@ -60,11 +67,19 @@ std::vector<LoadStage> parse_stages(std::string_view text, const std::string& so
             entry.at("name").fail("'" + stage.name + "' is the name of /stages/" +
                                   std::to_string(same - stages.begin()) +
                                   " already; each stage needs a name of its own");
+        may_be_held = may_be_held || !stage.loads.empty();
+        if (!may_be_held && !stage.free.empty())
+            entry.at("free").fail("releases nothing: no load stage has prescribed or kept anything before");
+        may_be_held = may_be_held || !stage.prescribed.empty() || !stage.keep.empty();
         stages.push_back(std::move(stage));
     }
     if (stages.empty()) json.at("stages").fail("is empty, where at least one stage is needed");
-    if (std::ranges::any_of(stages, has_circle)) json.require_format("fretwork/stages/2", "no circle");
+    if (std::ranges::any_of(stages, has_circle)) json.require_format("fretwork/stages/2", "circle");
     return stages;
+}
+
+std::vector<LoadStage> parse_stages(std::string_view text, const std::string& source) {
+    return read_stages(JsonReader::from_text(text, source));
 }
 
 std::string stages_text(std::span<const LoadStage> stages) {

@@ -4,7 +4,9 @@
 #include <fretwork/base/json_reader.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/design/target/target_file.hpp>
+#include <fretwork/outlines/flat_mesh.hpp>
 #include <fretwork/simulation/internal/load_case_json.hpp>
+#include <fretwork/tiling/painting/field.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +65,9 @@ std::optional<std::string> read_expression(const JsonReader& json) {
     }
     if (!json.is_string())
         json.fail("is " + json.text() + ", where a number, an expression of x and y, or null is needed");
-    return json.string();
+    std::string expression = json.string();
+    json.located([&] { (void)tiling::expression_values(expression, {}, {}); });
+    return expression;
 }
 
 FormulaGoal read_formula_goal(const simulation::Selection& where, const JsonReader& json) {
@@ -85,7 +89,11 @@ void read_selected_goal(const JsonReader& json, Goal& goal) {
     if (displacement.has_value() + surface.has_value() + rotation.has_value() != 1)
         json.fail("must ask of the selected nodes exactly one of displacement, surface, rotation");
     if (displacement) goal.what = read_formula_goal(where, *displacement);
-    if (surface) goal.what = MeshGoal{where, surface->string()};
+    if (surface) {
+        const std::filesystem::path mesh = surface->string();
+        surface->located([&] { outlines::check_mesh_ending(mesh); });
+        goal.what = MeshGoal{where, mesh};
+    }
     if (rotation) goal.what = RotationGoal{where, read_free_vector(*rotation)};
 }
 
@@ -102,11 +110,7 @@ Goal read_goal(const JsonReader& json) {
     }
     if (const auto weight = json.find("weight")) goal.weight = weight->number();
     if (const auto load_case = json.find("case")) goal.load_case = load_case->string();
-    try {
-        goal.validate();
-    } catch (const base::InputError& error) {
-        json.at(error.data().where.front().place.substr(1)).fail(error.data().problem);
-    }
+    json.located([&] { goal.validate(); });
     return goal;
 }
 
@@ -130,7 +134,7 @@ Target read_target_json(const JsonReader& json) {
     if (const auto description = json.find("description")) target.description = description->string();
     for (const JsonReader& goal : json.at("goals").elements()) target.goals.push_back(read_goal(goal));
     if (target.goals.empty()) json.at("goals").fail("is empty, where at least one goal is needed");
-    if (has_circle(target)) json.require_format(kTargetFormat, "no circle");
+    if (has_circle(target)) json.require_format(kTargetFormat, "circle");
     return target;
 }
 

@@ -130,12 +130,17 @@ std::vector<Loop> read_ply_loops(const std::filesystem::path& path) {
 
 namespace fretwork::outlines {
 
-MeshFile read_space_mesh(const std::filesystem::path& path) {
-    using namespace detail;
+void check_mesh_ending(const std::filesystem::path& path) {
     const std::string ending = base::ending_of(path);
     if (ending != ".obj" && ending != ".ply" && ending != ".off")
         throw base::InputError(path.string(), "",
                                "a mesh is an .obj, .ply or .off file, and this ends in '" + ending + "'");
+}
+
+MeshFile read_space_mesh(const std::filesystem::path& path) {
+    using namespace detail;
+    check_mesh_ending(path);
+    const std::string ending = base::ending_of(path);
     MeshFile file = ending == ".obj" ? read_obj(path) : ending == ".ply" ? read_ply(path) : read_off(path);
     if (file.faces.empty()) throw base::InputError(path.string(), "", "has no face");
     return file;

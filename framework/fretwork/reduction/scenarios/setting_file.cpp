@@ -7,6 +7,7 @@
 #include <fretwork/reduction/internal/setting_json.hpp>
 #include <fretwork/reduction/scenarios/setting_file.hpp>
 
+#include <algorithm>
 #include <array>
 
 namespace fretwork::reduction {
@@ -71,6 +72,20 @@ void read_choices(const JsonReader& json, Setting& setting) {
     if (const auto joints = json.find("joints")) setting.joints = read_joints(*joints);
 }
 
+/// Checks sides that are chosen for the paper's scenarios: the file has no other place to blame.
+void check_sides(const JsonReader& json, const Setting& setting) {
+    const auto sides = json.find("sides");
+    if (!sides || json.find("scenarios")) return;
+    int least = 0;
+    for (const Scenario& scenario : setting.scenarios) {
+        for (const auto& support : scenario.supports) least = std::max(least, support.interface_node + 1);
+        for (const auto& load : scenario.loads) least = std::max(least, load.interface_node + 1);
+    }
+    if (setting.sides < least)
+        sides->fail("is " + sides->text() + ", where the paper's scenarios need at least " +
+                    std::to_string(least) + "; fewer sides need \"scenarios\" of their own");
+}
+
 /// The strength, which the first format does not have.
 std::optional<double> read_strength(const JsonReader& document) {
     const auto material = document.find("material");
@@ -124,7 +139,8 @@ Setting read_setting(const JsonReader& json) {
             setting.scenarios.push_back(read_scenario_entry(entry));
         }
     }
-    setting.validate(json.source());
+    check_sides(json, setting);
+    json.located([&] { setting.validate(""); });
     return setting;
 }
 

@@ -45,4 +45,8 @@ std::vector<LoadCase::PrescribedDisplacement> read_prescribed(const base::JsonRe
 base::Json supports_json(std::span<const LoadCase::Support> supports);
 base::Json prescribed_json(std::span<const LoadCase::PrescribedDisplacement> prescribed);
 
+/// Read a load case's name with its factor, as combinations and load stages hold it. Throws InputError with
+/// the JSON pointer, also if the factor is beyond its limits.
+LoadCase::Share read_share(const base::JsonReader& json);
+
 }  // namespace fretwork::simulation

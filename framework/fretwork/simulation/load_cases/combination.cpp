@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/named.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/simulation/load_cases/combination.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
+#include <string>
 #include <vector>
 
 namespace fretwork::simulation {
@@ -50,24 +53,44 @@ struct Part {
     double factor;
 };
 
+/// The load case that another one combines. Only what it may combine is offered instead of an unknown one.
+const LoadCase& combinable(const LoadCase& load_case, const std::string& name,
+                           std::span<const LoadCase> cases) {
+    if (name == load_case.name) throw base::InputError("is the load case itself");
+    const auto part = std::ranges::find(cases, name, &LoadCase::name);
+    if (part == cases.end()) {
+        std::vector<std::string> others;
+        for (const LoadCase& other : cases)
+            if (other.combines.empty() && other.name != load_case.name) others.push_back(other.name);
+        throw base::InputError(base::unknown_name_message("load case", name, others));
+    }
+    if (!part->combines.empty())
+        throw base::InputError("'" + part->name + "' is a combination, too: name what it combines");
+    return *part;
+}
+
 /// The load cases that one combines, each once: factors of a case that is named several times are added.
+/// Errors have the place in the load case.
 std::vector<Part> parts_of(const LoadCase& load_case, std::span<const LoadCase> cases) {
     std::vector<Part> parts;
     std::map<const LoadCase*, std::size_t> places;
     for (std::size_t i = 0; i < load_case.combines.size(); ++i) {
         const LoadCase::Share& share = load_case.combines[i];
         const std::string place = "/combines/" + std::to_string(i) + "/load_case";
-        base::located("load case '" + load_case.name + "'", place, [&] {
-            if (share.load_case == load_case.name) throw base::InputError("is itself");
-            const LoadCase& part = load_case_of(share.load_case, cases);
-            if (!part.combines.empty())
-                throw base::InputError("'" + part.name + "' is a combination, too: name what it combines");
+        base::located("", place, [&] {
+            const LoadCase& part = combinable(load_case, share.load_case, cases);
             const auto [known, is_new] = places.try_emplace(&part, parts.size());
             if (is_new) parts.push_back({&part, 0.0});
             parts[known->second].factor += share.factor;
         });
     }
     return parts;
+}
+
+/// Work on the load cases that one combines, whose errors name the load case.
+template <class Work>
+auto in_load_case(const LoadCase& load_case, const Work& work) {
+    return base::located("load case '" + load_case.name + "'", "", work);
 }
 
 }  // namespace
@@ -78,15 +101,20 @@ const LoadCase& load_case_of(const std::string& name, std::span<const LoadCase> 
 
 LoadCase combined(const LoadCase& load_case, std::span<const LoadCase> cases) {
     if (load_case.combines.empty()) return load_case;
-    const std::vector<Part> parts = parts_of(load_case, cases);
+    const auto parts = in_load_case(load_case, [&] { return parts_of(load_case, cases); });
     LoadCase sum = with_origins(load_case, "");
     sum.combines.clear();
     for (const Part& part : parts) add(with_origins(*part.load_case, part.load_case->name), part.factor, sum);
     return sum;
 }
 
+void check_combination(const LoadCase& load_case, std::span<const LoadCase> cases) {
+    (void)parts_of(load_case, cases);
+}
+
 void check_combinations(std::span<const LoadCase> cases) {
-    for (const LoadCase& load_case : cases) (void)parts_of(load_case, cases);
+    for (const LoadCase& load_case : cases)
+        in_load_case(load_case, [&] { check_combination(load_case, cases); });
 }
 
 }  // namespace fretwork::simulation

@@ -17,6 +17,9 @@ const LoadCase& load_case_of(const std::string& name, std::span<const LoadCase> 
 /// combined load case is not among `cases`, is the load case itself, or is also a combination.
 LoadCase combined(const LoadCase& load_case, std::span<const LoadCase> cases);
 
+/// Check that a load case combines only others among `cases` that are no combinations. Throws InputError as
+/// combined(), without the name of the load case: "/combines/0/load_case: ..".
+void check_combination(const LoadCase& load_case, std::span<const LoadCase> cases);
 /// Check that each load case combines only others that exist and are no combinations. Throws InputError as
 /// combined().
 void check_combinations(std::span<const LoadCase> cases);

@@ -227,12 +227,6 @@ void add_any_load(const JsonReader& json, const LoadCase::Origin& origin, LoadCa
     load_case.loads.back().origin = origin;
 }
 
-LoadCase::Share read_share(const JsonReader& json) {
-    json.allow_only({"load_case", "factor"});
-    constexpr base::Limits kFactorLimits{1e-6, 1e6, "times the load case"};
-    return {json.at("load_case").string(), read_number(json.at("factor"), kFactorLimits)};
-}
-
 Json share_json(const LoadCase::Share& share) {
     return {{"load_case", share.load_case}, {"factor", share.factor}};
 }
@@ -267,20 +261,17 @@ bool needs_third_format(const LoadCase& load_case) {
     });
 }
 
-bool needs_second_format(const LoadCase& load_case) {
-    return !load_case.area_loads.empty() || !load_case.combines.empty();
-}
-
-/// A format of load cases, and what the formats before it lack.
+/// A format of load cases, and the key of the load case that the formats before it lack.
 struct FormatOfCase {
     std::string_view name;
-    std::string_view lacking;
+    std::string_view new_key;
 };
 
 FormatOfCase oldest_format(const LoadCase& load_case) {
-    if (needs_fourth_format(load_case)) return {"fretwork/load-case/4", "no circle"};
-    if (needs_third_format(load_case)) return {"fretwork/load-case/3", "no per_length"};
-    if (needs_second_format(load_case)) return {"fretwork/load-case/2", "neither per_area nor combines"};
+    if (needs_fourth_format(load_case)) return {"fretwork/load-case/4", "circle"};
+    if (needs_third_format(load_case)) return {"fretwork/load-case/3", "per_length"};
+    if (!load_case.area_loads.empty()) return {"fretwork/load-case/2", "per_area"};
+    if (!load_case.combines.empty()) return {"fretwork/load-case/2", "combines"};
     return {"fretwork/load-case/1", ""};
 }
 
@@ -310,6 +301,12 @@ Json prescribed_json(std::span<const LoadCase::PrescribedDisplacement> prescribe
     return list_json(prescribed, displacement_json);
 }
 
+LoadCase::Share read_share(const JsonReader& json) {
+    json.allow_only({"load_case", "factor"});
+    constexpr base::Limits kFactorLimits{1e-6, 1e6, "times the load case"};
+    return {json.at("load_case").string(), read_number(json.at("factor"), kFactorLimits)};
+}
+
 LoadCase read_load_case(const JsonReader& json) {
     json.expect_format("load-case", 4);
     json.allow_only(
@@ -323,10 +320,13 @@ LoadCase read_load_case(const JsonReader& json) {
     for (std::size_t i = 0; i < loads.size(); ++i) add_any_load(loads[i], {i}, load_case);
     if (const auto prescribed = json.find("prescribed")) load_case.prescribed = read_prescribed(*prescribed);
     load_case.gravity = read_vector(json.find("gravity"), base::kAccelerationLimits);
-    for (const JsonReader& share : elements_of(json, "combines"))
+    for (const JsonReader& share : elements_of(json, "combines")) {
         load_case.combines.push_back(read_share(share));
+        if (load_case.combines.back().load_case == load_case.name)
+            share.at("load_case").fail("is the load case itself");
+    }
     const FormatOfCase needed = oldest_format(load_case);
-    json.require_format(needed.name, needed.lacking);
+    json.require_format(needed.name, needed.new_key);
     return load_case;
 }
 

@@ -7,8 +7,10 @@
 #include <fretwork/pattern/internal/layout_json.hpp>
 #include <fretwork/reduction/internal/setting_json.hpp>
 #include <fretwork/simulation/internal/load_case_json.hpp>
+#include <fretwork/simulation/internal/project_json.hpp>
 #include <fretwork/simulation/load_cases/combination.hpp>
 #include <fretwork/simulation/project/project_file.hpp>
+#include <fretwork/tiling/painting/field.hpp>
 #include <fretwork/tiling/tessellation.hpp>
 
 #include <algorithm>
@@ -99,7 +101,9 @@ Json tessellation_json(const Tessellation& tessellation) {
 outlines::Outline read_part_json(const JsonReader& json) {
     std::vector<geometry::Polygon> holes;
     for (const JsonReader& hole : json.at("holes").elements()) holes.push_back(read_points(hole));
-    return outlines::make_outline(read_points(json.at("boundary")), std::move(holes));
+    geometry::Polygon boundary = read_points(json.at("boundary"));
+    return json.located<base::GeometryError>(
+        [&] { return outlines::make_outline(std::move(boundary), std::move(holes)); });
 }
 
 /// The outlines of all parts. The first one has the same keys as the outline of a single part.
@@ -137,7 +141,8 @@ void read_library_link(const JsonReader& json, Project& project) {
 }
 
 void read_load_cases(const JsonReader& json, Project& project) {
-    for (const JsonReader& element : json.elements()) {
+    const auto elements = json.elements();
+    for (const JsonReader& element : elements) {
         LoadCase load_case = read_load_case(element);
         for (const LoadCase& other : project.load_cases) {
             if (other.name == load_case.name)
@@ -145,7 +150,8 @@ void read_load_cases(const JsonReader& json, Project& project) {
         }
         project.load_cases.push_back(std::move(load_case));
     }
-    json.located([&] { check_combinations(project.load_cases); });
+    for (std::size_t i = 0; i < elements.size(); ++i)
+        elements[i].located([&] { check_combination(project.load_cases[i], project.load_cases); });
 }
 
 void read_tile_models(const JsonReader& json, Project& project) {
@@ -200,7 +206,10 @@ PaintAtRandom read_random(const JsonReader& json, const pattern::NodeLayout& lay
 PaintByField read_field(const JsonReader& json, const pattern::NodeLayout& layout) {
     json.allow_only({"field", "image", "palette", "property", "range", "dither", "tiles"});
     PaintByField choice;
-    if (const auto field = json.find("field")) choice.field = FieldExpression{field->string()};
+    if (const auto field = json.find("field")) {
+        choice.field = FieldExpression{field->string()};
+        field->located([&] { (void)tiling::expression_values(field->string(), {}, {}); });
+    }
     if (const auto image = json.find("image"))
         choice.field = FieldImage{image->at("name").string(), read_content(*image)};
     choice.palette = read_palette(json.at("palette"), layout);
@@ -292,7 +301,9 @@ Json recipe_json(const PaintingRecipe& recipe) {
     return json;
 }
 
-Project project_from_json(const JsonReader& json) {
+}  // namespace
+
+Project read_project(const JsonReader& json) {
     json.expect_format("project", 4, 2);
     json.allow_only({"format", "layout", "setting", "library", "outline", "tessellation", "load_cases",
                      "tile_models", "recipes"});
@@ -300,8 +311,7 @@ Project project_from_json(const JsonReader& json) {
     project.layout = pattern::read_node_layout(json.at("layout"));
     if (const auto setting = json.find("setting")) project.setting = reduction::read_setting(*setting);
     if (const auto library = json.find("library")) read_library_link(*library, project);
-    const JsonReader outline = json.at("outline");
-    auto outlines = outline.located<base::GeometryError>([&] { return read_outlines_json(outline); });
+    auto outlines = read_outlines_json(json.at("outline"));
     project.outline = std::move(outlines.front());
     project.further_outlines.assign(std::make_move_iterator(outlines.begin() + 1),
                                     std::make_move_iterator(outlines.end()));
@@ -310,18 +320,16 @@ Project project_from_json(const JsonReader& json) {
     read_load_cases(json.at("load_cases"), project);
     if (const auto models = json.find("tile_models")) read_tile_models(*models, project);
     if (const auto recipes = json.find("recipes")) read_recipes(*recipes, project);
-    if (!project.recipes.empty()) json.require_format("fretwork/project/4", "no recipes");
+    if (!project.recipes.empty()) json.require_format("fretwork/project/4", "recipes");
     return project;
 }
 
-}  // namespace
-
 Project parse_project(std::string_view text, const std::string& source) {
-    return project_from_json(JsonReader::from_text(text, source));
+    return read_project(JsonReader::from_text(text, source));
 }
 
 Project read_project(const std::filesystem::path& path) {
-    return project_from_json(JsonReader::from_file(path));
+    return read_project(JsonReader::from_file(path));
 }
 
 std::string project_text(const Project& project) {

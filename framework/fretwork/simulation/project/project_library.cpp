@@ -2,6 +2,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/reduction/models/tile_model.hpp>
+#include <fretwork/simulation/project/project_check.hpp>
 #include <fretwork/simulation/project/project_file.hpp>
 #include <fretwork/simulation/project/project_library.hpp>
 
@@ -113,10 +114,7 @@ bool needs_library(const Project& project, const ModelChoice& choice) {
 
 Project read_checked_project(const std::string& file) {
     Project project = read_project(file);
-    for (std::size_t i = 0; i < project.tile_models.size(); ++i) {
-        base::located(file, "/tile_models/" + std::to_string(i) + "/model",
-                      [&] { (void)reduction::find_tile_model(project.tile_models[i].model); });
-    }
+    check_tile_models(project, file);
     return project;
 }
 

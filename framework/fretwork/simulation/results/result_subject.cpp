@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/sha256.hpp>
+#include <fretwork/base/json_reader.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/reduction/scenarios/setting_file.hpp>
+#include <fretwork/simulation/internal/load_case_json.hpp>
+#include <fretwork/simulation/internal/stages_json.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
 #include <fretwork/simulation/results/result_subject.hpp>
 #include <fretwork/simulation/stages.hpp>
@@ -146,10 +149,13 @@ void check_subject(const ResultSubject& subject, const std::string& source,
     if (!subject.full_tiles.empty() && !mixed_share(main_model(subject)))
         throw base::InputError(source, "/subject/full_tiles",
                                "is for mixed models, and this is " + subject.model);
-    (void)parse_load_case(subject.load_case_text, source + ": /subject/load_case");
-    if (!subject.stages_text.empty()) (void)parse_stages(subject.stages_text, source + ": /subject/stages");
-    for (const std::string& text : subject.stage_load_cases)
-        (void)parse_load_case(text, source + ": /subject/stage_load_cases");
+    const auto part = [&](const std::string& text, const std::string& place) {
+        return base::JsonReader::from_text(text, source, "/subject/" + place);
+    };
+    (void)read_load_case(part(subject.load_case_text, "load_case"));
+    if (!subject.stages_text.empty()) (void)read_stages(part(subject.stages_text, "stages"));
+    for (std::size_t i = 0; i < subject.stage_load_cases.size(); ++i)
+        (void)read_load_case(part(subject.stage_load_cases[i], "stage_load_cases/" + std::to_string(i)));
 }
 
 std::string subject_difference(const ResultSubject& left, const ResultSubject& right) {

@@ -30,6 +30,13 @@ Json model_error_json(const ModelError& error) {
     return json;
 }
 
+double read_full_share(const JsonReader& reader) {
+    const double share = reader.number();
+    if (share < 0.0 || share > 1.0)
+        reader.fail("is " + reader.text() + ", where a share of the tiles from 0 to 1 is needed");
+    return share;
+}
+
 ModelError read_model_error(const JsonReader& reader) {
     reader.allow_only({"mean", "largest", "relative_l2", "largest_stress", "full_share"});
     ModelError error{mechanics::read_not_negative(reader.at("mean")),
@@ -37,7 +44,7 @@ ModelError read_model_error(const JsonReader& reader) {
                      mechanics::read_not_negative(reader.at("relative_l2"))};
     if (const auto stress = reader.find("largest_stress"))
         error.largest_stress = mechanics::read_not_negative(*stress);
-    if (const auto share = reader.find("full_share")) error.full_share = mechanics::read_not_negative(*share);
+    if (const auto share = reader.find("full_share")) error.full_share = read_full_share(*share);
     return error;
 }
 

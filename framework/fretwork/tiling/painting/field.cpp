@@ -104,6 +104,7 @@ std::vector<double> expression_values(const std::string& expression, const geome
         parser.DefineVar("v", &share.y);
         parser.DefineConst("pi", std::acos(-1.0));
         parser.SetExpr(expression);
+        if (points.empty()) (void)parser.Eval();  // which reads the expression
         for (const Point2& point : points) {
             place = point;
             share = share_at(box, point);

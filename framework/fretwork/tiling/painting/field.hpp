@@ -13,7 +13,7 @@ namespace fretwork::tiling {
 /// The values of an expression, such as "u", "sin(20*x)^2" or "x > 0.1 ? 1 : 0", at some points. The
 /// variables are `x` and `y` (m), and `u` and `v`, which run from 0 to 1 across the box. The constant `pi`
 /// and the functions of muParser are known. Throws InputError that says what is wrong with the expression, or
-/// names a point at which its value is not finite.
+/// names a point at which its value is not finite. Without points, the expression is only checked.
 std::vector<double> expression_values(const std::string& expression, const geometry::Box& box,
                                       const std::vector<geometry::Point2>& points);
 
