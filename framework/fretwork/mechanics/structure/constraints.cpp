@@ -7,13 +7,18 @@
 
 namespace fretwork::mechanics::structure {
 
+std::vector<DofSet> held_dofs(const Assembly& assembly) {
+    std::vector<DofSet> held(assembly.nodes.size());
+    for (const Support& support : assembly.supports) held[support.node] |= support.fixed;
+    for (const PrescribedDisplacement& given : assembly.prescribed) held[given.node][given.dof] = true;
+    return held;
+}
+
 Constraints constraints_of(const Assembly& assembly) {
     Constraints constraints;
-    constraints.held.resize(assembly.nodes.size());
+    constraints.held = held_dofs(assembly);
     constraints.values = NodeValues::Zero(static_cast<Eigen::Index>(assembly.nodes.size()), kDofsPerNode);
-    for (const Support& support : assembly.supports) constraints.held[support.node] |= support.fixed;
     for (const PrescribedDisplacement& given : assembly.prescribed) {
-        constraints.held[given.node][given.dof] = true;
         constraints.values(given.node.value, static_cast<Eigen::Index>(given.dof)) = given.value;
     }
     return constraints;

@@ -8,7 +8,10 @@
 
 namespace fretwork::mechanics::structure {
 
-/// The held components of every node of an assembly (supported or prescribed), and their values.
+/// The held components of every node of an assembly: those that are supported or prescribed.
+std::vector<DofSet> held_dofs(const Assembly& assembly);
+
+/// The held components of every node of an assembly, and their values.
 struct Constraints {
     std::vector<DofSet> held;
     NodeValues values;  ///< prescribed values; zero for other components

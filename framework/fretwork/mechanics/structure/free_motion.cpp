@@ -6,6 +6,7 @@
 #include <fretwork/mechanics/structure/free_motion.hpp>
 
 #include <algorithm>
+#include <map>
 #include <vector>
 
 namespace fretwork::mechanics::structure {
@@ -56,7 +57,7 @@ class RigidMotions {
 class FreeMotionSearch {
   public:
     explicit FreeMotionSearch(const Assembly& assembly)
-        : assembly_(assembly), held_(constraints_of(assembly).held), sets_(assembly.nodes.size()) {
+        : assembly_(assembly), held_(held_dofs(assembly)), sets_(assembly.nodes.size()) {
         for (const auto& element : assembly.elements) {
             const std::size_t first = element->nodes().front();
             for (const NodeIndex node : element->nodes()) sets_.unite(first, node);
@@ -64,11 +65,10 @@ class FreeMotionSearch {
     }
 
     std::optional<NodeIndex> run() {
-        std::vector<std::vector<NodeIndex>> parts(assembly_.nodes.size());
-        for (std::size_t node = 0; node < parts.size(); ++node)
+        std::map<std::size_t, std::vector<NodeIndex>> parts;
+        for (std::size_t node = 0; node < assembly_.nodes.size(); ++node)
             parts[sets_.first_of(node)].emplace_back(node);
-        for (const std::vector<NodeIndex>& part : parts) {
-            if (part.empty()) continue;
+        for (const auto& [first, part] : parts) {
             if (const auto node = moving_node(part)) return node;
         }
         return std::nullopt;
