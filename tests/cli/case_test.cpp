@@ -74,9 +74,12 @@ TEST_F(CaseCommand, ErrorsNameTheFileOfTheLoadCase) {
         "combines": [{"load_case": "self", "factor": 1}]})");
     EXPECT_THAT(run("fretwork case add p.json push.json").err,
                 HasSubstr("fretwork: push.json: load case 'push': /loads/0: no interface node lies in"));
-    EXPECT_THAT(
-        run("fretwork case add p.json sum.json").err,
-        HasSubstr("fretwork: sum.json: load case 'sum': /combines/0/load_case: unknown load case 'push'"));
+    for (const std::string command :
+         {"case add p.json sum.json", "simulate p.json --case sum.json --out r.json"})
+        EXPECT_THAT(
+            run("fretwork " + command).err,
+            HasSubstr(
+                "fretwork: sum.json: load case 'sum': /combines/0/load_case: unknown load case 'push'"));
     EXPECT_THAT(
         run("fretwork case add p.json self.json").err,
         AllOf(HasSubstr("fretwork: self.json: "), HasSubstr("/combines/0/load_case: "), HasSubstr("itself")));

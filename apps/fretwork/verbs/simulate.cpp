@@ -66,8 +66,11 @@ LoadCase chosen_load_case(const Project& project, const SimulateOptions& options
             return of_project(options, [&] { return simulation::find_load_case(project, name_or_file); });
     }
     const std::filesystem::path path(name_or_file);
-    if (base::ending_of(path) == ".json" || path.has_parent_path())
-        return simulation::combined(simulation::read_load_case(path), project.load_cases);
+    if (base::ending_of(path) == ".json" || path.has_parent_path()) {
+        const LoadCase read = simulation::read_load_case(path);
+        return base::located(name_or_file, "",
+                             [&] { return simulation::combined(read, project.load_cases); });
+    }
     return of_project(options, [&] { return simulation::find_load_case(project, name_or_file); });
 }
 
