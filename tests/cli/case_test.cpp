@@ -72,8 +72,10 @@ TEST_F(CaseCommand, ErrorsNameTheFileOfTheLoadCase) {
         "combines": [{"load_case": "push", "factor": 1}]})");
     folder_.file("self.json", R"({"format": "fretwork/load-case/2", "name": "self",
         "combines": [{"load_case": "self", "factor": 1}]})");
-    EXPECT_THAT(run("fretwork case add p.json push.json").err,
-                HasSubstr("fretwork: push.json: load case 'push': /loads/0: no interface node lies in"));
+    for (const std::string command :
+         {"case add p.json push.json", "simulate p.json --case push.json --out r.json"})
+        EXPECT_THAT(run("fretwork " + command).err,
+                    HasSubstr("fretwork: push.json: load case 'push': /loads/0: no interface node lies in"));
     for (const std::string command :
          {"case add p.json sum.json", "simulate p.json --case sum.json --out r.json"})
         EXPECT_THAT(

@@ -16,6 +16,7 @@
 #include <fretwork/mechanics/frame/frame_file.hpp>
 #include <fretwork/mechanics/modes.hpp>
 #include <fretwork/simulation/load_cases/combination.hpp>
+#include <fretwork/simulation/load_cases/conditions.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
 #include <fretwork/simulation/project/project_library.hpp>
 #include <fretwork/simulation/simulate.hpp>
@@ -68,8 +69,11 @@ LoadCase chosen_load_case(const Project& project, const SimulateOptions& options
     const std::filesystem::path path(name_or_file);
     if (base::ending_of(path) == ".json" || path.has_parent_path()) {
         const LoadCase read = simulation::read_load_case(path);
-        return base::located(name_or_file, "",
-                             [&] { return simulation::combined(read, project.load_cases); });
+        return base::located(name_or_file, "", [&] {
+            LoadCase whole = simulation::combined(read, project.load_cases);
+            simulation::check_selections(whole, project.tessellation);
+            return whole;
+        });
     }
     return of_project(options, [&] { return simulation::find_load_case(project, name_or_file); });
 }

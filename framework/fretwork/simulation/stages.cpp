@@ -7,6 +7,8 @@
 #include <fretwork/simulation/stages.hpp>
 
 #include <algorithm>
+#include <set>
+#include <string>
 #include <utility>
 
 namespace fretwork::simulation {
@@ -20,14 +22,12 @@ LoadStage read_stage(const JsonReader& json) {
     LoadStage stage;
     stage.name = json.at("name").string();
     if (const auto loads = json.find("loads")) {
+        std::set<std::string> named;
         for (const JsonReader& share : loads->elements()) {
-            LoadCase::Share own = read_share(share);
-            const auto same = std::ranges::find(stage.loads, own.load_case, &LoadCase::Share::load_case);
-            if (same != stage.loads.end()) {
-                const JsonReader name = share.at("load_case");
+            stage.loads.push_back(read_share(share));
+            const JsonReader name = share.at("load_case");
+            if (!named.insert(stage.loads.back().load_case).second)
                 name.fail("is " + name.text() + ", which this load stage names already");
-            }
-            stage.loads.push_back(std::move(own));
         }
     }
     if (const auto keep = json.find("keep")) stage.keep = read_supports(*keep);

@@ -24,6 +24,15 @@ Constraints constraints_of(const Assembly& assembly) {
     return constraints;
 }
 
+base::DisjointSets connected_nodes(const Assembly& assembly) {
+    base::DisjointSets sets(assembly.nodes.size());
+    for (const auto& element : assembly.elements) {
+        const std::size_t first = element->nodes().front();
+        for (const NodeIndex node : element->nodes()) sets.unite(first, node);
+    }
+    return sets;
+}
+
 NodeIndex nearest_reported(const Assembly& assembly, NodeIndex node) {
     NodeIndex nearest;
     double least = std::numeric_limits<double>::max();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/disjoint_sets.hpp>
 #include <fretwork/mechanics/assembly.hpp>
 
 #include <string>
@@ -18,6 +19,9 @@ struct Constraints {
 };
 
 Constraints constraints_of(const Assembly& assembly);
+
+/// The nodes of an assembly; those that elements connect are in one set.
+base::DisjointSets connected_nodes(const Assembly& assembly);
 
 /// The reported node that is nearest to a node of the assembly.
 NodeIndex nearest_reported(const Assembly& assembly, NodeIndex node);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/disjoint_sets.hpp>
 #include <fretwork/geometry/rotation.hpp>
 #include <fretwork/geometry/symmetric_eigen.hpp>
 #include <fretwork/mechanics/structure/constraints.hpp>
@@ -57,12 +56,7 @@ class RigidMotions {
 class FreeMotionSearch {
   public:
     explicit FreeMotionSearch(const Assembly& assembly)
-        : assembly_(assembly), held_(held_dofs(assembly)), sets_(assembly.nodes.size()) {
-        for (const auto& element : assembly.elements) {
-            const std::size_t first = element->nodes().front();
-            for (const NodeIndex node : element->nodes()) sets_.unite(first, node);
-        }
-    }
+        : assembly_(assembly), held_(held_dofs(assembly)), sets_(connected_nodes(assembly)) {}
 
     std::optional<NodeIndex> run() {
         std::map<std::size_t, std::vector<NodeIndex>> parts;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/disjoint_sets.hpp>
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/sparse/arbitrary.hpp>
 #include <fretwork/mechanics/structure/constraints.hpp>
@@ -20,11 +19,7 @@ constexpr double kUnbalancedShare = 1e-2;
 
 /// For each node, true if elements connect it with `from`.
 std::vector<bool> connected_to(const Assembly& assembly, NodeIndex from) {
-    base::DisjointSets nodes(assembly.nodes.size());
-    for (const auto& element : assembly.elements) {
-        const std::size_t first = element->nodes().front();
-        for (const NodeIndex node : element->nodes()) nodes.unite(first, node);
-    }
+    base::DisjointSets nodes = connected_nodes(assembly);
     const std::size_t wanted = nodes.first_of(from);
     std::vector<bool> connected;
     for (std::size_t node = 0; node < assembly.nodes.size(); ++node)
