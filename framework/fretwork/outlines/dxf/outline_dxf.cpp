@@ -196,7 +196,8 @@ class DxfReader {
                 file_.fail(insert.line, "with all blocks, the drawing has more than " +
                                             std::to_string(kMostEntities) + " copies of blocks");
             const auto column = static_cast<double>(copy % columns);
-            const auto row = static_cast<double>(copy / columns);
+            const auto full_rows = copy / columns;
+            const auto row = static_cast<double>(full_rows);
             const Affine moved{1, 0, 0, 1, column * step.x, row * step.y};
             read(block->entities,
                  {turned.after(moved).after(scaled).after({1, 0, 0, 1, -block->base_x, -block->base_y}),
