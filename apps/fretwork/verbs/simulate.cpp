@@ -23,6 +23,7 @@
 #include <fretwork/simulation/stages.hpp>
 #include <fretwork/simulation/surface_frame.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -59,23 +60,26 @@ auto of_project(const SimulateOptions& options, const Work& work) {
     return base::located(options.project, "", work);
 }
 
+/// A load case, and the file that has it.
+struct ChosenCase {
+    LoadCase load_case;
+    std::string file;
+};
+
 /// The project's load case with this name. Another text is a file if it ends in .json or has a folder.
-LoadCase chosen_load_case(const Project& project, const SimulateOptions& options) {
+ChosenCase chosen_load_case(const Project& project, const SimulateOptions& options) {
     const std::string& name_or_file = options.load_case;
-    for (const LoadCase& own : project.load_cases) {
-        if (own.name == name_or_file)
-            return of_project(options, [&] { return simulation::find_load_case(project, name_or_file); });
-    }
+    const bool is_own =
+        std::ranges::find(project.load_cases, name_or_file, &LoadCase::name) != project.load_cases.end();
     const std::filesystem::path path(name_or_file);
-    if (base::ending_of(path) == ".json" || path.has_parent_path()) {
+    if (!is_own && (base::ending_of(path) == ".json" || path.has_parent_path())) {
         const LoadCase read = simulation::read_load_case(path);
-        return base::located(name_or_file, "", [&] {
-            LoadCase whole = simulation::combined(read, project.load_cases);
-            simulation::check_selections(whole, project.tessellation);
-            return whole;
-        });
+        return {
+            base::located(name_or_file, "", [&] { return simulation::combined(read, project.load_cases); }),
+            name_or_file};
     }
-    return of_project(options, [&] { return simulation::find_load_case(project, name_or_file); });
+    return {of_project(options, [&] { return simulation::find_load_case(project, name_or_file); }),
+            options.project};
 }
 
 /// A file that is still to be written.
@@ -197,7 +201,10 @@ ExitCode run(const CLI::App& verb, SimulateOptions options) {
     simulation::check_calibrations(options.project, project, surface, choice);
     if (const std::string foreign = simulation::foreign_size_text(surface, choice); !foreign.empty())
         warn(foreign);
-    const LoadCase load_case = chosen_load_case(project, options);
+    const auto [load_case, case_file] = chosen_load_case(project, options);
+    // Load stages take no loads of the case. Without them, errors of its entries name its file here.
+    if (stages.empty())
+        base::located(case_file, "", [&] { simulation::check_selections(load_case, project.tessellation); });
     std::vector<ResultText> files = frame_files(options, surface, load_case);
     const simulation::SurfaceResult result =
         simulate_or_stop(options, surface, {load_case, project.load_cases, stages});

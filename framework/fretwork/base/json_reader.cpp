@@ -116,6 +116,7 @@ void JsonReader::fail(const InputError& error) const {
         std::string& part = data.where.front().place;
         wrong = Access::follow(wrong, part);
         if (part.starts_with('/')) part.erase(0, 1);  // it is no place of the source
+        if (part.empty()) data.where.erase(data.where.begin());
     }
     const std::string place = shortened(wrong.pointer(), kMostShown);
     throw within(source(), place.empty() ? "/" : place, InputError(std::move(data)));
